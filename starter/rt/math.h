@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <numbers>
+
+/// Numbers and vectors. Everything is double: most of what goes wrong in a ray tracer is rounding.
+namespace rt {
+
+using Real = double;
+using glm::cross;
+using glm::dot;
+using vec2 = glm::dvec2;
+using vec3 = glm::dvec3;
+using ivec2 = glm::ivec2;
+
+/// Linear RGB: a radiance [W/(sr m2)], an irradiance [W/m2], a reflectance [1].
+using Color = vec3;
+
+constexpr Real inf = std::numeric_limits<Real>::infinity();
+constexpr Real pi = std::numbers::pi;
+
+/// Unit roundoff of a Real, 2^-53: the relative error of one operation.
+constexpr Real roundoff = std::numeric_limits<Real>::epsilon() / 2;
+
+/// sqrt(max(x, 0)): for an x that only rounding can have made negative.
+inline Real safe_sqrt(Real x) { return std::sqrt(x > 0 ? x : 0); }
+
+inline Real sqr(Real x) { return x * x; }
+
+/// v / |v|. A zero vector stays zero.
+inline vec3 unit(vec3 v) {
+    const Real squared = dot(v, v);
+    return v * (squared > 0 ? 1 / std::sqrt(squared) : 0);
+}
+
+/// The largest of |x|, |y|, |z|.
+inline Real largest(vec3 v) {
+    const Real x = std::abs(v.x), y = std::abs(v.y), z = std::abs(v.z);
+    const Real xy = x > y ? x : y;
+    return xy > z ? xy : z;
+}
+
+/// Three unit vectors at right angles, x cross y = z.
+struct Frame {
+    vec3 x, y, z;
+
+    /// A vector given in this frame, in the space of the axes.
+    vec3 to_world(vec3 local) const { return local.x * x + local.y * y + local.z * z; }
+};
+
+/// A frame whose z axis is the unit vector n.
+///
+/// Source: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
+inline Frame frame_about(vec3 n) {
+    const Real sign = n.z >= 0 ? 1.0 : -1.0;
+    const Real a = -1 / (sign + n.z);
+    const Real b = n.x * n.y * a;
+    return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
+}
+
+/// A sum whose error does not grow with the number of terms.
+///
+/// Source: Neumaier, "Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen", ZAMM 54, 1974.
+struct Sum {
+    Real total = 0, lost = 0;
+
+    void add(Real x) {
+        const Real next = total + x;
+        lost += std::abs(total) >= std::abs(x) ? (total - next) + x : (x - next) + total;
+        total = next;
+    }
+    Real value() const { return total + lost; }
+};
+
+}  // namespace rt

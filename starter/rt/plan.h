@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+
+#include "rt/scene.h"
+
+namespace rt {
+
+/// What a scene needs, decided before the first ray; nothing else decides. An integral that is off draws no random
+/// number, casts no ray and has no dimension in the sampling pattern.
+struct RenderPlan {
+    // the integrals
+    bool pixel = false;   // more than one sample a pixel
+    bool light = false;   // emitters with extent are sampled
+    bool lobe = false;    // glossy or translucent surfaces
+    bool lens = false;
+    bool time = false;    // something moves while the shutter is open
+    bool bounce = false;  // diffuse bounces
+    bool medium = false;
+
+    // what is traced
+    bool point_lights = false, environment = false, emission = false;
+    bool specular = false;      // mirrors or glass: more than one wave of rays
+    bool split = false;         // mirror and glass rays are both followed, as Whitted does; else one is chosen
+    bool choice = false;        // a surface has several ways on, and one is chosen at random
+    bool phong = false;         // a highlight
+    bool environment_lit = false;  // diffuse surfaces gather light from the environment
+    bool bvh = false;
+    bool spheres = false, triangles = false, quads = false, discs = false;
+    bool smooth = false;        // meshes with normals
+
+    // the dimensions of one sample: where each integral's random numbers start
+    int camera_dimensions = 0;  // pixel, lens, time
+    int wave_dimensions = 0;    // of each following wave
+};
+
+RenderPlan make_plan(const Scene& scene);
+
+/// The plan as a short table: what is on, what is left out and why, dimensions per sample, expected rays per pixel.
+std::string describe(const RenderPlan& plan, const Scene& scene);
+
+}  // namespace rt

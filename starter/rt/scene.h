@@ -1,0 +1,141 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "rt/math.h"
+
+/// A scene as plain data. Lengths in metres, angles in radians, time in seconds, colours linear RGB.
+namespace rt {
+
+// ---- shapes ----
+
+struct Sphere {
+    vec3 center{0};
+    Real radius = 1;
+};
+
+/// Front side: where a, b, c run anticlockwise.
+struct Triangle {
+    vec3 a, b, c;
+};
+
+/// The points center + x u + y v with |x|, |y| <= 1; u and v are half edges at right angles. Front side: u cross v.
+struct Quad {
+    vec3 center{0}, u{1, 0, 0}, v{0, 1, 0};
+};
+
+struct Disc {
+    vec3 center{0};
+    vec3 normal{0, 0, 1};  // unit, on the front side
+    Real radius = 1;
+};
+
+struct Shape {
+    std::variant<Sphere, Triangle, Quad, Disc> geometry;
+    int material = 0;
+    vec3 velocity{0};  // [m/s]
+};
+
+/// Triangles that share vertices. Has one normal a vertex, or none: then each triangle is flat.
+struct Mesh {
+    std::vector<vec3> vertices;
+    std::vector<vec3> normals;
+    std::vector<glm::ivec3> triangles;
+    int material = 0;
+    vec3 velocity{0};  // [m/s]
+};
+
+// ---- materials ----
+
+/// What fills a closed shape: light travels a mean distance of 1/extinction, then is scattered or absorbed.
+struct Medium {
+    Real extinction = 0;  // [1/m]; 0: clear
+    Color albedo{1};      // scattered share of what is met [1]
+    Real g = 0;           // mean cosine of the scattering angle; 0: isotropic
+};
+
+/// A surface, and what is behind it. Black where nothing is set.
+struct Material {
+    std::string name;
+    Color ambient{0};        // r_a: reflectance of the ambient light [1]
+    Color albedo{0};         // diffuse: r_d = albedo / pi
+    Color specular{0};       // r_s: reflectance of Phong's highlight [1]
+    Real shininess = 1;      // exponent of the highlight
+    Color reflectance{0};    // of a mirror, or of the glossy lobe about the mirror direction [1]
+    Color transmittance{0};  // of glass, or of the lobe about the refracted direction; > 0: Fresnel's law shares the light
+    Real exponent = inf;     // of the lobe; inf: a perfect mirror, clear glass
+    Real ior = 1;            // index of refraction behind the surface; in front it is 1
+    Color emission{0};       // radiance that leaves the front side
+    bool sampled = true;     // whether shadow rays look for this emitter; false: only paths that happen to hit it
+    Medium medium;
+};
+
+// ---- lights ----
+
+/// A light without extent.
+struct PointLight {
+    vec3 position{0};          // directional: unit vector towards the light
+    Color intensity{1};        // I [W/sr]; directional: irradiance of a surface that faces the light [W/m2]
+    bool directional = false;
+};
+
+/// A shape that shines and that shadow rays look for.
+struct Emitter {
+    enum class Kind { quad, disc, sphere };
+    Kind kind = Kind::quad;
+    Quad quad;
+    Disc disc;
+    Sphere sphere;
+    Color radiance{1};  // from the front side; a sphere shines outwards
+};
+
+// ---- camera ----
+
+/// Looks along -back. The film is an image of size.x by size.y pixels; film points are in pixels, x to the right and y
+/// down from the top left corner of the image.
+struct Camera {
+    vec3 eye{0};
+    vec3 right{1, 0, 0}, up{0, 1, 0}, back{0, 0, 1};  // unit, at right angles [world]
+    Real tan_half_fov = 0.5;  // half the film's height over its distance
+    ivec2 size{256, 256};     // [pixel]
+    Real lens_radius = 0;     // 0: a pinhole
+    Real focus = inf;         // distance of the plane in focus, along the axis
+};
+
+/// The time in which light is gathered.
+struct Shutter {
+    Real open = 0, close = 0;
+};
+
+/// A part of the film: low <= x < high [pixel].
+struct Extent {
+    vec2 low{0}, high{1};
+};
+
+// ---- the whole ----
+
+enum class Sampler { uniform, random, stratified, sobol };
+
+struct Scene {
+    std::string path;  // where it was read from
+    Camera camera;
+    Shutter shutter;
+    std::vector<Material> materials;
+    std::vector<Shape> shapes;
+    std::vector<Mesh> meshes;
+    std::vector<PointLight> lights;
+    Color ambient{0};      // I_a
+    Color environment{0};  // radiance from infinitely far away, in every direction
+    Color background{0};   // what a camera ray sees that meets nothing, where there is no environment; lights nothing
+
+    int samples = 16;      // a pixel
+    int bounces = 0;       // diffuse bounces after the first surface
+    int depth = 16;        // mirrors, glass and lobes on one path
+    Sampler sampler = Sampler::sobol;
+    Real exposure = 1;     // factor for previews only
+};
+
+}  // namespace rt
