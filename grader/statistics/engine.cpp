@@ -1,0 +1,138 @@
+#include "statistics/engine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "statistics/distributions.h"
+#include "statistics/welch.h"
+
+namespace grade {
+
+namespace {
+
+constexpr int first_look = 8, first_failure = 16, stride = 32;
+constexpr double gross = 20;  // standard deviations
+
+int next_look(int look) { return look < stride ? 2 * look : look + stride; }
+
+/// Looks at which a failure can be found.
+int failing_looks(int cap) {
+    int count = 0;
+    for (int look = first_failure; look <= cap; look = next_look(look)) ++count;
+    return std::max(count, 1);
+}
+
+}  // namespace
+
+struct Judge::Comparison {
+    double value, truth;
+    double deviation;  // value - truth
+    double se, degrees;
+    double spread;     // standard deviation of a replicate
+    double least;      // the smallest deviation of a replicate, counted towards the mean's side
+    bool finite;
+};
+
+struct Judge::Step {
+    std::optional<Judgement> judgement;
+    int wanted = 0;
+};
+
+Judge::Judge(Tolerance tolerance, Settings settings, std::optional<double> truth)
+    : tolerance_(tolerance), settings_(settings), truth_(truth) {}
+
+void Judge::add(double replicate) { own_.push_back(replicate); }
+
+void Judge::add_reference(double replicate) { reference_.push_back(replicate); }
+
+std::optional<Judgement> Judge::decide() const { return run().judgement; }
+
+int Judge::wanted() const { return run().wanted; }
+
+Judge::Comparison Judge::compare(int first, int last) const {
+    const auto range = [&](const std::vector<double>& all) { return std::span(all).subspan(first, last - first); };
+    const auto own = range(own_);
+    const Moments moments = moments_of(own);
+
+    Comparison c{};
+    c.value = moments.mean;
+    c.spread = moments.deviation();
+    if (truth_) {
+        c.truth = *truth_;
+        c.se = moments.standard_error();
+        c.degrees = moments.count - 1;
+    } else {
+        const Moments reference = moments_of(range(reference_));
+        const Welch welch = welch_test(moments, reference);
+        c.truth = reference.mean;
+        c.se = welch.se;
+        c.degrees = welch.degrees;
+        c.spread = std::max(c.spread, reference.deviation());
+    }
+    c.deviation = c.value - c.truth;
+    c.finite = std::isfinite(c.deviation) && std::isfinite(c.se);
+
+    const double side = c.deviation < 0 ? -1 : 1;
+    c.least = std::numeric_limits<double>::infinity();
+    for (double x : own) c.least = std::min(c.least, side * (x - c.truth));
+    return c;
+}
+
+Judge::Step Judge::run() const {
+    const int have = int(truth_ ? own_.size() : std::min(own_.size(), reference_.size()));
+    const double each = std::sqrt(settings_.alpha / settings_.statistics);  // of screening, and again of confirming
+    const double screen_tail = each / failing_looks(settings_.cap) / 2, confirm_tail = each / 2;
+    double beta = settings_.beta;
+
+    const auto fails = [&](const Comparison& c, double tail) {
+        const double excess = std::abs(c.deviation) - tolerance_.delta0;
+        return excess > 0 && excess > student_quantile(c.degrees, tail) * c.se;
+    };
+    const auto is_gross = [&](const Comparison& c) {
+        return c.least > tolerance_.delta && std::abs(c.deviation) - tolerance_.delta > gross * c.spread;
+    };
+    const auto judged = [&](Verdict verdict, const Comparison& c, int replicates) {
+        const double reach = c.se > 0 ? student_quantile(c.degrees, settings_.beta) * c.se : 0;
+        return Step{Judgement{verdict, c.value, c.truth, c.se, c.value - reach, c.value + reach, replicates, c.se == 0}, 0};
+    };
+
+    for (int look = first_look;;) {
+        if (have < look) return {std::nullopt, look};
+        const Comparison all = compare(0, look);
+        if (!all.finite) return judged(Verdict::failed, all, look);
+
+        // equal replicates
+        if (all.se == 0) {
+            const bool right = std::abs(all.deviation) <= std::max(tolerance_.delta0, tolerance_.delta);
+            return judged(right ? Verdict::passed : Verdict::failed, all, look);
+        }
+
+        // shown to be right
+        beta /= 2;
+        if (std::abs(all.deviation) + student_quantile(all.degrees, beta) * all.se <= tolerance_.delta)
+            return judged(Verdict::passed, all, look);
+
+        // looks wrong: is it, in fresh replicates?
+        const bool grossly = look < first_failure;
+        if (grossly ? is_gross(all) : fails(all, screen_tail)) {
+            if (have < 2 * look) return {std::nullopt, 2 * look};
+            const Comparison fresh = compare(look, 2 * look);
+            const bool same_side = (fresh.deviation < 0) == (all.deviation < 0);
+            if (!fresh.finite || (same_side && (grossly ? is_gross(fresh) : fails(fresh, confirm_tail))))
+                return judged(Verdict::failed, compare(0, 2 * look), 2 * look);
+            look = 2 * look;
+        } else {
+            look = next_look(look);
+        }
+        if (look > settings_.cap) return judged(Verdict::inconclusive, all, have);
+    }
+}
+
+Judgement judge_exact(double value, double truth, double delta) {
+    const bool right = std::abs(value - truth) <= delta;  // false for a NaN
+    return {right ? Verdict::passed : Verdict::failed, value, truth, 0, value, value, 1, true};
+}
+
+}  // namespace grade

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "statistics/moments.h"
+#include "statistics/verdict.h"
+
+namespace grade {
+
+/// A deviation up to delta0 is legitimate, one of delta must be found; in the statistic's own unit.
+struct Tolerance {
+    double delta0 = 0;
+    double delta = 0;
+};
+
+struct Settings {
+    double alpha = 1e-4;  // probability that a right submission fails, over all its statistics
+    int statistics = 1;   // how many statistics share alpha
+    double beta = 1e-3;   // probability that a deviation of delta passes
+    int cap = 256;        // replicates, after which a statistic is inconclusive
+};
+
+/// What became of one statistic.
+struct Judgement {
+    Verdict verdict = Verdict::inconclusive;  // passed, failed or inconclusive
+    double value = 0, truth = 0;
+    double se = 0;             // standard error of value - truth; 0: the replicates were all equal
+    double low = 0, high = 0;  // confidence interval of the value, at 1 - beta on either side
+    int replicates = 0;
+    bool constant = false;     // all replicates were equal
+};
+
+/// Decides between right and wrong from replicates, as soon as it is certain.
+///
+/// Replicates are scalars of independent renders; they are looked at when there are 8, 16, 32, 64, 96... of them:
+///
+///     passed  when |m| + t(1 - beta_k) se <= delta          equivalence: the deviation m is shown to be small
+///     failed  when (|m| - delta0) / se > t(1 - alpha_k / 2) twice: in all replicates so far, and then in as many
+///             fresh ones, on the same side
+///
+/// where t are quantiles of Student's distribution, and the alpha_k and beta_k of all looks add up to alpha and beta. A
+/// failure needs 16 replicates, since means of fewer are not normal enough; only a gross one is seen with 8: all of them
+/// beyond delta on the same side, 20 standard deviations away, and 8 fresh ones again. Equal replicates are compared as
+/// they are. With no decision at the cap the verdict is inconclusive.
+///
+/// Source: Schuirmann, "A comparison of the two one-sided tests procedure...", J. Pharmacokin. Biopharm. 15, 1987;
+/// Welch, "The generalization of Student's problem...", Biometrika 34, 1947.
+class Judge {
+public:
+    /// truth  closed form; none: the mean of the reference's replicates, one for each of the submission's
+    Judge(Tolerance tolerance, Settings settings, std::optional<double> truth = std::nullopt);
+
+    void add(double replicate);
+    void add_reference(double replicate);
+
+    /// The verdict on the replicates so far; none: more are needed. Replicates beyond the deciding look do not count.
+    std::optional<Judgement> decide() const;
+
+    /// How many replicates there must be in all before decide() can say more than it does now.
+    int wanted() const;
+
+private:
+    struct Step;        // a judgement, or how many replicates are wanted
+    struct Comparison;  // of a range of replicates with the truth
+    Step run() const;
+    Comparison compare(int first, int last) const;
+
+    Tolerance tolerance_;
+    Settings settings_;
+    std::optional<double> truth_;
+    std::vector<double> own_, reference_;
+};
+
+/// The verdict on a statistic without noise: passed when |value - truth| <= delta.
+Judgement judge_exact(double value, double truth, double delta);
+
+}  // namespace grade
