@@ -27,12 +27,13 @@ int failing_looks(int cap) {
 }  // namespace
 
 struct Judge::Comparison {
+    int replicates;
     double value, truth;
     double deviation;  // value - truth
     double se, degrees;
     double spread;     // standard deviation of a replicate
     double least;      // the smallest deviation of a replicate, counted towards the mean's side
-    bool finite;
+    bool finite, constant;
 };
 
 struct Judge::Step {
@@ -57,8 +58,10 @@ Judge::Comparison Judge::compare(int first, int last) const {
     const Moments moments = moments_of(own);
 
     Comparison c{};
+    c.replicates = last - first;
     c.value = moments.mean;
     c.spread = moments.deviation();
+    c.constant = moments.m2 == 0;
     if (truth_) {
         c.truth = *truth_;
         c.se = moments.standard_error();
@@ -93,26 +96,28 @@ Judge::Step Judge::run() const {
     const auto is_gross = [&](const Comparison& c) {
         return c.least > tolerance_.delta && std::abs(c.deviation) - tolerance_.delta > gross * c.spread;
     };
-    const auto judged = [&](Verdict verdict, const Comparison& c, int replicates) {
+    const auto judged = [&](Verdict verdict, const Comparison& c) {
         const double reach = c.se > 0 ? student_quantile(c.degrees, settings_.beta) * c.se : 0;
-        return Step{Judgement{verdict, c.value, c.truth, c.se, c.value - reach, c.value + reach, replicates, c.se == 0}, 0};
+        return Step{Judgement{verdict, c.value, c.truth, c.se, c.value - reach,
+                              c.value + reach, c.replicates, c.constant},
+                    0};
     };
 
     for (int look = first_look;;) {
         if (have < look) return {std::nullopt, look};
         const Comparison all = compare(0, look);
-        if (!all.finite) return judged(Verdict::failed, all, look);
+        if (!all.finite) return judged(Verdict::failed, all);
 
         // equal replicates
         if (all.se == 0) {
             const bool right = std::abs(all.deviation) <= std::max(tolerance_.delta0, tolerance_.delta);
-            return judged(right ? Verdict::passed : Verdict::failed, all, look);
+            return judged(right ? Verdict::passed : Verdict::failed, all);
         }
 
         // shown to be right
         beta /= 2;
         if (std::abs(all.deviation) + student_quantile(all.degrees, beta) * all.se <= tolerance_.delta)
-            return judged(Verdict::passed, all, look);
+            return judged(Verdict::passed, all);
 
         // looks wrong: is it, in fresh replicates?
         const bool grossly = look < first_failure;
@@ -121,12 +126,12 @@ Judge::Step Judge::run() const {
             const Comparison fresh = compare(look, 2 * look);
             const bool same_side = (fresh.deviation < 0) == (all.deviation < 0);
             if (!fresh.finite || (same_side && (grossly ? is_gross(fresh) : fails(fresh, confirm_tail))))
-                return judged(Verdict::failed, compare(0, 2 * look), 2 * look);
+                return judged(Verdict::failed, compare(0, 2 * look));
             look = 2 * look;
         } else {
             look = next_look(look);
         }
-        if (look > settings_.cap) return judged(Verdict::inconclusive, all, have);
+        if (look > settings_.cap) return judged(Verdict::inconclusive, all);
     }
 }
 

@@ -25,10 +25,10 @@ struct Settings {
 struct Judgement {
     Verdict verdict = Verdict::inconclusive;  // passed, failed or inconclusive
     double value = 0, truth = 0;
-    double se = 0;             // standard error of value - truth; 0: the replicates were all equal
+    double se = 0;             // standard error of value - truth
     double low = 0, high = 0;  // confidence interval of the value, at 1 - beta on either side
     int replicates = 0;
-    bool constant = false;     // all replicates were equal
+    bool constant = false;     // the submission's replicates were all equal
 };
 
 /// Decides between right and wrong from replicates, as soon as it is certain.

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "rt/image.h"
+#include "statistics/region.h"
+
+namespace grade {
+
+/// Moments of a spot of light on black, per axis and about its centre, in pixels. Where pixels average over their area
+/// they add 1/12 to the variance.
+struct Blob {
+    double mass = 0;             // sum of brightness
+    rt::vec2 centroid{0};        // from the image's top left corner
+    rt::vec2 variance{0};
+    double covariance = 0;
+    rt::vec2 kurtosis{0};        // of the marginals: uniform disc 2, square 1.8, disc without square root 2.7
+    double radial_square = 0;    // mean square of the distance from the centroid
+    double radial_kurtosis = 0;  // mean fourth power over the square of that: uniform disc 4/3
+};
+
+Blob blob_moments(const rt::Image& image, const Region& region);
+
+}  // namespace grade

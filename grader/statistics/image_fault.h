@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "rt/image.h"
+
+namespace grade {
+
+/// What makes data no picture of radiance, before any statistic: wrong size, a number that is not finite, a negative
+/// one; with the first such pixel. None: nothing of that kind.
+std::optional<std::string> image_fault(const rt::Image& image, int width, int height);
+
+/// Whether the values are those of an 8-bit picture, linear or sRGB: at least 16 different ones, all on its levels.
+bool is_quantised(const rt::Image& image);
+
+/// Whether two images agree bit by bit: of two seeds they must not, of one seed they must.
+bool is_same(const rt::Image& a, const rt::Image& b);
+
+}  // namespace grade

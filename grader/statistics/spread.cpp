@@ -1,0 +1,52 @@
+#include "statistics/spread.h"
+
+#include <vector>
+
+namespace grade {
+
+Spread light_spread(std::span<const double> profile) {
+    Spread s;
+    for (std::size_t k = 0; k < profile.size(); ++k) {
+        s.mass += profile[k];
+        s.mean += profile[k] * (double(k) + 0.5);
+    }
+    s.mean /= s.mass;
+    double fourth = 0;
+    for (std::size_t k = 0; k < profile.size(); ++k) {
+        const double square = rt::sqr(double(k) + 0.5 - s.mean);
+        s.variance += profile[k] * square / s.mass;
+        fourth += profile[k] * square * square / s.mass;
+    }
+    s.kurtosis = fourth / rt::sqr(s.variance);
+    return s;
+}
+
+Spread edge_spread(std::span<const double> profile) {
+    std::vector<double> derivative;
+    for (std::size_t k = 1; k < profile.size(); ++k) derivative.push_back(profile[k] - profile[k - 1]);
+    Spread s = light_spread(derivative);
+    s.mean += 0.5;  // the first difference lies between pixels 0 and 1
+    return s;
+}
+
+SlantedSpread slanted_spread(const rt::Image& image, const Region& region, const Edge& edge, double left, double right) {
+    SlantedSpread s;
+    for (int y = region.y; y < region.y + region.height; ++y)
+        for (int x = region.x; x < region.x + region.width; ++x) {
+            const double d = x + 0.5 - (edge.offset + edge.slope * (y + 0.5));
+            const double level = (brightness(image.at(x, y)) - left) / (right - left);
+            const double short_of = (d > 0 ? 1 : d < 0 ? 0 : 0.5) - level;
+            s.mean += short_of / region.height;
+            s.mean_square += 2 * d * short_of / region.height;
+        }
+    return s;
+}
+
+rt::Image transposed(const rt::Image& image) {
+    rt::Image result(image.height, image.width);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) result.at(y, x) = image.at(x, y);
+    return result;
+}
+
+}  // namespace grade
