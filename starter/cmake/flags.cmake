@@ -1,0 +1,29 @@
+# What every file that touches a number is compiled with: the same bits from every compiler and every way of building.
+add_library(rt_numerics INTERFACE)
+target_compile_features(rt_numerics INTERFACE cxx_std_20)
+target_compile_options(rt_numerics INTERFACE -ffp-contract=off)
+
+add_library(rt_warnings INTERFACE)
+target_compile_options(rt_warnings INTERFACE -Wall -Wextra -Wpedantic -Wno-unknown-pragmas)
+
+# None of these changes a result.
+add_library(rt_speed INTERFACE)
+include(CheckCXXCompilerFlag)
+foreach(flag -march=native -mprefer-vector-width=512)
+    string(MAKE_C_IDENTIFIER "RT_HAS${flag}" has)
+    check_cxx_compiler_flag(${flag} ${has})
+    if(${has})
+        target_compile_options(rt_speed INTERFACE $<$<CONFIG:Release>:${flag}>)
+    endif()
+endforeach()
+target_compile_options(rt_speed INTERFACE $<$<CONFIG:Release>:-O3> -fno-math-errno -fno-trapping-math)
+
+# A stage is one loop, and as fast as all that it calls is part of it.
+add_library(rt_inlining INTERFACE)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(rt_inlining INTERFACE
+        -finline-limit=100000 --param=inline-unit-growth=10000 --param=large-function-growth=10000
+        --param=large-stack-frame-growth=10000 --param=max-inline-insns-single=100000 --param=max-inline-insns-auto=100000)
+else()
+    target_compile_options(rt_inlining INTERFACE "SHELL:-mllvm -inline-threshold=100000")
+endif()
