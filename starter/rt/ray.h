@@ -18,6 +18,9 @@ struct Hit {
     Real error = 0; // bound of the rounding error of the point, along the normal [world]
 };
 
+/// A ray towards a light ends at this share of its distance, so that it never meets the light itself.
+constexpr Real short_of_light = 1 - 0x1p-30;
+
 /// A ray that leaves a surface in the given direction, on the side to which the direction points, and cannot hit that
 /// surface again where it started: the origin moves along the normal by the rounding error of the hit, which grows and
 /// shrinks with the scene, and by no absolute epsilon.

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <toml++/impl/forward_declarations.h>
+#include <vector>
+
+#include "rt/math.h"
+
+namespace rt {
+
+/// What a number must be, and how to say so.
+struct Limits {
+    bool (*hold)(Real);
+    const char* expected;
+};
+
+/// Beyond this size the square of a product overflows.
+constexpr Real huge = 1e70;
+
+inline constexpr Limits any_number{[](Real x) { return std::abs(x) <= huge; }, "a number from -1e70 to 1e70"};
+inline constexpr Limits not_negative{[](Real x) { return x >= 0 && x <= huge; }, "a number from 0 to 1e70"};
+inline constexpr Limits positive{[](Real x) { return x > 0 && x <= huge; }, "a number above 0, up to 1e70"};
+inline constexpr Limits positive_or_inf{[](Real x) { return x > 0 && (x <= huge || x == inf); },
+                                        "a number above 0, or inf"};
+inline constexpr Limits share{[](Real x) { return x >= 0 && x <= 1; }, "a number from 0 to 1"};
+
+/// A table of a TOML file. Every function throws InputError, with the position in the file, when what it finds is not
+/// what it was asked for. Where `otherwise` is left out the key must be there.
+class Table {
+  public:
+    /// The whole file.
+    static Table parse(std::string_view text, const std::string& path);
+
+    /// Any other key is an error.
+    void only(std::initializer_list<std::string_view> keys) const;
+    bool has(std::string_view key) const;
+    std::vector<std::string> keys() const;
+
+    Real number(std::string_view key, Limits limits, std::optional<Real> otherwise = {}) const;
+    int integer(std::string_view key, int low, int high, std::optional<int> otherwise = {}) const;
+    bool flag(std::string_view key, bool otherwise) const;
+    std::string text(std::string_view key) const;
+    vec3 vector(std::string_view key, Limits limits, std::optional<vec3> otherwise = {}) const;
+    ivec2 pair(std::string_view key, int low, int high, std::optional<ivec2> otherwise = {}) const;
+
+    /// Three numbers, or one for all three.
+    Color color(std::string_view key, Limits limits, std::optional<Color> otherwise = {}) const;
+
+    /// One of the words; returns its place in the list.
+    int choice(std::string_view key, std::initializer_list<std::string_view> words, std::optional<int> otherwise = {}) const;
+
+    /// The table [key]; none: an empty one.
+    Table table(std::string_view key) const;
+
+    /// The tables [[key]].
+    std::vector<Table> tables(std::string_view key) const;
+
+    /// Throws "file:line:column: wrong; expected ...", at the key, or at the table if the key is not there.
+    [[noreturn]] void fail(std::string_view key, const std::string& wrong, const std::string& expected) const;
+
+  private:
+    std::shared_ptr<const toml::table> root_;
+    const toml::table* table_ = nullptr;
+    std::string path_, name_;
+
+    const toml::node* find(std::string_view key, bool required) const;
+    Table inner(const toml::table& table, const std::string& name) const;
+    Real checked(const toml::node& node, std::string_view key, Limits limits, const std::string& expected) const;
+    int whole(const toml::node& node, std::string_view key, int low, int high, const std::string& expected) const;
+    [[noreturn]] void fail_at(const toml::node& node, const std::string& wrong, const std::string& expected) const;
+};
+
+/// The word of the list that differs least; none: all of them differ in too many letters.
+std::optional<std::string> nearest_word(std::string_view word, const std::vector<std::string>& words);
+
+/// A user's word as it may stand in a message: in quotes, without control characters, not too long.
+std::string quoted(std::string_view word);
+
+}  // namespace rt
