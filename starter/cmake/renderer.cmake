@@ -3,7 +3,7 @@
 # Each fragment is an object of its own. Unless LINKED, the fragments are also included, as inline functions, into one
 # file with the stages, which then call nothing; where that file does not compile, since helpers of two fragments share
 # a name, say, the program falls back on the objects.
-set(RT_DIR ${CMAKE_CURRENT_LIST_DIR}/..)
+get_filename_component(RT_DIR ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
 
 function(add_renderer name)
     cmake_parse_arguments(PARSE_ARGV 1 arg "LINKED" "FRAGMENTS" "")
@@ -26,16 +26,19 @@ endfunction()
 
 # add_inlined_stages(name fragments): an object file that takes the place of the framework's stages.
 function(add_inlined_stages name fragments)
+    set(declarations "")
     # one declaration a line; inline, so that the objects' definitions may stand beside these
-    file(STRINGS ${RT_DIR}/rt/fragments.h declarations REGEX "^[A-Za-z].*\\(.*\\);$")
-    list(FILTER declarations EXCLUDE REGEX "report_not_started")
-    list(TRANSFORM declarations PREPEND "inline ")
+    file(STRINGS ${RT_DIR}/rt/fragments.h lines REGEX "^[A-Za-z].*\\(.*\\);$")
+    foreach(line IN LISTS lines)
+        if(NOT line MATCHES "report_not_started")
+            string(APPEND declarations "inline ${line}\n")
+        endif()
+    endforeach()
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${RT_DIR}/rt/fragments.h)
 
     file(GLOB stages CONFIGURE_DEPENDS ${RT_DIR}/rt/stages/*.cpp)
     set(includes ${fragments} ${stages})
     list(TRANSFORM includes REPLACE "(.+)" "#include \"\\1\"")
-    list(JOIN declarations "\n" declarations)
     list(JOIN includes "\n" includes)
     set(source ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
     configure_file(${RT_DIR}/cmake/inlined.cpp.in ${source} @ONLY)

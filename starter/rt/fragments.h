@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <source_location>
 #include <span>
 
 #include "rt/ray.h"
@@ -102,12 +101,13 @@ DirectionSample scatter_direction(vec3 d, Real g, vec2 u);
 // clang-format on
 
 /// Reports once, with file and line, that the fragment which calls it is a blank.
-void report_not_started(std::source_location where);
+void report_not_started(const char* file, int line);
 
-/// The value that a blank returns: harmless, and documented in the fragment's file.
+/// The value that a blank returns: harmless, and documented in the fragment's file. file and line are the caller's;
+/// std::source_location is missing from Clang 14.
 template <class Value>
-Value not_started(Value neutral, std::source_location where = std::source_location::current()) {
-    report_not_started(where);
+Value not_started(Value neutral, const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
+    report_not_started(file, line);
     return neutral;
 }
 

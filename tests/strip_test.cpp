@@ -1,0 +1,135 @@
+#include "build/strip.h"
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <toml++/toml.h>
+
+#include "catch.h"
+#include "rt/scene_reader.h"
+
+using namespace grade;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::set<std::string> fragment_files(const std::string& folder) {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().stem().string());
+    return names;
+}
+
+std::set<std::string> listed_fragments() {
+    std::set<std::string> names;
+    const toml::table list = toml::parse_file("assignment.toml");
+    for (const auto& part : *list["part"].as_array())
+        for (const auto& fragment : *part.at_path("fragments").as_array())
+            names.insert(fragment.at_path("name").value<std::string>().value());
+    return names;
+}
+
+std::set<std::string> declared_fragments() {
+    std::set<std::string> names;
+    std::ifstream header("starter/rt/fragments.h");
+    const std::regex declaration(R"(^[A-Za-z].*?(\w+)\(.*\);$)");
+    std::smatch match;
+    for (std::string line; std::getline(header, line);)
+        if (std::regex_match(line, match, declaration) && match[1] != "report_not_started") names.insert(match[1]);
+    return names;
+}
+
+std::string trimmed(const std::string& line) {
+    const auto first = line.find_first_not_of(" \t");
+    return first == line.npos ? "" : line.substr(first);
+}
+
+std::string text_of(const fs::path& path) {
+    std::ifstream in(path);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string error_of(const std::string& text) {
+    try {
+        find_region(text, "f.cpp");
+    } catch (const rt::InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+}  // namespace
+
+TEST_CASE("a region becomes the fallback, at the marker's indentation") {
+    const Marked file = find_region("a\n    // BEGIN SOLUTION\n    b\n    // END SOLUTION: return 0;\nc\n", "f.cpp");
+    CHECK(blank(file) == "a\n    // YOUR CODE HERE\n    return 0;\nc\n");
+    CHECK(filled(file) == "a\n    b\nc\n");
+}
+
+TEST_CASE("markers that are missing, repeated or out of order are errors with their place") {
+    const std::string begin = "  // BEGIN SOLUTION\n", end = "  // END SOLUTION: return 0;\n";
+    CHECK(error_of(begin + end) == "no error");
+    CHECK(error_of("a\nb\n").rfind("f.cpp:3:1: no BEGIN SOLUTION", 0) == 0);
+    CHECK(error_of(begin + "a\n").rfind("f.cpp:3:1: the file ends inside", 0) == 0);
+    CHECK(error_of("a\n" + end).rfind("f.cpp:2:3: END SOLUTION without", 0) == 0);
+    CHECK(error_of(begin + begin + end).rfind("f.cpp:2:3: a second BEGIN", 0) == 0);
+    CHECK(error_of(begin + end + begin + end).rfind("f.cpp:3:3: a second region", 0) == 0);
+    CHECK(error_of(begin + end + end).rfind("f.cpp:3:3: a second END", 0) == 0);
+    CHECK(error_of(begin + "  // END SOLUTION\n").rfind("f.cpp:2:18: no fallback", 0) == 0);
+}
+
+TEST_CASE("a given fragment is filled in, the others are blank; drift names the first character that differs") {
+    const fs::path folder = fs::temp_directory_path() / "penumbra_strip_test";
+    fs::remove_all(folder);
+    fs::create_directories(folder / "solution");
+    for (const char* name : {"one", "two"})
+        std::ofstream(folder / "solution" / (std::string(name) + ".cpp"))
+            << "// BEGIN SOLUTION\n" << name << "();\n// END SOLUTION: return 0;\n";
+
+    const auto files = make_starter((folder / "solution").string(), {"two"});
+    CHECK(files.at("one.cpp") == "// YOUR CODE HERE\nreturn 0;\n");
+    CHECK(files.at("two.cpp") == "two();\n");
+
+    const std::string starter = (folder / "starter").string();
+    write_starter(files, starter);
+    CHECK(drift(files, starter).empty());
+    std::ofstream(starter + "/two.cpp") << "twO();\n";
+    std::ofstream(starter + "/three.cpp") << "";
+    fs::remove(starter + "/one.cpp");
+    const auto lines = drift(files, starter);
+    REQUIRE(lines.size() == 3);
+    CHECK(lines[0].find("three.cpp:1:1: no such fragment") != std::string::npos);
+    CHECK(lines[1].find("one.cpp:1:1: missing") != std::string::npos);
+    CHECK(lines[2].find("two.cpp:1:3: not what") != std::string::npos);
+    fs::remove_all(folder);
+}
+
+TEST_CASE("assignment.toml, solution/, starter/fragments/ and fragments.h name the same fragments") {
+    const auto listed = listed_fragments();
+    CHECK(listed.size() > 30);
+    CHECK(fragment_files("solution") == listed);
+    CHECK(fragment_files("starter/fragments") == listed);
+    CHECK(declared_fragments() == listed);
+}
+
+TEST_CASE("the starter holds no line of what a student must write") {
+    const auto given = given_fragments("assignment.toml");
+    std::map<std::string, std::string> origin;  // of each secret line
+    for (const auto& entry : fs::directory_iterator("solution"))
+        if (!given.count(entry.path().stem().string()))
+            for (const auto& line : secrets(find_region(text_of(entry.path()), entry.path().string())))
+                origin[line] = entry.path().string();
+    REQUIRE(origin.size() > 40);
+
+    for (const auto& entry : fs::recursive_directory_iterator("starter")) {
+        if (!entry.is_regular_file()) continue;
+        std::istringstream text(text_of(entry.path()));
+        int number = 0;
+        for (std::string line; std::getline(text, line);) {
+            ++number;
+            const auto secret = origin.find(trimmed(line));
+            INFO(entry.path().string() << ":" << number << ": " << line);
+            if (secret != origin.end()) FAIL_CHECK("is a line of " << secret->second);
+        }
+    }
+}
