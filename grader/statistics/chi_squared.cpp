@@ -13,24 +13,31 @@ ChiSquared chi_squared_test(std::span<const double> observed, std::span<const do
     std::iota(order.begin(), order.end(), 0);
     std::sort(order.begin(), order.end(), [&](int a, int b) { return expected[a] < expected[b]; });
 
-    ChiSquared result;
-    double seen = 0, due = 0;  // of the pool that is being filled
-    int bins = 0;
-    for (std::size_t k = 0; k < order.size(); ++k) {
-        const int bin = order[k];
-        if (expected[bin] <= 0 && observed[bin] > 0) return {result.statistic, bins, 0};
-        seen += observed[bin];
-        due += expected[bin];
-
-        const bool last = k + 1 == order.size();
-        if (due < least && !last) continue;
-        if (due <= 0) continue;
-        result.statistic += (seen - due) * (seen - due) / due;
-        ++bins;
-        seen = due = 0;
+    // pools; what is left over stays with the last full one
+    struct Pool {
+        double seen = 0, due = 0;
+    };
+    std::vector<Pool> pools(1);
+    bool impossible = false;
+    for (int bin : order) {
+        impossible = impossible || (expected[bin] <= 0 && observed[bin] > 0);
+        if (pools.back().due >= least) pools.emplace_back();
+        pools.back().seen += observed[bin];
+        pools.back().due += expected[bin];
     }
-    result.degrees = bins - 1;
-    if (result.degrees > 0) result.p = chi_squared_tail(result.degrees, result.statistic);
+    if (pools.size() > 1 && pools.back().due < least) {
+        const Pool rest = pools.back();
+        pools.pop_back();
+        pools.back().seen += rest.seen;
+        pools.back().due += rest.due;
+    }
+
+    ChiSquared result;
+    for (const Pool& pool : pools)
+        if (pool.due > 0) result.statistic += (pool.seen - pool.due) * (pool.seen - pool.due) / pool.due;
+    result.degrees = int(pools.size()) - 1;
+    if (impossible) result.p = 0;
+    else if (result.degrees > 0) result.p = chi_squared_tail(result.degrees, result.statistic);
     return result;
 }
 

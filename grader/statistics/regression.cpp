@@ -11,34 +11,49 @@ double Coefficient::reach(double confidence) const {
     return se > 0 ? student_quantile(degrees, (1 - confidence) / 2) * se : 0;
 }
 
+namespace {
+
+/// A matrix, column by column.
+class Columns {
+public:
+    Columns(std::size_t height, std::size_t width) : height_(height), values_(height * width, 0.0) {}
+    double& operator()(std::size_t row, std::size_t column) { return values_[column * height_ + row]; }
+
+private:
+    std::size_t height_;
+    std::vector<double> values_;
+};
+
+}  // namespace
+
 /// By Gram and Schmidt's X = Q R, columns of Q orthonormal: R b = Q' y, and the covariance of b is s^2 (R' R)^-1.
 std::vector<Coefficient> least_squares(const std::vector<std::vector<double>>& rows, std::span<const double> y) {
     const std::size_t n = rows.size(), p = n > 0 ? rows[0].size() : 0;
     if (n <= p || y.size() != n) throw std::invalid_argument("least squares: fewer observations than unknowns");
 
     // Q R
-    std::vector<std::vector<double>> q(p, std::vector<double>(n)), r(p, std::vector<double>(p, 0));
+    Columns q(n, p), r(p, p);
     for (std::size_t j = 0; j < p; ++j) {
         double before = 0, after = 0;
-        for (std::size_t i = 0; i < n; ++i) q[j][i] = rows[i][j], before += q[j][i] * q[j][i];
+        for (std::size_t i = 0; i < n; ++i) q(i, j) = rows[i][j], before += q(i, j) * q(i, j);
         for (int twice = 0; twice < 2; ++twice)  // a second pass removes what rounding left
             for (std::size_t k = 0; k < j; ++k) {
                 double shared = 0;
-                for (std::size_t i = 0; i < n; ++i) shared += q[k][i] * q[j][i];
-                for (std::size_t i = 0; i < n; ++i) q[j][i] -= shared * q[k][i];
-                r[k][j] += shared;
+                for (std::size_t i = 0; i < n; ++i) shared += q(i, k) * q(i, j);
+                for (std::size_t i = 0; i < n; ++i) q(i, j) -= shared * q(i, k);
+                r(k, j) += shared;
             }
-        for (double x : q[j]) after += x * x;
+        for (std::size_t i = 0; i < n; ++i) after += q(i, j) * q(i, j);
         if (!(after > 1e-20 * before)) throw std::invalid_argument("least squares: dependent columns");
-        r[j][j] = std::sqrt(after);
-        for (double& x : q[j]) x /= r[j][j];
+        r(j, j) = std::sqrt(after);
+        for (std::size_t i = 0; i < n; ++i) q(i, j) /= r(j, j);
     }
 
     // residuals
     std::vector<double> projection(p, 0), rest(y.begin(), y.end());
     for (std::size_t j = 0; j < p; ++j) {
-        for (std::size_t i = 0; i < n; ++i) projection[j] += q[j][i] * rest[i];
-        for (std::size_t i = 0; i < n; ++i) rest[i] -= projection[j] * q[j][i];
+        for (std::size_t i = 0; i < n; ++i) projection[j] += q(i, j) * rest[i];
+        for (std::size_t i = 0; i < n; ++i) rest[i] -= projection[j] * q(i, j);
     }
     double squares = 0;
     for (double x : rest) squares += x * x;
@@ -46,17 +61,17 @@ std::vector<Coefficient> least_squares(const std::vector<std::vector<double>>& r
 
     // b and the rows of R^-1, from the last one up
     std::vector<Coefficient> b(p);
-    std::vector<std::vector<double>> inverse(p, std::vector<double>(p, 0));
+    Columns inverse(p, p);
     for (std::size_t j = p; j-- > 0;) {
         double value = projection[j];
-        inverse[j][j] = 1;
+        inverse(j, j) = 1;
         for (std::size_t k = j + 1; k < p; ++k) {
-            value -= r[j][k] * b[k].value;
-            for (std::size_t m = k; m < p; ++m) inverse[j][m] -= r[j][k] * inverse[k][m];
+            value -= r(j, k) * b[k].value;
+            for (std::size_t m = k; m < p; ++m) inverse(j, m) -= r(j, k) * inverse(k, m);
         }
         double length = 0;
-        for (double& x : inverse[j]) x /= r[j][j], length += x * x;
-        b[j] = {value / r[j][j], std::sqrt(length * squares / degrees), degrees};
+        for (std::size_t m = j; m < p; ++m) inverse(j, m) /= r(j, j), length += inverse(j, m) * inverse(j, m);
+        b[j] = {value / r(j, j), std::sqrt(length * squares / degrees), degrees};
     }
     return b;
 }
