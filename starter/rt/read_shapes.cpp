@@ -17,8 +17,8 @@ int find_material(const Table& table, const Scene& scene) {
         names.push_back(scene.materials[i].name);
     }
     const auto nearest = nearest_word(name, names);
-    table.fail("material", "there is no material " + quoted(name),
-               nearest ? quoted(*nearest) + "?" : "a table [materials.NAME] of this file");
+    table.fail("material", "there is no material " + in_quotes(name),
+               nearest ? in_quotes(*nearest) + "?" : "a table [materials.NAME] of this file");
 }
 
 Sphere read_sphere(const Table& table) {
@@ -70,7 +70,7 @@ Mesh read_mesh(const Table& table, const std::string& scene_path) {
     try {
         mesh = read_obj(path.string(), table.flag("smooth", false));
     } catch (const std::system_error& error) {
-        table.fail("file", fmt::format("{} cannot be read: {}", quoted(file), error.code().message()),
+        table.fail("file", fmt::format("{} cannot be read: {}", in_quotes(file), error.code().message()),
                    "an OBJ file, its path relative to this file");
     }
     transform(mesh, scale, translate);
@@ -83,7 +83,7 @@ void check_lamp(const Table& table, const Material& material, bool can_be_sample
     table.fail("material",
                fmt::format("shadow rays cannot look for {} that shines", can_be_sampled ? "a moving shape" : "triangles"),
                fmt::format("sampled = false in material {}, or a quad, disc or sphere that stands still",
-                           quoted(material.name)));
+                           in_quotes(material.name)));
 }
 
 }  // namespace

@@ -21,9 +21,9 @@ std::string read_text(const std::string& path) {
                                      std::generic_category().message(error)));
     };
     if (!file) fail(errno);
-    std::string text(std::istreambuf_iterator<char>(file), {});
-    if (file.bad() || (text.empty() && file.peek() != EOF)) fail(EIO);
-    return text;
+    file.peek();
+    if (file.bad()) fail(EISDIR);
+    return {std::istreambuf_iterator<char>(file), {}};
 }
 
 void read_settings(const Table& settings, Scene& scene) {
@@ -99,7 +99,7 @@ Scene parse_scene(std::string_view text, const std::string& path) {
     Scene scene;
     scene.path = path;
     if (top.has("title")) top.text("title");
-    if (!top.has("camera")) top.fail("camera", "'camera' is missing", "[camera] with eye and target");
+    if (!top.has("camera")) top.fail("camera", "there is no camera", "[camera] with eye and target");
     read_settings(top.table("render"), scene);
     scene.camera = read_camera(top.table("camera"));
     scene.shutter = read_shutter(top.table("shutter"));

@@ -74,7 +74,7 @@ std::optional<std::string> nearest_word(std::string_view word, const std::vector
     return nearest;
 }
 
-std::string quoted(std::string_view word) {
+std::string in_quotes(std::string_view word) {
     std::string clean(word.substr(0, 60));
     for (char& c : clean)
         if (static_cast<unsigned char>(c) < 32 || c == 127) c = '?';
@@ -87,11 +87,14 @@ Table Table::parse(std::string_view text, const std::string& path) {
     try {
         table.root_ = std::make_shared<const toml::table>(toml::parse(text, path));
     } catch (const toml::parse_error& error) {
-        fail_in(path, error.source().begin, std::string(error.description()), "valid TOML, every key once");
+        const std::string_view what = error.description(), context = "Error while parsing ";
+        const auto colon = what.starts_with(context) ? what.find(": ") : what.npos;
+        fail_in(path, error.source().begin, std::string(colon == what.npos ? what : what.substr(colon + 2)),
+                "valid TOML, every key once, every number within 1e308");
     }
     table.table_ = table.root_.get();
     table.path_ = path;
-    table.name_ = "a scene";
+    table.name_ = "the scene";
     return table;
 }
 
@@ -100,7 +103,7 @@ void Table::only(std::initializer_list<std::string_view> keys) const {
     for (const auto& [key, node] : *table_) {
         if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
         const auto nearest = nearest_word(key.str(), known);
-        const auto wrong = fmt::format("unknown key {} in {}", quoted(key.str()), name_);
+        const auto wrong = fmt::format("unknown key {} in {}", in_quotes(key.str()), name_);
         const auto place = key.source().begin;
         fail_in(path_, place ? place : node.source().begin, wrong,
                 nearest ? fmt::format("'{}'?", *nearest) : fmt::format("one of {}", fmt::join(known, ", ")));
@@ -121,26 +124,26 @@ void Table::fail(std::string_view key, const std::string& wrong, const std::stri
 }
 
 void Table::fail_at(const toml::node& node, const std::string& wrong, const std::string& expected) const {
-    fail_in(path_, node.source().begin, fmt::format("{} in {}", wrong, name_), expected);
+    fail_in(path_, node.source().begin, wrong, expected);
 }
 
 const toml::node* Table::find(std::string_view key, bool required) const {
     const toml::node* node = table_->get(key);
-    if (!node && required) fail(key, fmt::format("'{}' is missing", key), fmt::format("{} = ...", key));
+    if (!node && required) fail(key, fmt::format("'{}' is missing in {}", key, name_), fmt::format("{} = ...", key));
     return node;
 }
 
 Real Table::checked(const toml::node& node, std::string_view key, Limits limits, const std::string& expected) const {
     const auto value = node.is_number() ? node.value<double>() : std::nullopt;
-    if (!value) fail_at(node, fmt::format("{} is {}", quoted(key), type_of(node)), expected);
-    if (!limits.hold(*value)) fail_at(node, fmt::format("{} is {}", quoted(key), *value), expected);
+    if (!value) fail_at(node, fmt::format("{} is {}", in_quotes(key), type_of(node)), expected);
+    if (!limits.hold(*value)) fail_at(node, fmt::format("{} is {}", in_quotes(key), *value), expected);
     return *value;
 }
 
 int Table::whole(const toml::node& node, std::string_view key, int low, int high, const std::string& expected) const {
-    if (!node.is_integer()) fail_at(node, fmt::format("{} is {}", quoted(key), type_of(node)), expected);
+    if (!node.is_integer()) fail_at(node, fmt::format("{} is {}", in_quotes(key), type_of(node)), expected);
     const auto value = **node.as_integer();
-    if (value < low || value > high) fail_at(node, fmt::format("{} is {}", quoted(key), value), expected);
+    if (value < low || value > high) fail_at(node, fmt::format("{} is {}", in_quotes(key), value), expected);
     return int(value);
 }
 
@@ -202,7 +205,7 @@ int Table::choice(std::string_view key, std::initializer_list<std::string_view> 
     const std::string word = text(key);
     const auto found = std::find(words.begin(), words.end(), word);
     if (found == words.end())
-        fail(key, fmt::format("'{}' is {}", key, quoted(word)), fmt::format("one of {}", fmt::join(words, ", ")));
+        fail(key, fmt::format("'{}' is {}", key, in_quotes(word)), fmt::format("one of {}", fmt::join(words, ", ")));
     return int(found - words.begin());
 }
 
@@ -216,8 +219,10 @@ Table Table::inner(const toml::table& table, const std::string& name) const {
 Table Table::table(std::string_view key) const {
     static const toml::table empty;
     const toml::node* node = find(key, false);
-    if (node && !node->is_table()) fail(key, fmt::format("{} is {}", quoted(key), type_of(*node)), "a table");
-    return inner(node ? *node->as_table() : empty, fmt::format("the table {}", quoted(key)));
+    if (node && !node->is_table()) fail(key, fmt::format("{} is {}", in_quotes(key), type_of(*node)), "a table");
+    const std::string name = name_.starts_with('[') ? fmt::format("{}.{}", name_.substr(1, name_.size() - 2), key)
+                                                    : std::string(key);
+    return inner(node ? *node->as_table() : empty, fmt::format("[{}]", name));
 }
 
 std::vector<Table> Table::tables(std::string_view key) const {

@@ -78,6 +78,6 @@ class Table {
 std::optional<std::string> nearest_word(std::string_view word, const std::vector<std::string>& words);
 
 /// A user's word as it may stand in a message: in quotes, without control characters, not too long.
-std::string quoted(std::string_view word);
+std::string in_quotes(std::string_view word);
 
 }  // namespace rt
