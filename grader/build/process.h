@@ -1,0 +1,74 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Programs run under limits, their output bounded. The grader never opens a file that one of them wrote.
+namespace grade {
+
+struct Limits {
+    double cpu_seconds = 10;              // of each process; SIGXCPU when reached
+    double most_cpu_seconds = 10;         // how far a process may raise that itself
+    double wall_seconds = 30;
+    std::uint64_t memory = 4ull << 30;    // bytes of address space of each process
+    std::uint64_t file_size = 64u << 20;  // bytes of each file
+    std::size_t output = 64u << 10;       // bytes of stdout and of stderr that are kept; the rest is thrown away
+    std::uint64_t processes = 8192;       // of the user
+};
+
+/// How a program ended, and what it said.
+struct Ending {
+    enum class How { exited, signalled, timed_out, not_run };
+    How how = How::not_run;
+    int code = 0;            // exit code, or number of the signal
+    std::string out, err;    // the first bytes of each
+    double cpu_seconds = 0;  // of the program and all that it waited for
+
+    bool good() const { return how == How::exited && code == 0; }
+};
+
+using Clock = std::chrono::steady_clock;
+
+/// A running program, with pipes to its stdin and from its stdout, stderr, and descriptor 3. Its environment is empty
+/// but for PATH and LANG. When this object goes, so do the program and everything in its process group.
+class Process {
+public:
+    /// folder  its working directory
+    /// Throws std::runtime_error where no process can be made.
+    Process(const std::vector<std::string>& arguments, const Limits& limits, const std::string& folder);
+    ~Process();
+    Process(const Process&) = delete;
+    Process& operator=(const Process&) = delete;
+
+    /// Sends all bytes to its stdin. false: it ended or the deadline passed.
+    bool send(std::string_view bytes, Clock::time_point deadline);
+
+    /// Receives exactly that many bytes from its descriptor 3. None: it ended or the deadline passed.
+    std::optional<std::string> receive(std::size_t bytes, Clock::time_point deadline);
+
+    /// Waits until it ends, or kills it at the deadline.
+    Ending finish(Clock::time_point deadline);
+
+private:
+    /// Moves what can be moved until that is enough, the program ended, or the deadline passed.
+    bool pump(std::string_view bytes, std::size_t wanted, bool to_the_end, Clock::time_point deadline);
+    void kill_all();
+
+    Limits limits_;
+    int pid_ = -1, watch_ = -1;  // watch: readable when the program has ended
+    int in_ = -1, out_ = -1, err_ = -1, results_ = -1;
+    std::string out_text_, err_text_, received_;
+    std::optional<Ending> ending_;
+};
+
+/// Runs a program to its end.
+Ending run(const std::vector<std::string>& arguments, const Limits& limits, const std::string& folder);
+
+/// "a segmentation fault (SIGSEGV)" for 11.
+std::string signal_in_words(int signal);
+
+}  // namespace grade

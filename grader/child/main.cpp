@@ -1,0 +1,123 @@
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <exception>
+#include <optional>
+
+#include "child/probes.h"
+#include "child/protocol.h"
+#include "rt/render.h"
+#include "rt/scene_reader.h"
+
+/// child SECONDS: renders scenes and calls fragments as the grader asks. It only ever answers with data; each answer
+/// may take SECONDS of CPU time.
+namespace {
+
+using namespace grade;
+
+int results = -1;  // a copy of descriptor 3 that fragments do not know
+
+void write_all(std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t sent = write(results, bytes.data(), bytes.size());
+        if (sent <= 0) std::_Exit(0);  // the grader is gone
+        bytes.remove_prefix(std::size_t(sent));
+    }
+}
+
+bool read_all(void* target, std::size_t bytes) {
+    auto* place = static_cast<char*>(target);
+    while (bytes > 0) {
+        const ssize_t got = read(STDIN_FILENO, place, bytes);
+        if (got <= 0) return false;
+        place += got;
+        bytes -= std::size_t(got);
+    }
+    return true;
+}
+
+double cpu_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return double(now.tv_sec) + double(now.tv_nsec) * 1e-9;
+}
+
+/// From now on there are that many seconds of CPU time.
+void allow(double seconds) {
+    rlimit limit{};
+    getrlimit(RLIMIT_CPU, &limit);
+    limit.rlim_cur = std::min(rlim_t(std::ceil(cpu_seconds() + seconds)), limit.rlim_max);
+    setrlimit(RLIMIT_CPU, &limit);
+}
+
+std::string render(const rt::Scene& scene, const std::string& payload) {
+    RenderRequest request{};
+    if (payload.size() != sizeof request) throw std::runtime_error("a request to render of the wrong size");
+    std::memcpy(&request, payload.data(), sizeof request);
+
+    rt::RenderSettings settings;
+    settings.samples = request.samples;
+    settings.seed = request.seed;
+    settings.sampler = rt::Sampler(request.sampler);
+    settings.threads = 1;
+    settings.estimate_error = false;
+    const double start = cpu_seconds();
+    const rt::Rendering rendering = rt::render(scene, settings);
+    std::vector<double> numbers{double(rendering.image.width), double(rendering.image.height), cpu_seconds() - start};
+    numbers.reserve(3 + 3 * rendering.image.pixels.size());
+    for (const rt::Color& pixel : rendering.image.pixels) numbers.insert(numbers.end(), {pixel.r, pixel.g, pixel.b});
+    return frame(FrameKind::image, bytes_of<double>(numbers));
+}
+
+std::string call(const std::string& fragment, const std::string& payload) {
+    std::vector<double> flat(payload.size() / sizeof(double));
+    std::memcpy(flat.data(), payload.data(), flat.size() * sizeof(double));
+    std::vector<std::vector<double>> rows;
+    if (!unflatten(flat, rows)) throw std::runtime_error("rows that are none");
+
+    const double start = cpu_seconds();
+    for (auto& row : rows) row = probe(fragment, row);
+    std::vector<double> numbers = flatten(rows);
+    numbers.insert(numbers.begin(), cpu_seconds() - start);
+    return frame(FrameKind::rows, bytes_of<double>(numbers));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    results = fcntl(3, F_DUPFD_CLOEXEC, 10);
+    close(3);
+    const double seconds = argc > 1 ? std::atof(argv[1]) : 10;
+
+    std::optional<rt::Scene> scene;
+    std::string fragment;
+    for (FrameHeader header{}; read_all(&header, sizeof header);) {
+        std::string payload(header.bytes, '\0');
+        if (!read_all(payload.data(), payload.size())) return 0;
+        allow(seconds);
+        try {
+            switch (header.kind) {
+                case FrameKind::scene:
+                    // argv[2]: where the scene's meshes are looked for
+                    scene = rt::parse_scene(payload, argc > 2 ? argv[2] : "scene.toml");
+                    write_all(frame(FrameKind::done, {}));
+                    break;
+                case FrameKind::fragment:
+                    fragment = payload;
+                    write_all(frame(FrameKind::done, {}));
+                    break;
+                case FrameKind::render: write_all(render(scene.value(), payload)); break;
+                case FrameKind::rows: write_all(call(fragment, payload)); break;
+                default: return 1;
+            }
+        } catch (const std::exception& error) {
+            write_all(frame(FrameKind::error, error.what()));
+        }
+    }
+    std::_Exit(0);
+}

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+/// What the grader and a child say to each other: frames of a kind, a size, and that many bytes. The grader writes to
+/// the child's stdin, the child to descriptor 3, in the byte order of the machine that both run on.
+///
+///     grader               child
+///     scene  TOML text     done, or error with a text
+///     render settings      image: width, height, CPU seconds, then red, green, blue of each pixel
+///     fragment  name       done
+///     rows   rows          rows: CPU seconds, then one row of results for each
+namespace grade {
+
+enum class FrameKind : std::uint32_t { scene = 1, render, fragment, rows, done, image, error };
+
+struct FrameHeader {
+    FrameKind kind;
+    std::uint32_t check = 0x52454e50;  // a frame that student code wrote by accident will not have this
+    std::uint64_t bytes = 0;
+};
+
+struct RenderRequest {
+    std::uint64_t seed;
+    std::int32_t samples, sampler;
+};
+
+inline std::string frame(FrameKind kind, std::string_view payload) {
+    const FrameHeader header{kind, FrameHeader{}.check, payload.size()};
+    std::string bytes(reinterpret_cast<const char*>(&header), sizeof header);
+    return bytes.append(payload);
+}
+
+template <class Value>
+std::string_view bytes_of(std::span<const Value> values) {
+    return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
+}
+
+/// Rows as numbers: how many, how long each is, then all of them.
+inline std::vector<double> flatten(const std::vector<std::vector<double>>& rows) {
+    std::vector<double> flat{double(rows.size())};
+    for (const auto& row : rows) flat.push_back(double(row.size()));
+    for (const auto& row : rows) flat.insert(flat.end(), row.begin(), row.end());
+    return flat;
+}
+
+/// The inverse. false: these are no rows.
+inline bool unflatten(std::span<const double> flat, std::vector<std::vector<double>>& rows) {
+    const auto is_count = [](double x, std::size_t most) { return x >= 0 && x <= double(most) && x == double(std::size_t(x)); };
+    if (flat.empty() || !is_count(flat[0], flat.size() - 1)) return false;
+    const std::size_t count = std::size_t(flat[0]);
+    std::size_t start = 1 + count;
+    rows.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!is_count(flat[1 + i], flat.size() - start)) return false;
+        const auto row = flat.subspan(start, std::size_t(flat[1 + i]));
+        rows.emplace_back(row.begin(), row.end());
+        start += row.size();
+    }
+    return start == flat.size();
+}
+
+}  // namespace grade
