@@ -33,24 +33,30 @@ struct Judge::Comparison {
     double se, degrees;
     double spread;     // standard deviation of a replicate
     double least;      // the smallest deviation of a replicate, counted towards the mean's side
-    bool finite, constant;
-};
-
-struct Judge::Step {
-    std::optional<Judgement> judgement;
-    int wanted = 0;
+    bool finite, constant;  // constant: own replicates all equal
 };
 
 Judge::Judge(Tolerance tolerance, Settings settings, std::optional<double> truth)
-    : tolerance_(tolerance), settings_(settings), truth_(truth) {}
+    : tolerance_(tolerance),
+      settings_(settings),
+      truth_(truth),
+      look_(first_look),
+      wanted_(first_look),
+      beta_left_(settings.beta) {
+    const double each = std::sqrt(settings.alpha / settings.statistics);  // of screening, and again of confirming
+    screen_tail_ = each / failing_looks(settings.cap) / 2;
+    confirm_tail_ = each / 2;
+}
 
-void Judge::add(double replicate) { own_.push_back(replicate); }
+void Judge::add(double replicate) {
+    own_.push_back(replicate);
+    advance();
+}
 
-void Judge::add_reference(double replicate) { reference_.push_back(replicate); }
-
-std::optional<Judgement> Judge::decide() const { return run().judgement; }
-
-int Judge::wanted() const { return run().wanted; }
+void Judge::add_reference(double replicate) {
+    reference_.push_back(replicate);
+    advance();
+}
 
 Judge::Comparison Judge::compare(int first, int last) const {
     const auto range = [&](const std::vector<double>& all) { return std::span(all).subspan(first, last - first); };
@@ -83,56 +89,56 @@ Judge::Comparison Judge::compare(int first, int last) const {
     return c;
 }
 
-Judge::Step Judge::run() const {
+bool Judge::fails(const Comparison& c, double tail) const {
+    const double excess = std::abs(c.deviation) - tolerance_.delta0;
+    return excess > 0 && excess > student_quantile(c.degrees, tail) * c.se;
+}
+
+bool Judge::is_gross(const Comparison& c) const {
+    return c.least > tolerance_.delta && std::abs(c.deviation) - tolerance_.delta > gross * c.spread;
+}
+
+void Judge::judge(Verdict verdict, const Comparison& c) {
+    const double reach = c.se > 0 ? student_quantile(c.degrees, settings_.beta) * c.se : 0;
+    judgement_ = {verdict, c.value, c.truth, c.se, c.value - reach, c.value + reach, c.replicates, c.constant};
+}
+
+void Judge::advance() {
     const int have = int(truth_ ? own_.size() : std::min(own_.size(), reference_.size()));
-    const double each = std::sqrt(settings_.alpha / settings_.statistics);  // of screening, and again of confirming
-    const double screen_tail = each / failing_looks(settings_.cap) / 2, confirm_tail = each / 2;
-    double beta = settings_.beta;
+    while (!judgement_ && have >= wanted_) wanted_ == look_ ? look_at() : confirm();
+}
 
-    const auto fails = [&](const Comparison& c, double tail) {
-        const double excess = std::abs(c.deviation) - tolerance_.delta0;
-        return excess > 0 && excess > student_quantile(c.degrees, tail) * c.se;
-    };
-    const auto is_gross = [&](const Comparison& c) {
-        return c.least > tolerance_.delta && std::abs(c.deviation) - tolerance_.delta > gross * c.spread;
-    };
-    const auto judged = [&](Verdict verdict, const Comparison& c) {
-        const double reach = c.se > 0 ? student_quantile(c.degrees, settings_.beta) * c.se : 0;
-        return Step{Judgement{verdict, c.value, c.truth, c.se, c.value - reach,
-                              c.value + reach, c.replicates, c.constant},
-                    0};
-    };
+void Judge::look_at() {
+    const Comparison all = compare(0, look_);
+    if (!all.finite) return judge(Verdict::failed, all);
 
-    for (int look = first_look;;) {
-        if (have < look) return {std::nullopt, look};
-        const Comparison all = compare(0, look);
-        if (!all.finite) return judged(Verdict::failed, all);
-
-        // equal replicates
-        if (all.se == 0) {
-            const bool right = std::abs(all.deviation) <= std::max(tolerance_.delta0, tolerance_.delta);
-            return judged(right ? Verdict::passed : Verdict::failed, all);
-        }
-
-        // shown to be right
-        beta /= 2;
-        if (std::abs(all.deviation) + student_quantile(all.degrees, beta) * all.se <= tolerance_.delta)
-            return judged(Verdict::passed, all);
-
-        // looks wrong: is it, in fresh replicates?
-        const bool grossly = look < first_failure;
-        if (grossly ? is_gross(all) : fails(all, screen_tail)) {
-            if (have < 2 * look) return {std::nullopt, 2 * look};
-            const Comparison fresh = compare(look, 2 * look);
-            const bool same_side = (fresh.deviation < 0) == (all.deviation < 0);
-            if (!fresh.finite || (same_side && (grossly ? is_gross(fresh) : fails(fresh, confirm_tail))))
-                return judged(Verdict::failed, compare(0, 2 * look));
-            look = 2 * look;
-        } else {
-            look = next_look(look);
-        }
-        if (look > settings_.cap) return judged(Verdict::inconclusive, all);
+    // equal replicates
+    if (all.se == 0) {
+        const bool right = std::abs(all.deviation) <= std::max(tolerance_.delta0, tolerance_.delta);
+        return judge(right ? Verdict::passed : Verdict::failed, all);
     }
+
+    // shown to be right
+    beta_left_ /= 2;
+    if (std::abs(all.deviation) + student_quantile(all.degrees, beta_left_) * all.se <= tolerance_.delta)
+        return judge(Verdict::passed, all);
+
+    // looks wrong: is it, in fresh replicates?
+    if (look_ < first_failure ? is_gross(all) : fails(all, screen_tail_)) wanted_ = 2 * look_;
+    else next(next_look(look_));
+}
+
+void Judge::confirm() {
+    const Comparison all = compare(0, look_), fresh = compare(look_, 2 * look_);
+    const bool same_side = (fresh.deviation < 0) == (all.deviation < 0);
+    if (!fresh.finite || (same_side && (look_ < first_failure ? is_gross(fresh) : fails(fresh, confirm_tail_))))
+        return judge(Verdict::failed, compare(0, 2 * look_));
+    next(2 * look_);
+}
+
+void Judge::next(int look) {
+    if (look > settings_.cap) return judge(Verdict::inconclusive, compare(0, look_));
+    look_ = wanted_ = look;
 }
 
 Judgement judge_exact(double value, double truth, double delta) {

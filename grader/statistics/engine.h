@@ -54,22 +54,32 @@ public:
     void add(double replicate);
     void add_reference(double replicate);
 
-    /// The verdict on the replicates so far; none: more are needed. Replicates beyond the deciding look do not count.
-    std::optional<Judgement> decide() const;
+    /// The verdict on the replicates so far; none: more are needed. Once there, it does not change any more.
+    std::optional<Judgement> decide() const { return judgement_; }
 
     /// How many replicates there must be in all before decide() can say more than it does now.
-    int wanted() const;
+    int wanted() const { return wanted_; }
 
 private:
-    struct Step;        // a judgement, or how many replicates are wanted
     struct Comparison;  // of a range of replicates with the truth
-    Step run() const;
     Comparison compare(int first, int last) const;
+    bool fails(const Comparison& c, double tail) const;
+    bool is_gross(const Comparison& c) const;
+    void advance();      // takes every look for which there are replicates
+    void look_at();      // one of them
+    void confirm();      // or at the fresh replicates
+    void next(int look);
+    void judge(Verdict verdict, const Comparison& c);
 
     Tolerance tolerance_;
     Settings settings_;
     std::optional<double> truth_;
     std::vector<double> own_, reference_;
+
+    int look_, wanted_;          // wanted_ is twice look_ while a failure waits for its confirmation
+    double beta_left_;           // not spent yet
+    double screen_tail_, confirm_tail_;
+    std::optional<Judgement> judgement_;
 };
 
 /// The verdict on a statistic without noise: passed when |value - truth| <= delta.

@@ -1,5 +1,6 @@
 #include "statistics/spread.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace grade {
@@ -30,14 +31,14 @@ Spread edge_spread(std::span<const double> profile) {
 }
 
 SlantedSpread slanted_spread(const rt::Image& image, const Region& region, const Edge& edge, double left, double right) {
-    SlantedSpread s;
+    SlantedSpread s{0, 1.0 / 12};
     for (int y = region.y; y < region.y + region.height; ++y)
         for (int x = region.x; x < region.x + region.width; ++x) {
             const double d = x + 0.5 - (edge.offset + edge.slope * (y + 0.5));
             const double level = (brightness(image.at(x, y)) - left) / (right - left);
-            const double short_of = (d > 0 ? 1 : d < 0 ? 0 : 0.5) - level;
-            s.mean += short_of / region.height;
-            s.mean_square += 2 * d * short_of / region.height;
+            const double missing = std::clamp(d + 0.5, 0.0, 1.0) - level;
+            s.mean += missing / region.height;
+            s.mean_square += 2 * d * missing / region.height;
         }
     return s;
 }

@@ -31,11 +31,12 @@ struct Edge {
 /// Moments, about the edge, of the line-spread function along x of a slanted edge, bright on the right, between the
 /// levels `left` and `right`. They are linear in the pixels, hence without bias from noise:
 ///
-///     mean = sum over a row of (1[d > 0] - F(d)),  mean square = sum over a row of 2 d (1[d > 0] - F(d))
+///     mean = sum over a row of (B(d) - F(d)),  mean square = 1/12 + sum over a row of 2 d (B(d) - F(d))
 ///
-/// averaged over the rows, where d is the distance of a pixel's centre from the edge and F the level there, 0 to 1.
-/// Exact as far as the edge runs through a whole number of pixels, that is slope * height is a whole number. A box filter
-/// of one pixel gives mean 0 and mean square (1 + slope^2) / 12.
+/// averaged over the rows, where d is the distance of a pixel's centre from the edge, F the level there, 0 to 1, and
+/// B that of a box filter of one pixel, d + 1/2 between 0 and 1. The box filter itself gives mean 0 and mean square
+/// (1 + slope^2) / 12; no filter gives 0 where the edge falls everywhere in a pixel, that is, slope * height is a whole
+/// number.
 struct SlantedSpread {
     double mean = 0, mean_square = 0;
 };

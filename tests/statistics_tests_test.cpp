@@ -1,0 +1,130 @@
+#include <random>
+#include <vector>
+
+#include "catch.h"
+#include "statistics/chi_squared.h"
+#include "statistics/distributions.h"
+#include "statistics/moments.h"
+#include "statistics/multiplicity.h"
+#include "statistics/regression.h"
+#include "statistics/welch.h"
+
+using namespace grade;
+
+TEST_CASE("moments of a few numbers are their textbook values") {
+    const std::vector<double> values = {2, 4, 4, 4, 5, 5, 7, 9};
+    const Moments m = moments_of(values);
+    CHECK(m.mean == Approx(5));
+    CHECK(m.variance() == Approx(32.0 / 7));
+    CHECK(m.m3 == Approx(42));
+    CHECK(m.kurtosis() == Approx(356.0 * 8 / (32 * 32)));
+}
+
+TEST_CASE("joined moments are those of all the numbers, and a large mean does not drown a small variance") {
+    std::mt19937_64 random(1);
+    std::normal_distribution<double> draw(1e9, 1);
+    Moments all, parts;
+    for (int k = 0; k < 100; ++k) {
+        Moments part;
+        for (int i = 0; i < 10; ++i) {
+            const double x = draw(random);
+            all.add(x);
+            part.add(x);
+        }
+        parts.join(part);
+    }
+    CHECK(parts.mean == Approx(all.mean).epsilon(1e-15));
+    CHECK(parts.variance() == Approx(all.variance()).epsilon(1e-6));
+    CHECK(parts.kurtosis() == Approx(all.kurtosis()).epsilon(1e-6));
+    CHECK(all.variance() == Approx(1).epsilon(0.2));
+    CHECK(all.kurtosis() == Approx(3).epsilon(0.2));
+}
+
+TEST_CASE("quantiles are those of the tables") {
+    CHECK(student_quantile(7, 0.001) == Approx(4.785).epsilon(1e-3));
+    CHECK(student_quantile(15, 0.025) == Approx(2.131).epsilon(1e-3));
+    CHECK(student_tail(10, 2.228) == Approx(0.025).epsilon(1e-3));
+    CHECK(chi_squared_tail(10, 18.307) == Approx(0.05).epsilon(1e-3));
+}
+
+TEST_CASE("Welch's test rejects equal means at its level, whatever the variances and counts") {
+    std::mt19937_64 random(2);
+    std::normal_distribution<double> narrow(0, 1), wide(0, 5);
+    int rejected = 0;
+    for (int k = 0; k < 4000; ++k) {
+        Moments a, b;
+        for (int i = 0; i < 10; ++i) a.add(wide(random));
+        for (int i = 0; i < 30; ++i) b.add(narrow(random));
+        rejected += welch_test(a, b).p < 0.05;
+    }
+    CHECK(rejected > 200 - 4 * std::sqrt(200.0));
+    CHECK(rejected < 200 + 4 * std::sqrt(200.0));
+}
+
+TEST_CASE("the chi-squared test rejects right counts at its level, small bins or not") {
+    std::mt19937_64 random(3);
+    const std::vector<double> shares = {0.3, 0.3, 0.2, 0.1, 0.06, 0.02, 0.01, 0.006, 0.003, 0.001};
+    std::discrete_distribution<int> draw(shares.begin(), shares.end());
+    std::vector<double> expected;
+    for (double share : shares) expected.push_back(500 * share);
+    int rejected = 0;
+    for (int k = 0; k < 4000; ++k) {
+        std::vector<double> observed(shares.size(), 0);
+        for (int i = 0; i < 500; ++i) ++observed[draw(random)];
+        rejected += chi_squared_test(observed, expected).p < 0.05;
+    }
+    CHECK(rejected > 200 - 4 * std::sqrt(200.0));
+    CHECK(rejected < 200 + 5 * std::sqrt(200.0));
+}
+
+TEST_CASE("the chi-squared test finds wrong counts and impossible ones") {
+    const std::vector<double> expected = {50, 50, 0}, wrong = {80, 20, 0}, impossible = {50, 49, 1};
+    CHECK(chi_squared_test(wrong, expected).p < 1e-6);
+    CHECK(chi_squared_test(impossible, expected).p == 0);
+    CHECK(chi_squared_test(expected, expected).p == Approx(1));
+}
+
+TEST_CASE("Holm rejects step by step, never less than Bonferroni") {
+    const std::vector<double> p = {0.01, 0.04, 0.03, 0.005};
+    CHECK(holm(p, 0.05) == std::vector<bool>{true, false, false, true});
+    CHECK(bonferroni(0.05, 4) == Approx(0.0125));
+    const std::vector<double> all = {0.02, 0.012, 0.001};
+    CHECK(holm(all, 0.05) == std::vector<bool>{true, true, true});
+}
+
+TEST_CASE("a fit recovers its coefficients, and its interval holds them as often as it says") {
+    std::mt19937_64 random(4);
+    std::normal_distribution<double> noise(0, 0.1);
+    int held = 0;
+    for (int k = 0; k < 2000; ++k) {
+        std::vector<double> x, y;
+        for (int i = 0; i < 6; ++i) {
+            x.push_back(i);
+            y.push_back(2 - 0.5 * i + noise(random));
+        }
+        const Line line = fit_line(x, y);
+        held += std::abs(line.slope.value + 0.5) <= line.slope.reach(0.95);
+    }
+    CHECK(held > 1900 - 4 * std::sqrt(100.0));
+    CHECK(held < 1900 + 4 * std::sqrt(100.0));
+}
+
+TEST_CASE("least squares solve several unknowns exactly, and refuse dependent columns") {
+    std::vector<std::vector<double>> rows;
+    std::vector<double> y;
+    for (int i = 0; i < 12; ++i) {
+        rows.push_back({1, double(i), double(i * i % 7)});
+        y.push_back(3 - 2 * rows[i][1] + 0.25 * rows[i][2]);
+    }
+    const auto b = least_squares(rows, y);
+    CHECK(b[0].value == Approx(3));
+    CHECK(b[1].value == Approx(-2));
+    CHECK(b[2].value == Approx(0.25));
+    for (auto& row : rows) row[2] = 2 * row[1];
+    CHECK_THROWS_AS(least_squares(rows, y), std::invalid_argument);
+}
+
+TEST_CASE("the slope of a power law is its exponent") {
+    const std::vector<double> n = {1, 4, 16, 64, 256}, rmse = {1, 0.5, 0.25, 0.125, 0.0625};
+    CHECK(log_log_slope(n, rmse).value == Approx(-0.5));
+}
