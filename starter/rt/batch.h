@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "rt/fragments.h"
+#include "rt/render.h"
+#include "rt/sampler.h"
+
+/// Rays in arrays: the state that flows from stage to stage.
+namespace rt {
+
+constexpr int lanes = 64;
+using Index = std::int64_t;  // as wide as a Real, so that loops over both need no conversion
+
+constexpr Index nothing = -1;  // a ray that meets no shape
+constexpr Index ended = -2;    // a lane whose path goes on elsewhere or is over
+
+/// Up to `lanes` paths, each with the ray it follows now. Lanes from `count` on are not in use.
+struct alignas(64) Batch {
+    int count = 0;
+
+    // the ray; far shrinks to the nearest hit
+    Real ox[lanes], oy[lanes], oz[lanes], dx[lanes], dy[lanes], dz[lanes], near[lanes], far[lanes];
+    Real time[lanes];
+    Index shape[lanes];
+
+    // the path
+    Real weight_r[lanes], weight_g[lanes], weight_b[lanes];  // share of the arriving radiance that reaches the film
+    Bits key[lanes];      // of its random numbers
+    Index sample[lanes];  // index in the pixel's pattern
+    Index slot[lanes];    // which radiance of the chunk it adds to
+    Index event[lanes];   // where the ray comes from: an Event
+    Index depth[lanes];   // mirrors, glass and lobes so far
+    Index bounce[lanes];  // diffuse bounces so far
+    Index medium[lanes];  // material whose inside the ray is in; nothing: none
+
+    Ray ray(int i) const { return {{ox[i], oy[i], oz[i]}, {dx[i], dy[i], dz[i]}, near[i], far[i]}; }
+    void set_ray(int i, const Ray& r) {
+        ox[i] = r.origin.x, oy[i] = r.origin.y, oz[i] = r.origin.z;
+        dx[i] = r.direction.x, dy[i] = r.direction.y, dz[i] = r.direction.z;
+        near[i] = r.near, far[i] = r.far, shape[i] = nothing;
+    }
+    Color weight(int i) const { return {weight_r[i], weight_g[i], weight_b[i]}; }
+    void set_weight(int i, Color w) { weight_r[i] = w.x, weight_g[i] = w.y, weight_b[i] = w.z; }
+};
+
+/// What the surface stage finds at the hits of a batch.
+struct alignas(64) Surfaces {
+    Real px[lanes], py[lanes], pz[lanes], error[lanes];
+    Real gx[lanes], gy[lanes], gz[lanes];  // geometric normal, on the side of the ray
+    Real nx[lanes], ny[lanes], nz[lanes];  // shading normal, on the side of the ray
+    Index material[lanes];  // nothing: no surface here
+    Index behind[lanes];    // 1 where the ray came from the back side
+
+    vec3 normal(int i) const { return {nx[i], ny[i], nz[i]}; }
+    Hit hit(int i) const { return {{px[i], py[i], pz[i]}, {gx[i], gy[i], gz[i]}, error[i]}; }
+};
+
+/// One colour a lane.
+struct alignas(64) Colors {
+    Real r[lanes], g[lanes], b[lanes];
+    Color at(int i) const { return {r[i], g[i], b[i]}; }
+    void set(int i, Color c) { r[i] = c.x, g[i] = c.y, b[i] = c.z; }
+};
+
+/// Paths that wait for the next wave, packed into full batches.
+struct Queue {
+    std::vector<Batch> batches;
+    std::size_t used = 0;  // batches in use
+
+    void clear() { used = 0; }
+
+    /// The next free lane. What is in it stays from its last use.
+    std::pair<Batch&, int> push() {
+        if (used == 0 || batches[used - 1].count == lanes) {
+            if (used == batches.size()) batches.emplace_back();
+            batches[used++].count = 0;
+        }
+        Batch& last = batches[used - 1];
+        return {last, last.count++};
+    }
+};
+
+/// What one thread works on: some pixels with all their samples.
+struct Chunk {
+    std::vector<Color> radiance;  // of each sample, slot by slot
+    std::vector<Real> weight;     // of each sample in its pixel's mean
+    RayCounts rays{};
+};
+
+}  // namespace rt

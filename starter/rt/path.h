@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rt/stages/stages.h"
+
+namespace rt {
+
+/// How many samples a worker takes on at once, so that later waves still fill their batches.
+constexpr int chunk_samples = 1024;
+
+struct PixelWork {
+    int x, y;  // of the film [pixel]
+    Bits key;  // of its random numbers
+};
+
+/// The key of a pixel: no two pixels of an image have the same, and it does not depend on the crop.
+inline Bits pixel_key(const Camera& camera, Bits seed, int x, int y) {
+    return combine(seed, Bits(y) * Bits(camera.size.x) + Bits(x));
+}
+
+/// What one thread needs to follow paths: the stages' batches, kept from chunk to chunk.
+struct Worker {
+    const World& world;
+    Chunk chunk;
+    std::string fault;  // the first sample that was no finite number
+    std::string* trace = nullptr;  // where each stage's values are told; none: not told
+
+    explicit Worker(const World& world) : world(world) {}
+
+    /// The means of some pixels with n samples each.
+    void render(const std::vector<PixelWork>& pixels, int n, Sampler sampler, Color* means);
+
+private:
+    Queue now, next;
+    Batch shadow;
+    Surfaces surfaces;
+
+    void first_wave(const std::vector<PixelWork>& pixels, int n, Sampler sampler);
+    void follow(Batch& batch, int n, int wave, Sampler sampler);
+    void find_fault(const std::vector<PixelWork>& pixels, int n);
+};
+
+}  // namespace rt

@@ -1,0 +1,125 @@
+#include "rt/plan.h"
+
+#include <fmt/format.h>
+
+#include "rt/stages/stages.h"
+
+namespace rt {
+namespace {
+
+constexpr std::size_t shapes_without_tree = 24;
+
+std::vector<char> materials_in_use(const Scene& scene) {
+    std::vector<char> used(scene.materials.size(), 0);
+    for (const Shape& shape : scene.shapes) used[std::size_t(shape.material)] = 1;
+    for (const Mesh& mesh : scene.meshes)
+        if (!mesh.triangles.empty()) used[std::size_t(mesh.material)] = 1;
+    return used;
+}
+
+bool is_sampled(const Scene& scene, const Shape& shape) {
+    const Material& m = scene.materials[std::size_t(shape.material)];
+    return m.sampled && m.emission != Color(0) && !std::holds_alternative<Triangle>(shape.geometry) && shape.velocity == vec3(0);
+}
+
+int emitters(const Scene& scene) {
+    int n = 0;
+    for (const Shape& shape : scene.shapes) n += is_sampled(scene, shape);
+    return n;
+}
+
+}  // namespace
+
+RenderPlan make_plan(const Scene& scene) {
+    RenderPlan plan;
+    bool moves = false, diffuse = false, mirrors = false, glass = false;
+    const std::vector<char> used = materials_in_use(scene);
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        if (!used[i]) continue;
+        const Material& m = scene.materials[i];
+        const bool dielectric = m.transmittance != Color(0), mirror = m.reflectance != Color(0);
+        diffuse |= m.albedo != Color(0);
+        plan.phong |= m.specular != Color(0);
+        plan.emission |= m.emission != Color(0);
+        plan.medium |= dielectric && m.medium.extinction > 0;
+        plan.lobe |= (dielectric || mirror) && m.exponent < inf;
+        mirrors |= mirror && m.exponent == inf;
+        glass |= dielectric && m.exponent == inf;
+        plan.choice |= (m.albedo != Color(0) && scene.bounces > 0 && (dielectric || mirror)) || (dielectric && mirror);
+    }
+    std::size_t count = 0;
+    for (const Shape& shape : scene.shapes) {
+        moves |= shape.velocity != vec3(0);
+        plan.spheres |= std::holds_alternative<Sphere>(shape.geometry);
+        plan.triangles |= std::holds_alternative<Triangle>(shape.geometry);
+        plan.quads |= std::holds_alternative<Quad>(shape.geometry);
+        plan.discs |= std::holds_alternative<Disc>(shape.geometry);
+        ++count;
+    }
+    for (const Mesh& mesh : scene.meshes) {
+        moves |= mesh.velocity != vec3(0);
+        plan.triangles |= !mesh.triangles.empty();
+        plan.smooth |= !mesh.normals.empty();
+        count += mesh.triangles.size();
+    }
+    plan.bvh = count > shapes_without_tree;
+    plan.pixel = scene.samples > 1;
+    plan.lens = scene.camera.lens_radius > 0;
+    plan.time = moves && scene.shutter.close > scene.shutter.open;
+    plan.point_lights = !scene.lights.empty();
+    plan.light = (diffuse || plan.phong) && emitters(scene) > 0;
+    plan.environment = scene.environment != Color(0);
+    plan.environment_lit = plan.environment && diffuse;
+    plan.bounce = diffuse && scene.bounces > 0;
+    plan.specular = mirrors || glass;
+    plan.split = plan.specular && !plan.lobe && !plan.bounce && !plan.medium && !plan.light && !plan.environment_lit;
+    plan.choice = plan.choice && !plan.split;
+    plan.camera_dimensions = camera_dimensions;
+    plan.wave_dimensions = light_dimension + emitters(scene);
+    return plan;
+}
+
+std::string describe(const RenderPlan& plan, const Scene& scene) {
+    std::string text;
+    const auto row = [&](const char* what, bool on, const std::string& yes, const std::string& no) {
+        text += fmt::format("  {:<14} {:<4} {}\n", what, on ? "on" : "-", on ? yes : no);
+    };
+    std::size_t triangles = 0;
+    for (const Mesh& mesh : scene.meshes) triangles += mesh.triangles.size();
+
+    text += fmt::format("integrals\n");
+    row("pixel", plan.pixel, fmt::format("{} samples a pixel", scene.samples), "one sample a pixel");
+    row("lens", plan.lens, fmt::format("radius {:g} m", scene.camera.lens_radius), "a pinhole");
+    row("time", plan.time, fmt::format("{:g} s to {:g} s", scene.shutter.open, scene.shutter.close), "nothing moves while the shutter is open");
+    row("light", plan.light, fmt::format("{} emitters", emitters(scene)), "no emitter that lights a diffuse surface");
+    row("environment", plan.environment_lit, "lights the diffuse surfaces", "no environment that lights a diffuse surface");
+    row("lobe", plan.lobe, "glossy or translucent surfaces", "no glossy or translucent surface");
+    row("bounce", plan.bounce, fmt::format("up to {}", scene.bounces), "no diffuse surface, or no bounces asked for");
+    row("medium", plan.medium, "random walks", "no medium");
+
+    text += "stages\n";
+    row("camera", true, plan.lens ? "through the lens" : "through the pinhole", "");
+    row("nearest", true, fmt::format("{} shapes, {} triangles in meshes, {}", scene.shapes.size(), triangles,
+                                     plan.bvh ? "in a tree" : "one by one"), "");
+    row("medium", plan.medium, "", "no medium");
+    row("surface", plan.spheres || plan.triangles || plan.quads || plan.discs, "", "nothing to hit");
+    row("emission", plan.emission || plan.environment || scene.background != Color(0), "", "nothing shines that a ray can hit");
+    row("direct", plan.point_lights || plan.light || plan.environment_lit || scene.ambient != Color(0),
+        fmt::format("{} lights without extent, {} with", scene.lights.size(), emitters(scene) * plan.light), "no lights");
+    row("scatter", plan.specular || plan.lobe || plan.bounce,
+        plan.split ? "mirror and glass rays are both followed" : plan.choice ? "one way on is chosen at random" : "one way on",
+        "no ray goes on: a single wave");
+    row("film", true, "", "");
+
+    // Of one sample: the dimensions that are drawn.
+    const int camera = 2 * plan.pixel + 2 * plan.lens + plan.time;
+    const int wave = 2 * plan.light * emitters(scene) + 2 * plan.environment_lit + 2 * (plan.lobe || plan.bounce) + plan.choice + 3 * plan.medium;
+    text += fmt::format("dimensions       {} for the camera, {} for each wave\n", camera, wave);
+    const std::size_t shadow = scene.lights.size() + std::size_t(plan.light * emitters(scene)) + plan.environment_lit;
+    const int waves = 1 + (plan.bounce ? scene.bounces : 0);
+    text += fmt::format("rays per pixel   {} camera, at most {} shadow where no path meets mirrors, glass or media\n", scene.samples,
+                        std::size_t(scene.samples) * shadow * std::size_t(waves));
+    return text;
+}
+
+}  // namespace rt

@@ -1,0 +1,158 @@
+#include "rt/stages/stages.h"
+
+namespace rt {
+namespace {
+
+/// What the direct stage reads of a material, gathered for each lane.
+struct alignas(64) Reflectances {
+    Real albedo_r[lanes], albedo_g[lanes], albedo_b[lanes];
+    Color albedo(int i) const { return {albedo_r[i], albedo_g[i], albedo_b[i]}; }
+};
+
+/// Adds reflected light where the shadow ray met nothing, and counts the shadow rays.
+void gather(const World& world, const Batch& b, const Colors& light, Batch& shadow, Chunk& chunk) {
+    int sent = 0;
+    for (int i = 0; i < b.count; ++i) {
+        const bool wanted = light.at(i) != Color(0);
+        sent += wanted;
+        shadow.far[i] = wanted ? shadow.far[i] : -inf;
+    }
+    if (sent == 0) return;
+    shadow.count = b.count;
+    any_hit_stage(world, shadow);
+    for (int i = 0; i < b.count; ++i)
+        if (shadow.shape[i] == nothing) chunk.radiance[std::size_t(b.slot[i])] += b.weight(i) * light.at(i);
+    chunk.rays[int(RayKind::shadow)] += std::uint64_t(sent);
+}
+
+/// Light without extent. A surface with a highlight is shaded by phong, any other by Lambert's law.
+void point_light(const World& world, const PointLight& light_in_memory, const Batch& b, const Surfaces& s, Batch& shadow,
+                 Colors& light) {
+    const PointLight lamp = light_in_memory;
+    for (int i = 0; i < b.count; ++i) {
+        light.set(i, Color(0));
+        shadow.set_ray(i, {vec3(0), vec3(0, 0, 1), 0, -inf});
+        if (s.material[i] == nothing) continue;
+        const Material& m = world.scene.materials[std::size_t(s.material[i])];
+        if (m.albedo == Color(0) && m.specular == Color(0)) continue;
+        const Hit hit = s.hit(i);
+        const vec3 n = s.normal(i);
+        const vec3 to = lamp.directional ? lamp.position : lamp.position - hit.point;
+        const Real distance = std::sqrt(dot(to, to));
+        const vec3 to_light = to * (1 / distance);
+        if (m.specular == Color(0)) {
+            light.set(i, point_irradiance(lamp, hit.point, n) * m.albedo / pi);
+        } else {
+            const vec3 to_viewer = -vec3(b.dx[i], b.dy[i], b.dz[i]);
+            light.set(i, phong(m, Color(0), point_irradiance(lamp, hit.point, to_light), n, to_light, to_viewer));
+        }
+        shadow.set_ray(i, shadow_ray(hit, to_light, lamp.directional ? inf : distance));
+    }
+}
+
+/// One sample of a light with extent for each lane.
+template <Sampler sampler, bool highlights, Emitter::Kind kind>
+void area_light(const World& world, const Emitter& emitter, Bits dimension, int n, const Batch& b, const Surfaces& s,
+                const Reflectances& reflectances, Batch& shadow, Colors& light) {
+    Emitter lamp = emitter;
+    lamp.kind = kind;
+    const Color radiance = lamp.radiance;
+#pragma GCC ivdep
+    for (int i = 0; i < lanes; ++i) {
+        const Hit hit = s.hit(i);
+        const vec3 normal = s.normal(i), to_viewer = -vec3(b.dx[i], b.dy[i], b.dz[i]);
+        const vec2 u = pattern_2d<sampler>(b.key[i], int(b.sample[i]), n, dimension);
+        const LightSample sample = light_sample(lamp, hit.point, u);
+        Color reflected;
+        if constexpr (highlights) {
+            reflected = s.material[i] == nothing
+                            ? Color(0)
+                            : direct_light(world.scene.materials[std::size_t(s.material[i])], radiance, sample, normal, to_viewer);
+        } else {
+            Material lambert;
+            lambert.albedo = reflectances.albedo(i);
+            reflected = direct_light(lambert, radiance, sample, normal, to_viewer);
+        }
+        light.set(i, reflected);
+        shadow.set_ray(i, shadow_ray(hit, sample.direction, sample.distance));
+    }
+}
+
+/// One direction of the environment for each lane.
+template <Sampler sampler>
+void environment_light(const World& world, Bits dimension, int n, const Batch& b, const Surfaces& s,
+                       const Reflectances& reflectances, Batch& shadow, Colors& light) {
+    const Color radiance = world.scene.environment;
+#pragma GCC ivdep
+    for (int i = 0; i < lanes; ++i) {
+        const DirectionSample sample = cosine_hemisphere(pattern_2d<sampler>(b.key[i], int(b.sample[i]), n, dimension));
+        const vec3 direction = frame_about(s.normal(i)).to_world(sample.direction);
+        const Real over = sample.direction.z / (pi * sample.density);
+        light.set(i, over * reflectances.albedo(i) * radiance);
+        shadow.set_ray(i, shadow_ray(s.hit(i), direction, inf));
+    }
+}
+
+/// The albedos of the lanes' materials; black where there is no surface. Returns whether any lane reflects.
+bool gather_reflectances(const World& world, int count, const Surfaces& s, Reflectances& r) {
+    const Material* materials = world.scene.materials.data();
+    bool any = false;
+    for (int i = 0; i < lanes; ++i) {
+        const bool on = i < count && s.material[i] != nothing;
+        const Color albedo = on ? materials[s.material[i]].albedo : Color(0);
+        const Color specular = on ? materials[s.material[i]].specular : Color(0);
+        r.albedo_r[i] = albedo.x, r.albedo_g[i] = albedo.y, r.albedo_b[i] = albedo.z;
+        any |= albedo != Color(0) || specular != Color(0);
+    }
+    return any;
+}
+
+void ambient_light(const World& world, const Batch& b, const Surfaces& s, Chunk& chunk) {
+    for (int i = 0; i < b.count; ++i) {
+        if (s.material[i] == nothing) continue;
+        const Material& m = world.scene.materials[std::size_t(s.material[i])];
+        if (m.ambient == Color(0)) continue;
+        const vec3 n = s.normal(i);
+        chunk.radiance[std::size_t(b.slot[i])] += b.weight(i) * phong(m, world.scene.ambient, Color(0), n, n, n);
+    }
+}
+
+}  // namespace
+
+void direct_stage(const World& world, Sampler sampler_in_use, int n, int wave, const Batch& b, const Surfaces& s, Batch& shadow,
+                  Chunk& chunk) {
+    if (world.scene.ambient != Color(0)) ambient_light(world, b, s, chunk);
+    Reflectances reflectances;
+    if (!gather_reflectances(world, b.count, s, reflectances)) return;
+    Colors light;
+    for (int i = 0; i < lanes; ++i) shadow.time[i] = b.time[i];
+    for (const PointLight& lamp : world.scene.lights) {
+        point_light(world, lamp, b, s, shadow, light);
+        gather(world, b, light, shadow, chunk);
+    }
+    with_sampler(sampler_in_use, [&](auto sampler) {
+        with_flag(world.plan.phong, [&](auto highlights) {
+            for (std::size_t l = 0; l < world.emitters.size(); ++l) {
+                const Bits dimension = wave_dimension(world, wave, light_dimension + int(l));
+                const auto sample = [&](auto kind) {
+                    area_light<sampler(), highlights(), kind()>(world, world.emitters[l], dimension, n, b, s, reflectances,
+                                                                shadow, light);
+                };
+                using Kind = Emitter::Kind;
+                switch (world.emitters[l].kind) {
+                    case Kind::quad: sample(std::integral_constant<Kind, Kind::quad>{}); break;
+                    case Kind::disc: sample(std::integral_constant<Kind, Kind::disc>{}); break;
+                    case Kind::sphere: sample(std::integral_constant<Kind, Kind::sphere>{}); break;
+                }
+                gather(world, b, light, shadow, chunk);
+            }
+        });
+        if (world.plan.environment_lit) {
+            environment_light<sampler()>(world, wave_dimension(world, wave, environment_dimension), n, b, s, reflectances, shadow,
+                                         light);
+            gather(world, b, light, shadow, chunk);
+        }
+    });
+}
+
+}  // namespace rt

@@ -1,0 +1,47 @@
+#include "rt/stages/stages.h"
+
+namespace rt {
+namespace {
+
+/// Share of the light that a scattering turns from d to w, per solid angle [1/sr]: Henyey and Greenstein's phase function.
+Real phase(vec3 d, vec3 w, Real g) {
+    const Real k = 1 + g * g - 2 * g * dot(d, w);
+    return (1 - g * g) / (4 * pi * k * std::sqrt(k));
+}
+
+}  // namespace
+
+void medium_stage(const World& world, Sampler sampler_in_use, int n, int wave, Batch& b, Queue& next, Chunk& chunk) {
+    if (!world.plan.medium) return;
+    with_sampler(sampler_in_use, [&](auto sampler) {
+        const Bits flight = wave_dimension(world, wave, flight_dimension), turn = wave_dimension(world, wave, phase_dimension);
+        for (int i = 0; i < b.count; ++i) {
+            if (b.medium[i] == nothing) continue;
+            const Medium& medium = world.scene.materials[std::size_t(b.medium[i])].medium;
+            const int sample = int(b.sample[i]);
+            const Real t = free_flight(medium.extinction, pattern_1d<sampler()>(b.key[i], sample, n, flight));
+            if (!(t < b.far[i])) continue;
+
+            // The path goes on from here; what the ray would have met further on no longer matters.
+            const Ray ray = b.ray(i);
+            const DirectionSample way = scatter_direction(ray.direction, medium.g, pattern_2d<sampler()>(b.key[i], sample, n, turn));
+            const Color weight = b.weight(i) * medium.albedo * (phase(ray.direction, way.direction, medium.g) / way.density);
+            b.shape[i] = ended;
+            if (weight == Color(0)) continue;
+            const auto [to, j] = next.push();
+            to.set_ray(j, {ray.origin + t * ray.direction, way.direction, 0, inf});
+            to.time[j] = b.time[i];
+            to.set_weight(j, weight);
+            to.key[j] = b.key[i];
+            to.sample[j] = b.sample[i];
+            to.slot[j] = b.slot[i];
+            to.event[j] = Index(Event::medium);
+            to.depth[j] = b.depth[i];
+            to.bounce[j] = b.bounce[i];
+            to.medium[j] = b.medium[i];
+            ++chunk.rays[int(RayKind::medium)];
+        }
+    });
+}
+
+}  // namespace rt

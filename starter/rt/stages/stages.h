@@ -1,0 +1,77 @@
+#pragma once
+
+#include "rt/world.h"
+
+/// The stages through which batches of rays flow. Each is a short loop over a batch that calls fragments for each lane.
+///
+///     camera → nearest → medium → emission → surface → direct → scatter → (nearest ...) → film
+///
+/// Lanes of one batch do not depend on each other: a loop marked with ivdep may run in any order, hence vectorised.
+namespace rt {
+
+/// The samples of some pixels, in the order of their slots.
+struct CameraWork {
+    const Extent* extents;  // of the pixel of each lane
+    const Bits* keys;       // of the pixel of each lane
+    const int* samples;     // index of each lane's sample
+    int slot;               // of lane 0
+    int count;              // lanes
+    int n;                  // samples of a pixel in all
+    Sampler sampler;
+};
+
+/// Fills a batch with the first rays, and the samples' weights.
+void camera_stage(const World& world, const CameraWork& work, Batch& batch, Chunk& chunk);
+
+/// Finds the nearest shape along each ray: its number and distance. Rays with far <= near meet nothing.
+void nearest_stage(const World& world, Batch& batch);
+
+/// Finds whether there is any shape along each ray: its number, or nothing.
+void any_hit_stage(const World& world, Batch& batch);
+
+/// Ends the lanes that are scattered inside a medium before they meet a surface; their new rays go to next.
+void medium_stage(const World& world, Sampler sampler, int n, int wave, Batch& batch, Queue& next, Chunk& chunk);
+
+/// Points, normals and materials of the hits.
+void surface_stage(const World& world, const Batch& batch, Surfaces& surfaces);
+
+/// Adds the light that the rays' ends send out themselves: emitters, the environment, the background.
+void emission_stage(const World& world, const Batch& batch, const Surfaces& surfaces, Chunk& chunk);
+
+/// Adds the light that the surfaces reflect straight from the lights. shadow is a scratch batch.
+void direct_stage(const World& world, Sampler sampler, int n, int wave, const Batch& batch, const Surfaces& surfaces,
+                  Batch& shadow, Chunk& chunk);
+
+/// Sends on the paths that mirrors, glass, lobes and diffuse surfaces continue; their new rays go to next.
+void scatter_stage(const World& world, Sampler sampler, int n, int wave, const Batch& batch, const Surfaces& surfaces,
+                   Queue& next, Chunk& chunk);
+
+/// The mean of one pixel's samples.
+Color film_stage(const Color* radiance, const Real* weight, int n);
+
+/// Calls f with the sampler as a compile-time constant.
+template <class F>
+auto with_sampler(Sampler sampler, F f) {
+    switch (sampler) {
+        case Sampler::uniform: return f(std::integral_constant<Sampler, Sampler::uniform>{});
+        case Sampler::random: return f(std::integral_constant<Sampler, Sampler::random>{});
+        case Sampler::stratified: return f(std::integral_constant<Sampler, Sampler::stratified>{});
+        default: return f(std::integral_constant<Sampler, Sampler::sobol>{});
+    }
+}
+
+/// Calls f with a flag as a compile-time constant.
+template <class F>
+auto with_flag(bool flag, F f) {
+    return flag ? f(std::true_type{}) : f(std::false_type{});
+}
+
+/// The pattern's dimensions: first those of the camera, then as many for each wave.
+enum CameraDimension : int { pixel_dimension, lens_dimension, time_dimension, camera_dimensions };
+enum WaveDimension : int { choice_dimension, lobe_dimension, flight_dimension, phase_dimension, environment_dimension, light_dimension };
+
+inline Bits wave_dimension(const World& world, int wave, int dimension) {
+    return Bits(world.plan.camera_dimensions + wave * world.plan.wave_dimensions + dimension);
+}
+
+}  // namespace rt

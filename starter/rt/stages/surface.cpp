@@ -1,0 +1,68 @@
+#include "rt/stages/stages.h"
+
+namespace rt {
+namespace {
+
+/// The normal of a mesh between its corners, by the hit's areas.
+vec3 smooth_normal(const SmoothTriangle& s, vec3 p) {
+    const Triangle& t = s.triangle;
+    const vec3 n = cross(t.b - t.a, t.c - t.a);
+    const Real u = dot(cross(t.c - t.b, p - t.b), n), v = dot(cross(t.a - t.c, p - t.c), n), w = dot(cross(t.b - t.a, p - t.a), n);
+    return unit(u * s.na + v * s.nb + w * s.nc);
+}
+
+template <bool time>
+void find_surfaces(const World& world, const Batch& b, Surfaces& s) {
+    const SurfaceRecord* records = world.surfaces.data();
+#pragma GCC ivdep
+    for (int i = 0; i < lanes; ++i) {
+        const bool hit = b.shape[i] >= 0;
+        const SurfaceRecord& record = records[hit ? b.shape[i] : 0];
+        const vec3 origin{b.ox[i], b.oy[i], b.oz[i]}, direction{b.dx[i], b.dy[i], b.dz[i]};
+        const Real t = hit ? b.far[i] : 0;
+        const vec3 p = origin + t * direction;
+        const vec3 center = time ? moved(record.center, record.velocity, b.time[i]) : record.center;
+        const vec3 round = (p - center) * record.over_radius;
+        const Real length = std::sqrt(dot(round, round));
+        const bool flat = record.over_radius == 0;
+        const Real scale = flat ? 1 : 1 / length;
+        const vec3 n{scale * (flat ? record.normal.x : round.x), scale * (flat ? record.normal.y : round.y),
+                     scale * (flat ? record.normal.z : round.z)};
+        const bool behind = dot(direction, n) > 0;
+        const Real side = behind ? -1.0 : 1.0;
+        s.px[i] = p.x, s.py[i] = p.y, s.pz[i] = p.z;
+        s.gx[i] = side * n.x, s.gy[i] = side * n.y, s.gz[i] = side * n.z;
+        s.nx[i] = side * n.x, s.ny[i] = side * n.y, s.nz[i] = side * n.z;
+        // A few roundings of the terms from which the hit was computed.
+        s.error[i] = 16 * roundoff * (largest(origin) + largest(p) + record.reach);
+        s.material[i] = hit ? record.material : nothing;
+        s.behind[i] = behind ? 1 : 0;
+    }
+}
+
+void find_smooth_normals(const World& world, const Batch& b, Surfaces& s) {
+    for (int i = 0; i < b.count; ++i) {
+        if (s.material[i] == nothing) continue;
+        const SurfaceRecord& record = world.surfaces[std::size_t(b.shape[i])];
+        if (record.smooth == nothing) continue;
+        const vec3 p = vec3(s.px[i], s.py[i], s.pz[i]) - (world.plan.time ? moved(vec3(0), record.velocity, b.time[i]) : vec3(0));
+        const vec3 n = smooth_normal(world.smooth[std::size_t(record.smooth)], p);
+        const vec3 side = s.behind[i] ? -n : n;
+        // Seen from below, an interpolated normal would send light through the surface: there the flat one stands in.
+        if (!(dot(side, vec3(b.dx[i], b.dy[i], b.dz[i])) < 0)) continue;
+        s.nx[i] = side.x, s.ny[i] = side.y, s.nz[i] = side.z;
+    }
+}
+
+}  // namespace
+
+void surface_stage(const World& world, const Batch& batch, Surfaces& surfaces) {
+    if (world.surfaces.empty()) {
+        for (int i = 0; i < lanes; ++i) surfaces.material[i] = nothing;
+        return;
+    }
+    with_flag(world.plan.time, [&](auto time) { find_surfaces<time()>(world, batch, surfaces); });
+    if (world.plan.smooth) find_smooth_normals(world, batch, surfaces);
+}
+
+}  // namespace rt
