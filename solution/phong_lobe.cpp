@@ -20,7 +20,8 @@ DirectionSample phong_lobe(Real exponent, vec2 u) {
     const Real l = std::log(u.x) / (exponent + 1);
     const Real cosine = std::exp(l), sine = safe_sqrt(-std::expm1(2 * l));
     const vec2 circle = unit_circle(u.y);
-    return {{sine * circle.x, sine * circle.y, cosine}, (exponent + 1) / (2 * pi) * std::exp(exponent * l)};
+    const Real density = (exponent + 1) / (2 * pi) * (exponent > 0 ? std::exp(exponent * l) : 1);  // u.x may be 0
+    return {{sine * circle.x, sine * circle.y, cosine}, density};
     // END SOLUTION: return not_started(DirectionSample{{0, 0, 1}, 1 / pi});
 }
 
