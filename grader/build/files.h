@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace grade {
+
+namespace fs = std::filesystem;
+
+/// The text of a regular file of at most that many bytes; links are not followed. None: it is not there, is no such
+/// file, or is larger.
+std::optional<std::string> read_text(const fs::path& path, std::uint64_t most = 16u << 20);
+
+/// Writes a file so that its old text stays whole until the new one is complete. Throws std::runtime_error that names
+/// the path and the cause.
+void write_text(const fs::path& path, std::string_view text);
+
+/// A new folder that goes, with all that is in it, when this object does.
+class TemporaryFolder {
+public:
+    /// Throws std::runtime_error.
+    TemporaryFolder();
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const fs::path& path() const { return path_; }
+    void keep() { kept_ = true; }
+
+private:
+    fs::path path_;
+    bool kept_ = false;
+};
+
+}  // namespace grade

@@ -1,0 +1,141 @@
+#include "build/runner.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstring>
+
+#include "child/protocol.h"
+#include "rt/scene_reader.h"
+
+namespace grade {
+
+struct Runner::Answer {
+    FrameKind kind;
+    std::string payload;
+};
+
+namespace {
+
+constexpr std::size_t most_error_bytes = 4096;
+
+Clock::time_point in_seconds(double seconds) {
+    return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+std::vector<double> numbers_of(const std::string& payload) {
+    std::vector<double> numbers(payload.size() / sizeof(double));
+    std::memcpy(numbers.data(), payload.data(), numbers.size() * sizeof(double));
+    return numbers;
+}
+
+int sampler_of(const std::string& name) {
+    constexpr std::array names{"uniform", "random", "stratified", "sobol"};
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (name == names[i]) return int(i);
+    throw rt::InputError(fmt::format("no sampler is named \"{}\"; expected uniform, random, stratified or sobol", name));
+}
+
+}  // namespace
+
+Runner::Runner(const fs::path& program, const Sandbox& sandbox, const fs::path& meshes, double seconds)
+    : meshes_(meshes), limit_(seconds) {
+    Limits limits;
+    limits.cpu_seconds = seconds;
+    limits.most_cpu_seconds = 600;
+    limits.memory = 2ull << 30;
+    limits.file_size = 1u << 20;
+    const fs::path folder = program.parent_path();
+    const std::vector<std::string> command{program.string(), fmt::format("{}", seconds), (meshes / "check.toml").string()};
+    std::vector<fs::path> readable;
+    if (fs::exists(meshes)) readable.push_back(meshes);
+    process_ = std::make_unique<Process>(inside(sandbox, command, readable, folder), limits, folder.string());
+}
+
+Fault Runner::broken() {
+    const Ending ending = process_->finish(in_seconds(0.2));
+    const std::string excerpt = (ending.err.empty() ? ending.out : ending.err).substr(0, 1000);
+    switch (ending.how) {
+        case Ending::How::timed_out:
+            return {Verdict::timed_out, fmt::format("ran longer than {:g} s", limit_), excerpt};
+        case Ending::How::signalled:
+            return {Verdict::crashed, "ended by " + signal_in_words(ending.code), excerpt};
+        default:
+            return {Verdict::crashed,
+                    fmt::format("the program ended by itself with code {}: a fragment must return, not exit", ending.code), excerpt};
+    }
+}
+
+Outcome<Runner::Answer> Runner::exchange(const std::string& request, std::size_t most_bytes) {
+    // a process that waits for something uses no CPU time: the wall clock ends it
+    const auto deadline = in_seconds(3 * limit_ + 2);
+    if (!process_->send(request, deadline)) return broken();
+    const auto head = process_->receive(sizeof(FrameHeader), deadline);
+    if (!head) return broken();
+    FrameHeader header{};
+    std::memcpy(&header, head->data(), sizeof header);
+    if (header.check != FrameHeader{}.check || header.bytes > std::max(most_bytes, most_error_bytes))
+        return Fault{Verdict::crashed, "the fragment wrote into the grader's channel", {}};
+    auto payload = process_->receive(header.bytes, deadline);
+    if (!payload) return broken();
+    return Answer{header.kind, std::move(*payload)};
+}
+
+std::optional<Fault> Runner::tell(const std::string& request) {
+    const auto outcome = exchange(request, 0);
+    if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
+    const Answer& answer = std::get<Answer>(outcome);
+    if (answer.kind == FrameKind::done) return std::nullopt;
+    return Fault{Verdict::crashed, "threw an exception: " + answer.payload, {}};
+}
+
+Outcome<std::vector<double>> Runner::ask(const std::string& request, int kind, std::size_t most_numbers) {
+    auto outcome = exchange(request, most_numbers * sizeof(double));
+    if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
+    const Answer& answer = std::get<Answer>(outcome);
+    if (answer.kind == FrameKind::error) return Fault{Verdict::crashed, "threw an exception: " + answer.payload, {}};
+    if (int(answer.kind) != kind || answer.payload.size() % sizeof(double) != 0)
+        return Fault{Verdict::crashed, "the fragment wrote into the grader's channel", {}};
+    return numbers_of(answer.payload);
+}
+
+Outcome<rt::Image> Runner::render(const Render& experiment, std::uint64_t seed) {
+    if (experiment.scene != scene_) {
+        const rt::Scene scene = rt::parse_scene(experiment.scene, (meshes_ / "check.toml").string());
+        width_ = scene.camera.size.x, height_ = scene.camera.size.y;
+        if (const auto fault = tell(frame(FrameKind::scene, experiment.scene))) return *fault;
+        scene_ = experiment.scene;
+    }
+    const RenderRequest request{seed, experiment.samples, sampler_of(experiment.sampler)};
+    const std::size_t pixels = std::size_t(width_) * std::size_t(height_);
+    auto outcome = ask(frame(FrameKind::render, bytes_of<RenderRequest>({&request, 1})), int(FrameKind::image), 3 + 3 * pixels);
+    if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
+
+    const auto& numbers = std::get<std::vector<double>>(outcome);
+    if (numbers.size() != 3 + 3 * pixels || numbers[0] != width_ || numbers[1] != height_)
+        return Fault{Verdict::not_an_image, "a picture of the wrong size came back", {}};
+    last_seconds_ = numbers[2];
+    rt::Image image(width_, height_);
+    for (std::size_t i = 0; i < pixels; ++i) image.pixels[i] = {numbers[3 + 3 * i], numbers[4 + 3 * i], numbers[5 + 3 * i]};
+    return image;
+}
+
+Outcome<Rows> Runner::probe(const std::string& fragment, const Rows& rows) {
+    constexpr std::size_t most_results = 16;  // numbers that a fragment returns
+    if (fragment != fragment_) {
+        if (const auto fault = tell(frame(FrameKind::fragment, fragment))) return *fault;
+        fragment_ = fragment;
+    }
+    const std::vector<double> flat = flatten(rows);
+    auto outcome = ask(frame(FrameKind::rows, bytes_of<double>(flat)), int(FrameKind::rows), 2 + rows.size() * (1 + most_results));
+    if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
+
+    const auto& numbers = std::get<std::vector<double>>(outcome);
+    Rows results;
+    if (numbers.empty() || !unflatten(std::span(numbers).subspan(1), results) || results.size() != rows.size())
+        return Fault{Verdict::crashed, "the fragment wrote into the grader's channel", {}};
+    last_seconds_ = numbers[0];
+    return results;
+}
+
+}  // namespace grade

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace grade {
+
+namespace fs = std::filesystem;
+
+/// What is taken from a submission: the text of each fragment that is there. Everything else in it is ignored.
+struct Submission {
+    std::string name;                               // as it was given
+    std::map<std::string, std::string> texts;       // by fragment
+    std::map<std::string, std::string> complaints;  // by fragment: why its file was not taken
+    std::string folder;                             // where the fragments were, within it: "fragments/"; may be empty
+};
+
+/// What is wrong with a submission as a whole.
+struct SubmissionError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Largest source file that is taken.
+constexpr std::uint64_t most_source_bytes = 256u << 10;
+
+/// Reads a folder, a .zip or a .tar.gz, with the fragments in fragments/, directly in it, or so in its only folder.
+/// Links are not followed. Throws SubmissionError.
+Submission read_submission(const fs::path& path, const std::vector<std::string>& fragments);
+
+}  // namespace grade

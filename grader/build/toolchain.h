@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace grade {
+
+namespace fs = std::filesystem;
+
+/// How a child is compiled and linked: exactly as the project's own programs are. CMake writes it.
+struct Toolchain {
+    fs::path source;                     // the project's folder
+    fs::path compiler;
+    std::string description;             // "GNU 12.2.0"
+    std::vector<std::string> compile;    // flags
+    std::vector<fs::path> includes;      // the framework's headers
+    fs::path precompiled;                // searched before these, for rt/fragments.h.gch; may be empty
+    std::vector<std::string> link;       // flags, before the objects
+    std::vector<fs::path> archives;      // the child and the framework, in the order of the link
+    std::vector<std::string> libraries;  // after them
+    fs::path blanks;                     // the folder of the blank fragments' sources
+    std::map<std::string, fs::path> blank_objects;     // by fragment
+    std::map<std::string, fs::path> solution_objects;  // by fragment; empty where there is no solution
+    std::map<std::string, std::string> symbols;        // by fragment: its name for the linker
+
+    bool has_solution() const { return !solution_objects.empty(); }
+};
+
+/// Throws std::runtime_error where the file or what it names is missing.
+Toolchain read_toolchain(const fs::path& path);
+
+/// "rt::phong(rt::Material const&, ...)" for a linker's name; the name itself where it is not one of C++.
+std::string demangled(const std::string& symbol);
+
+/// The symbols that an object or archive defines for others, or, with undefined, those that it needs.
+std::vector<std::string> symbols_of(const fs::path& object, bool undefined = false);
+
+}  // namespace grade
