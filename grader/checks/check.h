@@ -47,6 +47,7 @@ struct Statistic {
     double delta = 0;                                        // deviation that must be found
     bool exact = false;                                      // without noise: one replicate decides, |deviation| <= delta
     std::function<std::string(double value, double truth)> hint;  // what a deviation usually means
+    std::function<std::string(const Observation&)> cause{};       // what one failing observation shows; empty: ask hint
 };
 
 struct Check {
