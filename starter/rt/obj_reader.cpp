@@ -1,7 +1,5 @@
 #include "rt/obj_reader.h"
 
-#define TINYOBJLOADER_USE_DOUBLE
-#define TINYOBJLOADER_IMPLEMENTATION
 #include <fmt/format.h>
 #include <tiny_obj_loader.h>
 
@@ -90,7 +88,8 @@ struct Reading {
     int index(int i, std::size_t count, const char* what) const {
         const auto n = std::int64_t(count), k = i > 0 ? std::int64_t(i) - 1 : n + i;
         if (i == 0 || k < 0 || k >= n)
-            fail(path, lines.number(), fmt::format("a face has {} {}", what, i), fmt::format("one of the {} so far", n));
+            fail(path, lines.number(), fmt::format("a face has {} {}", what, i),
+                 fmt::format("one of the {} so far", n));
         return int(k);
     }
 
@@ -105,11 +104,12 @@ struct Reading {
 };
 
 void read_lines(std::istream& stream, Reading& reading) {
+    using tinyobj::real_t;
     tinyobj::callback_t callback;
-    callback.vertex_cb = [](void* r, double x, double y, double z, double) {
+    callback.vertex_cb = [](void* r, real_t x, real_t y, real_t z, real_t) {
         static_cast<Reading*>(r)->vertices.emplace_back(x, y, z);
     };
-    callback.normal_cb = [](void* r, double x, double y, double z) {
+    callback.normal_cb = [](void* r, real_t x, real_t y, real_t z) {
         static_cast<Reading*>(r)->normals.emplace_back(x, y, z);
     };
     callback.index_cb = [](void* r, tinyobj::index_t* corners, int count) {

@@ -65,7 +65,8 @@ Mesh read_mesh(const Table& table, const std::string& scene_path) {
                             "a factor that is not 0 and not beyond 1e30"};
     const std::string file = table.text("file");
     const auto path = std::filesystem::path(scene_path).parent_path() / file;
-    const vec3 scale = table.color("scale", factor, vec3(1)), translate = table.vector("translate", any_number, vec3(0));
+    const vec3 scale = table.color("scale", factor, vec3(1));
+    const vec3 translate = table.vector("translate", any_number, vec3(0));
     Mesh mesh;
     try {
         mesh = read_obj(path.string(), table.flag("smooth", false));
@@ -80,8 +81,8 @@ Mesh read_mesh(const Table& table, const std::string& scene_path) {
 /// Shadow rays look for lamps which they can aim at: quads, discs and spheres that stand still.
 void check_lamp(const Table& table, const Material& material, bool can_be_sampled, vec3 velocity) {
     if (material.emission == Color(0) || !material.sampled || (can_be_sampled && velocity == vec3(0))) return;
-    table.fail("material",
-               fmt::format("shadow rays cannot look for {} that shines", can_be_sampled ? "a moving shape" : "triangles"),
+    const char* what = can_be_sampled ? "a moving shape" : "a triangle or mesh";
+    table.fail("material", fmt::format("shadow rays cannot look for {} that shines", what),
                fmt::format("sampled = false in material {}, or a quad, disc or sphere that stands still",
                            in_quotes(material.name)));
 }

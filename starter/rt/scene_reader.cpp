@@ -47,7 +47,8 @@ Camera read_camera(const Table& table) {
     if (direction(up) == vec3(0)) table.fail("up", "'up' is zero", "the direction that is up in the image");
     const vec3 right = cross(direction(up), camera.back);
     if (largest(right) < 1e-9)
-        table.fail(table.has("up") ? "up" : "target", "the camera looks along 'up'", "an 'up' across the line of sight");
+        table.fail(table.has("up") ? "up" : "target", "the camera looks along 'up'",
+                   "an 'up' across the line of sight");
     camera.right = direction(right);
     camera.up = cross(camera.back, camera.right);
 

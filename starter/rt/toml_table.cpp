@@ -1,3 +1,15 @@
+#include <stdexcept>
+
+// Some of toml++'s assertions can be reached by a file, and without them its behaviour is undefined: make them throw.
+namespace rt {
+struct ParserFault : std::logic_error {
+    using std::logic_error::logic_error;
+};
+[[noreturn]] static void parser_fault(const char* condition) { throw ParserFault(condition); }
+}  // namespace rt
+#undef NDEBUG
+#define TOML_ASSERT(condition) ((condition) ? void() : rt::parser_fault(#condition))
+
 #include "rt/toml_table.h"
 
 #include <fmt/format.h>
@@ -11,10 +23,17 @@
 namespace rt {
 namespace {
 
+/// Without line breaks and other control characters.
+std::string one_line(std::string text) {
+    for (char& c : text)
+        if (static_cast<unsigned char>(c) < 32 || c == 127) c = '?';
+    return text;
+}
+
 [[noreturn]] void fail_in(const std::string& path, toml::source_position place, const std::string& wrong,
                           const std::string& expected) {
     const auto line = std::max(place.line, 1u), column = std::max(place.column, 1u);
-    throw InputError(fmt::format("{}:{}:{}: {}; expected {}", path, line, column, wrong, expected));
+    throw InputError(fmt::format("{}:{}:{}: {}; expected {}", path, line, column, one_line(wrong), expected));
 }
 
 std::string type_of(const toml::node& node) {
@@ -62,6 +81,18 @@ void check_nesting(std::string_view text, const std::string& path) {
     }
 }
 
+/// The first line without which the parser keeps its promises.
+toml::source_index line_of_fault(std::string_view text) {
+    toml::source_index line = 1;
+    for (auto end = text.find('\n'); end != text.npos; end = text.find('\n', end + 1), ++line) try {
+            (void)toml::parse(text.substr(0, end + 1));
+        } catch (const ParserFault&) {
+            return line;
+        } catch (const toml::parse_error&) {
+        }
+    return line;
+}
+
 }  // namespace
 
 std::optional<std::string> nearest_word(std::string_view word, const std::vector<std::string>& words) {
@@ -75,10 +106,7 @@ std::optional<std::string> nearest_word(std::string_view word, const std::vector
 }
 
 std::string in_quotes(std::string_view word) {
-    std::string clean(word.substr(0, 60));
-    for (char& c : clean)
-        if (static_cast<unsigned char>(c) < 32 || c == 127) c = '?';
-    return fmt::format("'{}{}'", clean, word.size() > 60 ? "..." : "");
+    return fmt::format("'{}{}'", one_line(std::string(word.substr(0, 60))), word.size() > 60 ? "..." : "");
 }
 
 Table Table::parse(std::string_view text, const std::string& path) {
@@ -91,6 +119,8 @@ Table Table::parse(std::string_view text, const std::string& path) {
         const auto colon = what.starts_with(context) ? what.find(": ") : what.npos;
         fail_in(path, error.source().begin, std::string(colon == what.npos ? what : what.substr(colon + 2)),
                 "valid TOML, every key once, every number within 1e308");
+    } catch (const ParserFault&) {
+        fail_in(path, {line_of_fault(text), 1}, "no TOML", "key = value, [table] or # comment");
     }
     table.table_ = table.root_.get();
     table.path_ = path;

@@ -51,7 +51,8 @@ class Table {
     Color color(std::string_view key, Limits limits, std::optional<Color> otherwise = {}) const;
 
     /// One of the words; returns its place in the list.
-    int choice(std::string_view key, std::initializer_list<std::string_view> words, std::optional<int> otherwise = {}) const;
+    int choice(std::string_view key, std::initializer_list<std::string_view> words,
+               std::optional<int> otherwise = {}) const;
 
     /// The table [key]; none: an empty one.
     Table table(std::string_view key) const;
