@@ -2,6 +2,7 @@
 #include <exception>
 #include <iostream>
 
+#include "assignment.h"
 #include "build/strip.h"
 
 /// strip_solution: makes the starter's fragments, or with --check says where they differ from what it would make.
@@ -20,7 +21,10 @@ int main(int argc, char** argv) {
     }
 
     try {
-        const auto files = grade::make_starter(solution, grade::given_fragments(assignment));
+        std::set<std::string> given;
+        for (const auto& fragment : grade::read_assignment(assignment).fragments)
+            if (fragment.given) given.insert(fragment.name);
+        const auto files = grade::make_starter(solution, given);
         if (!check) {
             grade::write_starter(files, starter);
             return 0;

@@ -4,8 +4,8 @@
 #include <fstream>
 #include <regex>
 #include <set>
-#include <toml++/toml.h>
 
+#include "assignment.h"
 #include "catch.h"
 #include "rt/scene_reader.h"
 
@@ -17,15 +17,6 @@ namespace {
 std::set<std::string> fragment_files(const std::string& folder) {
     std::set<std::string> names;
     for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().stem().string());
-    return names;
-}
-
-std::set<std::string> listed_fragments() {
-    std::set<std::string> names;
-    const toml::table list = toml::parse_file("assignment.toml");
-    for (const auto& part : *list["part"].as_array())
-        for (const auto& fragment : *part.at_path("fragments").as_array())
-            names.insert(fragment.at_path("name").value<std::string>().value());
     return names;
 }
 
@@ -105,7 +96,8 @@ TEST_CASE("a given fragment is filled in, the others are blank; drift names the 
 }
 
 TEST_CASE("assignment.toml, solution/, starter/fragments/ and fragments.h name the same fragments") {
-    const auto listed = listed_fragments();
+    const auto names = read_assignment("assignment.toml").names();
+    const std::set<std::string> listed(names.begin(), names.end());
     CHECK(listed.size() > 30);
     CHECK(fragment_files("solution") == listed);
     CHECK(fragment_files("starter/fragments") == listed);
@@ -113,12 +105,12 @@ TEST_CASE("assignment.toml, solution/, starter/fragments/ and fragments.h name t
 }
 
 TEST_CASE("the starter holds no line of what a student must write") {
-    const auto given = given_fragments("assignment.toml");
     std::map<std::string, std::string> origin;  // of each secret line
-    for (const auto& entry : fs::directory_iterator("solution"))
-        if (!given.count(entry.path().stem().string()))
-            for (const auto& line : secrets(find_region(text_of(entry.path()), entry.path().string())))
-                origin[line] = entry.path().string();
+    for (const Fragment& fragment : read_assignment("assignment.toml").fragments) {
+        const std::string path = "solution/" + fragment.name + ".cpp";
+        if (fragment.given) continue;
+        for (const auto& line : secrets(find_region(text_of(path), path))) origin[line] = path;
+    }
     REQUIRE(origin.size() > 40);
 
     for (const auto& entry : fs::recursive_directory_iterator("starter")) {

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
-#include <optional>
 #include <sstream>
-#include <toml++/toml.h>
+#include <stdexcept>
 
+#include "build/files.h"
 #include "rt/scene_reader.h"
 
 namespace grade {
@@ -18,12 +17,10 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view begin_marker = "// BEGIN SOLUTION", end_marker = "// END SOLUTION", blank_line = "// YOUR CODE HERE";
 
-std::string read_text(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    if (!in) throw std::runtime_error(path.string() + ": cannot be read");
-    return text.str();
+std::string text_of(const fs::path& path) {
+    const auto text = read_text(path);
+    if (!text) throw std::runtime_error(path.string() + ": cannot be read");
+    return *text;
 }
 
 std::string trimmed(std::string_view line) {
@@ -102,28 +99,10 @@ std::vector<std::string> secrets(const Marked& file) {
 std::map<std::string, std::string> make_starter(const std::string& solution, const std::set<std::string>& given) {
     std::map<std::string, std::string> files;
     for (const auto& path : sources(solution)) {
-        const Marked file = find_region(read_text(path), path.string());
+        const Marked file = find_region(text_of(path), path.string());
         files[path.filename().string()] = given.count(path.stem().string()) ? filled(file) : blank(file);
     }
     return files;
-}
-
-std::set<std::string> given_fragments(const std::string& assignment) {
-    try {
-        std::set<std::string> given;
-        const toml::table list = toml::parse(read_text(assignment), assignment);
-        if (const auto* parts = list["part"].as_array())
-            for (const auto& part : *parts)
-                if (const auto* fragments = part.at_path("fragments").as_array())
-                    for (const auto& fragment : *fragments)
-                        if (fragment.at_path("given").value_or(false))
-                            given.insert(fragment.at_path("name").value_or(std::string()));
-        return given;
-    } catch (const toml::parse_error& error) {
-        const auto at = error.source().begin;
-        throw rt::InputError(assignment + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) + ": " +
-                             std::string(error.description()));
-    }
 }
 
 std::vector<std::string> drift(const std::map<std::string, std::string>& expected, const std::string& folder) {
@@ -136,7 +115,7 @@ std::vector<std::string> drift(const std::map<std::string, std::string>& expecte
             lines.push_back(path.string() + ":1:1: missing; expected one for each fragment of the solution");
             continue;
         }
-        const std::string there = read_text(path);
+        const std::string there = text_of(path);
         const auto [a, b] = std::mismatch(there.begin(), there.end(), text.begin(), text.end());
         if (a == there.end() && b == text.end()) continue;
         const auto number = 1 + std::count(there.begin(), a, '\n');
@@ -153,9 +132,8 @@ void write_starter(const std::map<std::string, std::string>& files, const std::s
         if (!files.count(path.filename().string())) fs::remove(path);
     for (const auto& [name, text] : files) {
         const fs::path path = fs::path(folder) / name;
-        if (fs::exists(path) && read_text(path) == text) continue;  // its date stays, and what is built from it
-        std::ofstream out(path, std::ios::binary);
-        if (!(out << text << std::flush)) throw std::runtime_error(path.string() + ": cannot be written");
+        if (fs::exists(path) && text_of(path) == text) continue;  // its date stays, and what is built from it
+        write_text(path, text);
     }
 }
 

@@ -37,9 +37,6 @@ std::vector<std::string> secrets(const Marked& file);
 /// (without .cpp) are filled in. Throws rt::InputError.
 std::map<std::string, std::string> make_starter(const std::string& solution, const std::set<std::string>& given);
 
-/// Names of the fragments with `given = true`. Throws rt::InputError.
-std::set<std::string> given_fragments(const std::string& assignment);
-
 /// How the .cpp files of a folder differ from what they should be, one line each; empty: not at all.
 std::vector<std::string> drift(const std::map<std::string, std::string>& expected, const std::string& folder);
 

@@ -71,9 +71,9 @@ struct Pass {
 
 /// Mean over pixels and channels of half the squared difference of two independent estimates: the variance of one.
 Real variance(const std::vector<Color>& a, const std::vector<Color>& b) {
-    Sum sum;
-    for (std::size_t i = 0; i < a.size(); ++i) sum.add(dot(a[i] - b[i], a[i] - b[i]) / 6);
-    return sum.value() / Real(a.size());
+    Sum squares;
+    for (std::size_t i = 0; i < a.size(); ++i) squares.add(dot(a[i] - b[i], a[i] - b[i]) / 6);
+    return squares.value() / Real(a.size());
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ inline Real hit_disc(const Disc& disc, const Ray& ray) {
     const Real t = dot(disc.center - ray.origin, disc.normal) / dot(ray.direction, disc.normal);
     const vec3 p = ray.origin + t * ray.direction - disc.center;
     if (!(dot(p, p) <= disc.radius * disc.radius)) return inf;
-    return t > ray.near && t < ray.far ? t : inf;
+    return ray.near < t && t < ray.far ? t : inf;
 }
 
 inline Sphere at_time(Sphere s, vec3 velocity, Real time) {
