@@ -29,7 +29,7 @@ auto argument(const Row& inputs) {
 }
 
 /// How far two rows are apart, relative to the larger of 1e-3 and the largest number of the right one; nan or inf where
-/// a number is not finite and the right one is another.
+/// a number is not finite and the right one is another. Numbers beyond those of the right one do not count.
 double deviation(const Row& outputs, const Row& right);
 
 /// A mistake that is known to be made, as the outputs to which it leads.

@@ -1,0 +1,55 @@
+#include "checks/draw.h"
+#include "checks/formula.h"
+#include "checks/fragment_checks.h"
+#include "checks/probe_check.h"
+
+namespace grade {
+
+namespace {
+
+/// Fresnel's formulas in the angles: for s (sin(a - b) / sin(a + b))^2, for p (tan(a - b) / tan(a + b))^2.
+double fresnel(double cosine, double from, double to, double share_s, double share_p, double total) {
+    const double a = std::acos(cosine), sine = std::sin(a) * from / to;
+    if (sine > 1) return total;
+    if (from == to) return 0;
+    const double b = std::asin(sine);
+    if (a < 1e-6) return (share_s + share_p) * rt::sqr((from - to) / (from + to));
+    return share_s * rt::sqr(std::sin(a - b) / std::sin(a + b)) + share_p * rt::sqr(std::tan(a - b) / std::tan(a + b));
+}
+
+RowFunction law(double share_s, double share_p, double total, bool inverted = false) {
+    return of<double, double, double>([=](double cosine, double from, double to) {
+        return inverted ? fresnel(cosine, to, from, share_s, share_p, total) : fresnel(cosine, from, to, share_s, share_p, total);
+    });
+}
+
+}  // namespace
+
+Checks check_fresnel_dielectric(Generator&) {
+    const auto inputs = rows_of(96, [](Generator& random) {
+        const double low = between(random, 1, 1.2), high = between(random, 1.3, 2.5);
+        const bool up = chance(random, 0.5);
+        const double from = up ? high : low, to = chance(random, 0.05) ? from : up ? low : high;
+        double cosine;
+        do cosine = chance(random, 0.1) ? 1 : between(random, 0.02, 1);
+        while (std::abs(1 - rt::sqr(from / to) * (1 - cosine * cosine)) < 0.01 && from != to);
+        return row(cosine, from, to);
+    });
+    return {probe_check("reflectance", "fresnel_dielectric", {}, inputs,
+                        {formula("F3", "reflectance, off by", law(0.5, 0.5, 1), 1e-4,
+                                 {{"total internal reflection gives 0; expected 1", law(0.5, 0.5, 0)},
+                                  {"total internal reflection gives nan; expected 1", law(0.5, 0.5, NAN)},
+                                  {"the two indices are exchanged", law(0.5, 0.5, 1, true)},
+                                  {"the factor 1/2 is missing: unpolarised light is the mean of s and p", law(1, 1, 1)},
+                                  {"only s-polarised light is counted: expected the mean of s and p", law(1, 0, 1)},
+                                  {"only p-polarised light is counted: expected the mean of s and p", law(0, 1, 1)},
+                                  {"the transmitted share is returned; expected the reflected one", of<double, double, double>([](double c, double from, double to) {
+                                       return 1 - fresnel(c, from, to, 0.5, 0.5, 1);
+                                   })},
+                                  {"this is Schlick's approximation; expected Fresnel's formula", of<double, double, double>([](double c, double from, double to) {
+                                       const double r0 = rt::sqr((from - to) / (from + to));
+                                       return r0 + (1 - r0) * std::pow(1 - c, 5);
+                                   })}})})};
+}
+
+}  // namespace grade

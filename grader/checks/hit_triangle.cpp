@@ -1,0 +1,73 @@
+#include <algorithm>
+#include <array>
+
+#include "checks/fragment_checks.h"
+#include "checks/hit_flat.h"
+#include "checks/probe_check.h"
+
+namespace grade {
+
+namespace {
+
+using rt::Ray, rt::Triangle, rt::vec3;
+
+vec3 normal_of(const Triangle& t) { return rt::unit(rt::cross(t.b - t.a, t.c - t.a)); }
+
+/// The shares of the three corners in the point where the line meets the plane: areas of the parts over the whole.
+std::array<double, 3> shares(const Triangle& t, const Ray& ray) {
+    const vec3 n = normal_of(t), p = ray.origin + plane_crossing(ray, t.a, n) * ray.direction;
+    const double whole = rt::dot(rt::cross(t.b - t.a, t.c - t.a), n);
+    return {rt::dot(rt::cross(t.b - p, t.c - p), n) / whole, rt::dot(rt::cross(t.c - p, t.a - p), n) / whole,
+            rt::dot(rt::cross(t.a - p, t.b - p), n) / whole};
+}
+
+/// A triangle that is not too thin, and a ray to a point that is clearly inside or outside.
+Row ordinary(Generator& random, bool clipped) {
+    Triangle t;
+    double size;
+    do {
+        size = log_between(random, 0.1, 10);
+        const vec3 center = box(random, -5, 5);
+        t = {center + size * box(random, -1, 1), center + size * box(random, -1, 1), center + size * box(random, -1, 1)};
+    } while (glm::length(rt::cross(t.b - t.a, t.c - t.a)) < 0.4 * size * size);
+
+    std::array<double, 3> share;
+    const double low = chance(random, 0.6) ? 0.02 : -1;
+    do {
+        share[0] = between(random, low, 1), share[1] = between(random, low, 1), share[2] = 1 - share[0] - share[1];
+    } while (*std::min_element(share.begin(), share.end()) < low || std::abs(*std::min_element(share.begin(), share.end())) < 0.02);
+    return row(t, ray_towards(random, share[0] * t.a + share[1] * t.b + share[2] * t.c, normal_of(t), size, clipped));
+}
+
+}  // namespace
+
+Checks check_hit_triangle(Generator&) {
+    const auto at = [](const Triangle& t, const Ray& ray) { return plane_crossing(ray, t.a, normal_of(t)); };
+    const auto inside = [](const Triangle& t, const Ray& ray) {
+        const auto [a, b, c] = shares(t, ray);
+        return a >= 0 && b >= 0 && c >= 0;
+    };
+    const RowFunction right = of<Triangle, Ray>([=](const Triangle& t, const Ray& ray) {
+        const double where = at(t, ray);
+        return inside(t, ray) && where > ray.near && where < ray.far ? where : rt::inf;
+    });
+    std::vector<Suspect> suspects = flat_suspects<Triangle>(at, inside, normal_of);
+    suspects.push_back({"the parallelogram of which the triangle is one half is hit: is u + v <= 1 tested?", of<Triangle, Ray>([=](const Triangle& t, const Ray& ray) {
+        const auto [a, b, c] = shares(t, ray);
+        const double where = at(t, ray);
+        return b >= 0 && c >= 0 && b <= 1 && c <= 1 && where > ray.near && where < ray.far ? where : rt::inf;
+    })});
+    const auto unclipped = rows_of(96, [](Generator& random) { return ordinary(random, false); });
+    const auto clipped = rows_of(96, [](Generator& random) { return ordinary(random, true); });
+    const auto nothing = rows_of(24, [](Generator& random) {
+        const vec3 a = box(random, -1, 1), b = box(random, -1, 1), origin = box(random, 3, 4);
+        const Triangle thin = chance(random, 0.5) ? Triangle{a, a, b} : Triangle{a, b, a};
+        return row(thin, Ray{origin, rt::unit(a + between(random, 0, 1) * (b - a) - origin), 0, rt::inf});
+    });
+    return {probe_check("inside", "hit_triangle", {}, unclipped, {formula("W1", "distance, off by", right, 1e-3, suspects)}),
+            probe_check("interval", "hit_triangle", {}, clipped, {formula("W1", "distance within the interval, off by", right, 1e-3, suspects)}),
+            probe_check("no_area", "hit_triangle", {}, nothing, {property("W1", "a triangle without area is hit",
+                [](const Row&, const Row& out) { return out[0] == rt::inf ? 0.0 : 1.0; }, 0, "a triangle whose corners coincide must give inf, not nan or a hit")})};
+}
+
+}  // namespace grade

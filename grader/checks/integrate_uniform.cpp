@@ -1,0 +1,57 @@
+#include "checks/draw.h"
+#include "checks/formula.h"
+#include "checks/fragment_checks.h"
+#include "checks/probe_check.h"
+
+namespace grade {
+
+namespace {
+
+/// The sum over n points with the given offset in their cells, 1/2 for midpoints, of offset + height cos(w x + phase),
+/// in closed form:
+///
+///     D offset + h height cos(w (m + (shift - 1/2) h) + phase) sin(w D/2) / sin(w h/2),   h = D/n, m = (a + b)/2
+double sum_of_cosine(const Integrand& f, double a, double b, int n, double shift) {
+    const double w = 2 * rt::pi * f.parameters[2], span = b - a, h = span / n;
+    const double sine = std::sin(w * h / 2);
+    const double gain = std::abs(sine) < 1e-12 ? n : std::sin(w * span / 2) / sine;
+    return span * f.parameters[0] + h * f.parameters[1] * std::cos(w * ((a + b) / 2 + (shift - 0.5) * h) + f.parameters[3]) * gain;
+}
+
+RowFunction shifted(double shift, std::function<double(double d, int n)> factor = [](double, int) { return 1.0; }) {
+    return of<Integrand, double, double, int>([=](const Integrand& f, double a, double b, int n) {
+        return Row{factor(b - a, n) * sum_of_cosine(f, a, b, n, shift)};
+    });
+}
+
+}  // namespace
+
+Checks check_integrate_uniform(Generator&) {
+    const auto inputs = rows_of(64, [](Generator& random) {
+        const double a = between(random, -2, 2), span = between(random, 0.5, 3);
+        const int n = whole_between(random, 3, 60);
+        // slow enough for the sum to be far from zero, or once a point: then the regular points alias
+        const double frequency = chance(random, 0.25) ? n / span * (1 + 1e-3) : between(random, 0.1, 0.4 * n) / span;
+        const Integrand f{Integrand::Kind::cosine, {between(random, 1, 2), between(random, 0.5, 1), frequency, between(random, 0, 6)}};
+        return row(f, a, a + span, n);
+    });
+
+    Statistic value = formula("I1", "sum over regular points, off by", shifted(0.5), 1e-4,
+                              {{"the sum runs over left end points, x_i = a + i D/n; expected the middle of each interval", shifted(0)},
+                               {"the sum runs over right end points; expected the middle of each interval", shifted(1)},
+                               {"the factor D is missing", shifted(0.5, [](double d, int) { return 1 / d; })},
+                               {"the factor 1/N is missing", shifted(0.5, [](double, int n) { return double(n); })},
+                               {"the factor D/N is missing", shifted(0.5, [](double d, int n) { return n / d; })}});
+    // the probe also says how often f was called, and between which x
+    Statistic points = property("I1", "points used",
+        [](const Row& in, const Row& out) {
+            RowReader reader(in);
+            read(reader, Tag<Integrand>{});
+            const double a = reader.number(), b = reader.number(), n = reader.number(), h = (b - a) / n;
+            return std::max({std::abs(out[1] - n), std::abs(out[2] - (a + h / 2)) / h, std::abs(out[3] - (b - h / 2)) / h});
+        },
+        1e-3, "f is not evaluated once at each of the N midpoints, from a + D/2N to b - D/2N");
+    return {probe_check("regular_points", "integrate_uniform", {}, inputs, {value, points})};
+}
+
+}  // namespace grade

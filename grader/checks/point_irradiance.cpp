@@ -1,0 +1,53 @@
+#include "checks/draw.h"
+#include "checks/formula.h"
+#include "checks/fragment_checks.h"
+#include "checks/probe_check.h"
+
+namespace grade {
+
+namespace {
+
+using rt::Color, rt::PointLight, rt::vec3;
+
+/// intensity cosine^c / distance^r, of a point light; a directional one has no distance.
+RowFunction law(double distance_power, std::function<double(double)> of_cosine) {
+    return of<PointLight, vec3, vec3>([=](const PointLight& light, vec3 p, vec3 n) {
+        const vec3 to_light = light.directional ? light.position : light.position - p;
+        const double r = light.directional ? 1 : glm::length(to_light);
+        return Color(light.intensity * of_cosine(rt::dot(n, rt::unit(to_light))) * std::pow(r, -distance_power));
+    });
+}
+
+}  // namespace
+
+Checks check_point_irradiance(Generator&) {
+    const auto clamped = [](double c) { return std::max(0.0, c); };
+    const auto inputs = [](bool directional) {
+        return rows_of(64, [=](Generator& random) {
+            const vec3 p = box(random, -3, 3), n = direction(random);
+            const vec3 d = tilted(random, n, between(random, 0, chance(random, 0.75) ? 1.45 : 3));
+            const double r = log_between(random, 0.3, 10);
+            return row(PointLight{directional ? d : p + r * d, box(random, 0.5, 20), directional}, p, n);
+        });
+    };
+    const std::vector<Suspect> suspects = {
+        {"1/r^2 is missing: the light does not grow fainter with its distance", law(0, clamped)},
+        {"the light fades with 1/r; expected 1/r^2", law(1, clamped)},
+        {"the light fades with 1/r^3: is n . d taken with a vector that is not of unit length, or the other way round?", law(3, clamped)},
+        {"the cosine n . d is missing", law(2, [](double) { return 1.0; })},
+        {"the cosine n . d is missing, but for the horizon", law(2, [](double c) { return c > 0 ? 1.0 : 0.0; })},
+        {"the cosine counts twice", law(2, [](double c) { return c > 0 ? c * c : 0.0; })},
+        {"light from below the horizon counts: |n . d| is not max(0, n . d)", law(2, [](double c) { return std::abs(c); })},
+        {"light from below the horizon is negative: max(0, n . d) is missing", law(2, [](double c) { return c; })},
+        {"the light is on the wrong side of the surface: n . d has the wrong sign", law(2, [](double c) { return std::max(0.0, -c); })},
+        {"a factor 4 pi too small: the intensity is in W/sr already", law(2, [](double c) { return std::max(0.0, c) / (4 * rt::pi); })},
+        {"a directional light is treated as a point light", of<PointLight, vec3, vec3>([](const PointLight& light, vec3 p, vec3 n) {
+             const vec3 d = light.position - p;
+             return Color(light.intensity * std::max(0.0, rt::dot(n, rt::unit(d))) / rt::dot(d, d));
+         })}};
+    const RowFunction right = law(2, clamped);
+    return {probe_check("point_light", "point_irradiance", {}, inputs(false), {formula("L2", "irradiance, off by", right, 1e-4, suspects)}),
+            probe_check("directional_light", "point_irradiance", {}, inputs(true), {formula("L2", "irradiance, off by", right, 1e-4, suspects)})};
+}
+
+}  // namespace grade

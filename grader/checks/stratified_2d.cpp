@@ -1,0 +1,85 @@
+#include <array>
+
+#include "checks/fragment_checks.h"
+#include "checks/probe_check.h"
+#include "checks/warp.h"
+
+namespace grade {
+
+namespace {
+
+struct Box {
+    rt::vec2 low{rt::inf}, high{-rt::inf};
+
+    void add(rt::vec2 p) { low = glm::min(low, p), high = glm::max(high, p); }
+    double area() const { return (high.x - low.x) * (high.y - low.y); }
+    double overlap(const Box& other) const {
+        const rt::vec2 size = glm::min(high, other.high) - glm::max(low, other.low);
+        return std::max(0.0, size.x) * std::max(0.0, size.y);
+    }
+};
+
+/// The boxes around the points of each cell; the rows' i are the cells.
+std::vector<Box> boxes(const Observation& seen, int n) {
+    std::vector<Box> all(n);
+    for (std::size_t k = 0; k < seen.inputs.size(); ++k) all[int(seen.inputs[k][0])].add({seen.outputs[k][0], seen.outputs[k][1]});
+    return all;
+}
+
+Statistic about_cells(int n, std::string what, std::function<double(const std::vector<Box>&)> worst, double tolerance, std::string hint) {
+    Statistic s = property("G2", std::move(what), nullptr, tolerance, std::move(hint));
+    s.measure = [=](const Observation& seen) { return worst(boxes(seen, n)); };
+    return s;
+}
+
+}  // namespace
+
+Checks check_stratified_2d(Generator& random) {
+    Checks checks;
+    const int side = whole_between(random, 3, 5), odd = std::array{6, 7, 11, 13, 15}[whole_between(random, 0, 4)];
+    for (const int n : {side * side, odd}) {
+        // many points of each cell, with corners, so that their box is nearly the cell
+        const auto inputs = [n](Generator& draws) {
+            Rows rows;
+            for (int i = 0; i < n; ++i)
+                for (int k = 0; k < 96; ++k) {
+                    const rt::vec2 u = square(draws);
+                    rows.push_back(row(i, n, k < 4 ? rt::vec2(k % 2 ? 0.999999 : 0, k / 2 ? 0.999999 : 0) : u));
+                }
+            return repeat(rows);
+        };
+        const auto worst_of = [](auto measure) {
+            return [=](const std::vector<Box>& all) {
+                double worst = 0;
+                for (std::size_t i = 0; i < all.size(); ++i) worst = std::max(worst, measure(all, i));
+                return worst;
+            };
+        };
+        Statistic inside = property("G2", "distance outside the unit square",
+            [](const Row&, const Row& out) { return std::max({0.0, -out[0], -out[1], out[0] >= 1 ? 1.0 : 0.0, out[1] >= 1 ? 1.0 : 0.0}); }, 0,
+            "points fall outside the unit square, 0 <= x < 1");
+        Statistic area = about_cells(n, "area of a cell, off 1/n by its share",
+            worst_of([n](const std::vector<Box>& all, std::size_t i) { return std::abs(all[i].area() * n - 1); }), 0.05,
+            "a cell does not have the area 1/n: is u stretched over the cell, and is the number of columns a whole number, not an integer division?");
+        Statistic overlap = about_cells(n, "overlap of two cells, over their area",
+            worst_of([n](const std::vector<Box>& all, std::size_t i) {
+                double worst = 0;
+                for (std::size_t j = 0; j < i; ++j) worst = std::max(worst, all[i].overlap(all[j]) * n);
+                return worst;
+            }), 0.01,
+            "two cells overlap, so others stay empty: which cell is i, and how many columns does n give?");
+        // points of random cells, not the corners: uniform on the whole square
+        Statistic even = uniform_in_square("G2", "chi-squared of points of all cells",
+            [](const Row& in, const Row& out) {
+                const bool corner = (in[2] == 0 || in[2] == 0.999999) && (in[3] == 0 || in[3] == 0.999999);
+                return corner ? rt::vec2(NAN) : rt::vec2(out[0], out[1]);
+            },
+            6, 6, always("the points of all cells together do not fill the square evenly"));
+        even.delta0 = 1;  // stratified points are more even than random ones
+        even.delta = 1.5;
+        checks.push_back(probe_check(n == odd ? "any_number_of_cells" : "grid_of_cells", "stratified_2d", {}, inputs, {inside, area, overlap, even, purity()}));
+    }
+    return checks;
+}
+
+}  // namespace grade
