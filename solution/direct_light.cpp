@@ -20,7 +20,8 @@ namespace rt {
 Color direct_light(const Material& material, Color radiance, const LightSample& light, vec3 n, vec3 to_viewer) {
     // BEGIN SOLUTION
     const Real cosine = dot(n, light.direction);
-    if (!(cosine > 0 && light.density > 0)) return Color(0);
+    if (!(cosine > 0)) return Color(0);
+    if (!(light.density > 0)) return Color(0);
     Color reflected = cosine / pi * material.albedo;
     if (material.specular != Color(0)) {
         const Real along = dot(2 * cosine * n - light.direction, to_viewer);

@@ -22,12 +22,12 @@ LightSample light_sample(const Emitter& light, vec3 p, vec2 u) {
     if (light.kind == Emitter::Kind::sphere) {
         const vec3 to_center = light.sphere.center - p;
         const Real squared = dot(to_center, to_center), radius2 = sqr(light.sphere.radius);
-        if (!(squared > radius2)) return {vec3(0), 0, 0};
         const DirectionSample cone = sphere_cone(light.sphere.radius / std::sqrt(squared), u);
         const vec3 direction = frame_about(unit(to_center)).to_world(cone.direction);
         const Real along = dot(to_center, direction);
         const vec3 beside = to_center - along * direction;
-        return {direction, along - safe_sqrt(radius2 - dot(beside, beside)), cone.density};
+        const bool outside = squared > radius2;
+        return {direction, along - safe_sqrt(radius2 - dot(beside, beside)), outside ? cone.density : 0};
     }
 
     // A point of the flat light, uniform in area.
@@ -43,9 +43,8 @@ LightSample light_sample(const Emitter& light, vec3 p, vec2 u) {
     // Its density per solid angle.
     const vec3 to_point = point - p;
     const Real squared = dot(to_point, to_point), distance = std::sqrt(squared);
-    const vec3 direction = to_point * (1 / distance);
-    const Real cosine = -dot(direction, normal) / length;
-    return {direction, distance, cosine > 0 ? squared / (cosine * area) : 0};
+    const Real cosine = -dot(to_point, normal) / (distance * length);
+    return {to_point * (1 / distance), distance, cosine > 0 ? squared / (cosine * area) : 0};
     // END SOLUTION: return not_started(LightSample{vec3(0, 0, 1), 0, 0});
 }
 

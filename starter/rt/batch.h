@@ -28,7 +28,7 @@ struct alignas(64) Batch {
     // the path
     Real weight_r[lanes], weight_g[lanes], weight_b[lanes];  // share of the arriving radiance that reaches the film
     Bits key[lanes];      // of its random numbers
-    Index sample[lanes];  // index in the pixel's pattern
+    int sample[lanes];  // index in the pixel's pattern
     Index slot[lanes];    // which radiance of the chunk it adds to
     Index event[lanes];   // where the ray comes from: an Event
     Index depth[lanes];   // mirrors, glass and lobes so far
