@@ -48,6 +48,8 @@ std::string type_of(const toml::node& node) {
     }
 }
 
+std::string one_of(const std::vector<std::string>& words) { return fmt::format("one of {}", fmt::join(words, ", ")); }
+
 int edit_distance(std::string_view a, std::string_view b) {
     std::vector<int> row(b.size() + 1);
     std::iota(row.begin(), row.end(), 0);
@@ -136,7 +138,7 @@ void Table::only(std::initializer_list<std::string_view> keys) const {
         const auto wrong = fmt::format("unknown key {} in {}", in_quotes(key.str()), name_);
         const auto place = key.source().begin;
         fail_in(path_, place ? place : node.source().begin, wrong,
-                nearest ? fmt::format("'{}'?", *nearest) : fmt::format("one of {}", fmt::join(known, ", ")));
+                nearest ? fmt::format("'{}'?", *nearest) : one_of(known));
     }
 }
 
@@ -235,7 +237,7 @@ int Table::choice(std::string_view key, std::initializer_list<std::string_view> 
     const std::string word = text(key);
     const auto found = std::find(words.begin(), words.end(), word);
     if (found == words.end())
-        fail(key, fmt::format("'{}' is {}", key, in_quotes(word)), fmt::format("one of {}", fmt::join(words, ", ")));
+        fail(key, fmt::format("'{}' is {}", key, in_quotes(word)), one_of({words.begin(), words.end()}));
     return int(found - words.begin());
 }
 
