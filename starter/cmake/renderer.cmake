@@ -14,8 +14,8 @@ function(add_renderer name)
     target_compile_options(${name}_fragments PRIVATE -Wno-unused-parameter)  # a blank uses none of its parameters
     target_link_libraries(${name}_fragments PRIVATE rt rt_speed rt_warnings)
 
-    add_executable(${name} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../raytrace.cpp $<TARGET_OBJECTS:${name}_fragments>)
-    target_link_libraries(${name} PRIVATE rt rt_warnings CLI11::CLI11)
+    add_executable(${name} $<TARGET_OBJECTS:raytrace_main> $<TARGET_OBJECTS:${name}_fragments>)
+    target_link_libraries(${name} PRIVATE rt)
     if(NOT arg_LINKED)
         add_inlined_stages(${name}_inlined "${fragments}")
         target_sources(${name} PRIVATE $<TARGET_OBJECTS:${name}_inlined>)
