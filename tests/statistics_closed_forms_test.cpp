@@ -59,6 +59,7 @@ TEST_CASE("moments of the lobe are those of directions drawn from it") {
 
 TEST_CASE("the albedo of the lobe falls towards grazing angles as tabulated") {
     CHECK(phong_albedo(10, 0) == Approx(1).epsilon(1e-9));
+    CHECK(phong_moment(10, 0, 1) == Approx(12.0 / 13).epsilon(1e-9));
     CHECK(phong_albedo(10, rt::pi / 3) == Approx(0.505).margin(5e-4));
     CHECK(phong_albedo(10, rt::pi * 80 / 180) == Approx(0.228).margin(5e-4));
     CHECK(phong_albedo(50, rt::pi / 3) == Approx(0.500).margin(5e-4));

@@ -1,0 +1,83 @@
+#include <array>
+
+#include "checks/fragment_checks.h"
+#include "checks/probe_check.h"
+#include "checks/warp.h"
+
+namespace grade {
+
+namespace {
+
+using rt::Extent, rt::FilmSample, rt::vec2;
+
+/// Where in its pixel a sample falls, 0 to 1.
+vec2 share(const Row& in, const Row& out) {
+    const Extent pixel = argument<0, Extent, int, int, vec2>(in);
+    return (from_row<FilmSample>(out).position - pixel.low) / (pixel.high - pixel.low);
+}
+
+}  // namespace
+
+Checks check_film_sample(Generator& random) {
+    const int n = std::array{9, 16, 25}[whole_between(random, 0, 2)];
+    constexpr int pixels = 64;
+    // all samples of some pixels, whose extents are anywhere and of any size
+    const auto inputs = [n](Generator& draws) {
+        Rows rows;
+        for (int k = 0; k < pixels; ++k) {
+            const vec2 low(whole_between(draws, 0, 300), whole_between(draws, 0, 300));
+            const double width = between(draws, 0.5, 2), height = between(draws, 0.5, 2);
+            for (int i = 0; i < n; ++i) rows.push_back(row(Extent{low, low + vec2(width, height)}, i, n, square(draws)));
+        }
+        return repeat(rows);
+    };
+    Statistic inside = property("A1", "distance outside the pixel, in its size",
+        [](const Row& in, const Row& out) {
+            const vec2 s = share(in, out);
+            return std::max({0.0, -s.x, -s.y, s.x - 1, s.y - 1});
+        },
+        1e-5, "samples fall outside the pixel: it covers low <= x < high");
+    // per axis, weighted: mean 1/2, second moment about it 1/12
+    const auto moment = [](int axis, int power) {
+        return [=](const Row& in, const Row& out) { return from_row<FilmSample>(out).weight * std::pow(share(in, out)[axis] - 0.5, power); };
+    };
+    Statistic weight = mean_of("A1", "mean weight", moment(0, 0), 1, 1, by_ratio("the mean weight", {{1.0 / n, "the framework divides by the number of samples"}, {double(n), "a sample counts as 1, not as n"}}));
+    const auto shift_hint = [](double value, double) -> std::string {
+        if (std::abs(std::abs(value) - 0.5) < 0.1) return "the picture is shifted by half a pixel";
+        return "samples are not spread evenly about the middle of the pixel: is a stratum computed by integer division?";
+    };
+    Statistic x = mean_of("A1", "mean x, from the middle of the pixel [pixel]", moment(0, 1), 0, 0.2, shift_hint);
+    Statistic y = mean_of("A1", "mean y, from the middle of the pixel [pixel]", moment(1, 1), 0, 0.2, shift_hint);
+    const auto width_hint = by_ratio("the variance of the samples in a pixel", {{0, "all samples are at one point: edges stay jagged"}, {4, "the samples spread over two pixels"}, {0.25, "the samples fill half of the pixel's width"}});
+    Statistic spread_x = mean_of("A1", "variance of x [pixel^2]", moment(0, 2), 1.0 / 12, 1.0 / 12, width_hint);
+    Statistic spread_y = mean_of("A1", "variance of y [pixel^2]", moment(1, 2), 1.0 / 12, 1.0 / 12, width_hint);
+    Statistic even = uniform_in_square("A1", "chi-squared of equal parts of the pixel", share, 4, 4, always("the samples do not fill the pixel evenly"));
+    even.delta0 = 1;  // stratified points are more even than random ones
+    even.delta = 1.5;
+
+    // n Var(mean of the pixel's x) / (1/12) is 1 for independent samples, and 1/n for cells of a grid
+    Statistic strata;
+    strata.id = "G2";
+    strata.what = "dispersion of a pixel's mean position";
+    strata.truth = 1.0 / n;
+    strata.delta0 = 0.35;
+    strata.delta = 0.6;
+    strata.measure = [n](const Observation& seen) {
+        double square_sum = 0;
+        for (int k = 0; k < pixels; ++k) {
+            vec2 sum(0);
+            for (int i = 0; i < n; ++i) sum += share(seen.inputs[k * n + i], seen.outputs[k * n + i]) - 0.5;
+            square_sum += rt::dot(sum, sum) / n / 2;
+        }
+        return 12 * square_sum / pixels;
+    };
+    strata.hint = [](double value, double truth) {
+        return value > 0.8 && value < 1.2 ? std::string("the samples are independent: each must fall in a cell of its own, see stratified_2d")
+               : value > truth            ? std::string("the samples of a pixel move together: is one position drawn for all of them?")
+                                          : std::string("the samples hardly move from render to render: is u used?");
+    };
+    return {probe_check("in_the_pixel", "film_sample", {"stratified_2d"}, inputs, {inside, weight, x, y, spread_x, spread_y, even, purity()}),
+            probe_check("stratified", "film_sample", {"stratified_2d"}, inputs, {strata})};
+}
+
+}  // namespace grade

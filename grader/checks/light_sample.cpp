@@ -1,0 +1,219 @@
+#include "checks/fragment_checks.h"
+#include "checks/probe_check.h"
+#include "checks/warp.h"
+#include "statistics/regression.h"
+
+namespace grade {
+
+namespace {
+
+using rt::Emitter, rt::LightSample, rt::vec2, rt::vec3;
+
+Emitter emitter_of(const Row& in) { return argument<0, Emitter, vec3, vec2>(in); }
+vec3 point_of(const Row& in) { return argument<1, Emitter, vec3, vec2>(in); }
+
+vec3 normal_of(const Emitter& light) {
+    return light.kind == Emitter::Kind::quad ? rt::unit(rt::cross(light.quad.u, light.quad.v)) : light.disc.normal;
+}
+
+vec3 center_of(const Emitter& light) {
+    return light.kind == Emitter::Kind::quad ? light.quad.center : light.kind == Emitter::Kind::disc ? light.disc.center : light.sphere.center;
+}
+
+double area_of(const Emitter& light) {
+    return light.kind == Emitter::Kind::quad ? 4 * glm::length(light.quad.u) * glm::length(light.quad.v) : rt::pi * rt::sqr(light.disc.radius);
+}
+
+/// The point of a flat light in units of its half edges or its radius, across and along.
+vec2 on_light(const Emitter& light, vec3 p, const LightSample& s) {
+    const vec3 q = p + s.distance * s.direction - center_of(light);
+    if (light.kind == Emitter::Kind::quad)
+        return {rt::dot(q, light.quad.u) / rt::dot(light.quad.u, light.quad.u), rt::dot(q, light.quad.v) / rt::dot(light.quad.v, light.quad.v)};
+    const rt::Frame frame = rt::frame_about(light.disc.normal);
+    return vec2(rt::dot(q, frame.x), rt::dot(q, frame.y)) / light.disc.radius;
+}
+
+/// Area that a sample stands for: cosine at the light / (density distance^2). Its mean is the light's area, whatever the
+/// density, if that is the density of the sample.
+double area_share(const Row& in, const LightSample& s) {
+    if (!(s.density > 0)) return 0;
+    return std::max(0.0, -rt::dot(s.direction, normal_of(emitter_of(in)))) / (s.density * rt::sqr(s.distance));
+}
+
+/// How far a sample is off the light's surface, in the light's size.
+double off_light(const Row& in, const Row& out) {
+    const Emitter light = emitter_of(in);
+    const LightSample s = from_row<LightSample>(out);
+    const vec3 p = point_of(in);
+    if (!(s.density > 0)) return s.density == 0 ? 0 : rt::inf;
+    if (std::abs(glm::length(s.direction) - 1) > 1e-4) return rt::inf;
+    const vec3 q = p + s.distance * s.direction - center_of(light);
+    if (light.kind == Emitter::Kind::sphere) {
+        const double off = std::abs(glm::length(q) / light.sphere.radius - 1);
+        return rt::dot(q, s.direction) > 1e-3 * light.sphere.radius ? rt::inf : off;  // the near side alone is seen
+    }
+    const vec2 at = on_light(light, p, s);
+    const double size = std::sqrt(area_of(light)), off_plane = std::abs(rt::dot(q, normal_of(light))) / size;
+    const double beyond = light.kind == Emitter::Kind::quad ? std::max(std::abs(at.x), std::abs(at.y)) - 1 : std::hypot(at.x, at.y) - 1;
+    return std::max({off_plane, beyond, 0.0});
+}
+
+Emitter emitter(Generator& random, Emitter::Kind kind) {
+    Emitter light;
+    light.kind = kind;
+    const rt::Frame frame = rt::frame_about(direction(random));
+    light.quad = {box(random, -1, 1), between(random, 0.2, 0.6) * frame.x, between(random, 0.2, 0.6) * frame.y};
+    light.disc = {box(random, -1, 1), frame.z, between(random, 0.2, 0.6)};
+    light.sphere = {box(random, -1, 1), between(random, 0.3, 0.8)};
+    return light;
+}
+
+std::function<Rows(Generator&)> samples_of(const Emitter& light, vec3 p) {
+    return [=](Generator& draws) {
+        return repeat(rows_of(1024, [=](Generator& draw) { return row(light, p, square(draw)); })(draws));
+    };
+}
+
+Check flat_light(Generator& random, Emitter::Kind kind, const char* name, std::vector<std::string> needs) {
+    const Emitter light = emitter(random, kind);
+    const bool quad = kind == Emitter::Kind::quad;
+    const vec3 p = center_of(light) + between(random, 1, 3) * tilted(random, normal_of(light), between(random, 0.2, 0.8));
+    const double area = area_of(light), second = area / (quad ? 3 : 4);
+    const auto moment = [](auto f) {
+        return [f](const Row& in, const Row& out) {
+            const LightSample s = from_row<LightSample>(out);
+            const double share = area_share(in, s);
+            return share > 0 ? share * f(on_light(emitter_of(in), point_of(in), s)) : 0.0;
+        };
+    };
+    Statistic on = property("L1", "distance of the samples from the light, in its size", off_light, 1e-3,
+                            quad ? "samples lie beside the light: its points are center + x u + y v with |x|, |y| <= 1, at `distance` along the unit direction"
+                                 : "samples lie beside the light: its points are within the radius of the centre, at `distance` along the unit direction");
+    Statistic size = mean_of("L1", "light gathered, as an area [m2]", moment([](vec2) { return 1.0; }), area, area,
+        by_ratio("the light that is gathered", {{0.25, quad ? "u and v are half edges: the area is 4 |u x v|" : "is the radius used as the diameter?"},
+                                                {4, "the density is that of an area 4 times too large"},
+                                                {1 / area, "the light's area is missing from the density"},
+                                                {2, "is a density halved?"}, {0.5, "is a density doubled?"}, {rt::pi, "is a factor pi missing from the area?"}},
+                 "is the density per solid angle, distance^2 / (cosine at the light * area)?"));
+    const Hint corner = [](double value, double) {
+        return std::string(std::abs(value) > 0.05 ? "the light is sampled from its corner, or one half of it more than the other" : "one side of the light is sampled more than the other");
+    };
+    Statistic x = mean_of("L1", "mean point on the light, across", moment([=](vec2 q) { return q.x / area; }), 0, 1, corner);
+    Statistic y = mean_of("L1", "mean point on the light, along", moment([=](vec2 q) { return q.y / area; }), 0, 1, corner);
+    Statistic xy = mean_of("L3", "covariance of the point on the light", moment([=](vec2 q) { return q.x * q.y / area; }), 0, 1,
+                           always("the two coordinates depend on each other: each needs a random number of its own"));
+    const Hint width = by_ratio("the mean square of the point on the light", {{0.25, "half of the light is sampled"}, {0, "one point of the light is sampled"}, {2.0 / 3, "points crowd in the middle: is a square root missing?"}});
+    Statistic xx = mean_of("L3", "mean square of the point on the light, across", moment([](vec2 q) { return q.x * q.x; }), second, second, width);
+    Statistic yy = mean_of("L3", "mean square of the point on the light, along", moment([](vec2 q) { return q.y * q.y; }), second, second, width);
+    return probe_check(name, "light_sample", std::move(needs), samples_of(light, p), {on, size, x, y, xx, yy, xy, purity()});
+}
+
+Check sphere_light(Generator& random) {
+    const Emitter light = emitter(random, Emitter::Kind::sphere);
+    const double distance = light.sphere.radius * between(random, 1.5, 4);
+    const vec3 axis = direction(random), p = light.sphere.center - distance * axis;
+    const double sine = light.sphere.radius / distance, cap = 1 - std::sqrt(1 - sine * sine), solid_angle = 2 * rt::pi * cap;
+    const rt::Frame frame = rt::frame_about(axis);
+    // mean of f / density is the integral of f over the directions towards the sphere
+    const auto integral = [](std::function<double(vec3)> f) {
+        return [f](const Row&, const Row& out) {
+            const LightSample s = from_row<LightSample>(out);
+            return s.density > 0 ? f(s.direction) / s.density : 0.0;
+        };
+    };
+    Statistic on = property("L1", "distance of the samples from the light, in its radius", off_light, 1e-3,
+                            "samples lie off the near side of the sphere, at `distance` along the unit direction");
+    Statistic size = mean_of("L1", "solid angle of the light [sr]", integral([](vec3) { return 1.0; }), solid_angle, solid_angle,
+        by_ratio("the solid angle", {{2, "is the density halved?"}, {4 * rt::pi / solid_angle, "the density is that of all directions"}},
+                 "is the density the one of the directions that are returned?"));
+    Statistic height = mean_of("L1", "mean of 1 - cos(theta) about the axis, over its value",
+        integral([=](vec3 d) { return (1 - rt::dot(d, axis)) * 2 / (cap * solid_angle); }), 1, 1,
+        by_ratio("the mean of 1 - cos(theta)", {{0, "one point of the light is sampled"}}, "the sphere is not sampled evenly as seen from the point"));
+    Statistic x = mean_of("L1", "mean direction, sideways", integral([=](vec3 d) { return rt::dot(d, frame.x) / (sine * solid_angle); }), 0, 1,
+                          always("one side of the sphere is sampled more than the other"));
+    Statistic y = mean_of("L1", "mean direction, upwards", integral([=](vec3 d) { return rt::dot(d, frame.y) / (sine * solid_angle); }), 0, 1,
+                          always("one side of the sphere is sampled more than the other"));
+    return probe_check("sphere_light", "light_sample", {"sphere_cone"}, samples_of(light, p), {on, size, height, x, y, purity()});
+}
+
+/// Small lights at many places: which powers of distance, cosine and area the estimate has.
+Check layouts() {
+    constexpr int count = 48, each = 16;
+    const auto inputs = [](Generator& random) {
+        Rows rows;
+        for (int k = 0; k < count; ++k) {
+            Emitter light = emitter(random, Emitter::Kind::quad);
+            light.quad.u *= 0.3, light.quad.v *= 0.3;
+            const double angle = between(random, 0, 1.2);
+            const vec3 p = light.quad.center + log_between(random, 1.5, 8) * tilted(random, normal_of(light), angle);
+            for (int i = 0; i < each; ++i) rows.push_back(row(light, p, square(random)));
+        }
+        return rows;
+    };
+    const auto power = [](int which) {
+        return [which](const Observation& seen) {
+            std::vector<std::vector<double>> factors;
+            std::vector<double> logs;
+            for (int k = 0; k < count; ++k) {
+                double sum = 0;
+                for (int i = 0; i < each; ++i) {
+                    const LightSample s = from_row<LightSample>(seen.outputs[k * each + i]);
+                    if (s.density > 0) sum += 1 / s.density / each;
+                }
+                const Row& in = seen.inputs[k * each];
+                const Emitter light = emitter_of(in);
+                const vec3 to = light.quad.center - point_of(in);
+                const double r = glm::length(to), cosine = -rt::dot(to, normal_of(light)) / r;
+                factors.push_back({1, std::log(r), std::log(cosine), std::log(area_of(light))});
+                logs.push_back(std::log(sum * r * r / (cosine * area_of(light))));
+                if (!std::isfinite(logs.back())) return double(NAN);
+            }
+            return least_squares(factors, logs)[which].value;
+        };
+    };
+    const auto statistic = [&](int which, std::string what, std::function<std::string(double)> cause) {
+        Statistic s;
+        s.id = "L2";
+        s.what = std::move(what);
+        s.measure = power(which);
+        s.truth = 0;
+        s.delta0 = 0.02;
+        s.delta = 0.3;
+        s.hint = [cause](double value, double) { return std::isnan(value) ? std::string("the light gives no light where it must") : cause(value); };
+        return s;
+    };
+    return probe_check("many_places", "light_sample", {}, inputs,
+        {statistic(1, "power of the distance that is left over", [](double v) {
+             return std::string(std::abs(v - 2) < 0.3 ? "1/r^2 is missing: density per solid angle = density per area * distance^2 / cosine"
+                              : std::abs(v - 1) < 0.3 ? "the distance counts once; expected squared" : "the estimate has a wrong power of the distance");
+         }),
+         statistic(2, "power of the cosine at the light that is left over", [](double v) {
+             return std::string(std::abs(v + 1) < 0.3 ? "the cosine at the light is missing: density per solid angle = density per area * distance^2 / cosine"
+                                                      : "the cosine at the light has a wrong power: is the density multiplied where it must be divided?");
+         }),
+         statistic(3, "power of the area that is left over", [](double v) {
+             return std::string(std::abs(v + 1) < 0.3 ? "the area is missing: the density per area is 1 / area" : "the estimate has a wrong power of the light's area");
+         })});
+}
+
+/// Points behind a flat light get nothing.
+Check dark_side() {
+    const auto inputs = rows_of(64, [](Generator& random) {
+        const Emitter light = emitter(random, chance(random, 0.5) ? Emitter::Kind::quad : Emitter::Kind::disc);
+        const vec3 p = center_of(light) - between(random, 1, 3) * tilted(random, normal_of(light), between(random, 0, 1));
+        return row(light, p, square(random));
+    });
+    return probe_check("dark_side", "light_sample", {}, inputs,
+        {property("L4", "density behind the light", [](const Row&, const Row& out) { return std::abs(out.back()); }, 0,
+                  "the light shines backwards: behind a quad or a disc the density is 0")});
+}
+
+}  // namespace
+
+Checks check_light_sample(Generator& random) {
+    Checks checks = {layouts(), flat_light(random, Emitter::Kind::quad, "quad_light", {}),
+                     flat_light(random, Emitter::Kind::disc, "disc_light", {"uniform_disk"}), sphere_light(random), dark_side()};
+    return checks;
+}
+
+}  // namespace grade
