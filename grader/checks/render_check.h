@@ -3,7 +3,7 @@
 #include <string>
 
 #include "checks/estimate.h"
-#include "rt/math.h"
+#include "rt/scene.h"
 #include "statistics/region.h"
 
 /// Checks that render, and their scenes as text.
