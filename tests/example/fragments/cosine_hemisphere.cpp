@@ -1,0 +1,23 @@
+#include "rt/fragments.h"
+
+namespace rt {
+
+/// A direction of the hemisphere about z, with a density proportional to its cosine.
+///
+///     density = cos(theta) / pi
+///
+/// Raise a uniform point of the unit disk to the hemisphere.
+///
+/// u        random point of the unit square, 0 <= u < 1
+/// returns  unit direction, z >= 0, and its density [1/sr]
+/// blank    the z axis
+///
+/// Source: Malley's method; Shirley and Wang, "Monte Carlo Techniques for Direct Lighting Calculations", ACM TOG 15(1), 1996.
+DirectionSample cosine_hemisphere(vec2 u) {
+    double theta = acos(sqrt(1 - u.x));
+    double phi = 2 * pi * u.y;
+    vec3 d = vec3(sin(theta) * cos(phi), sin(theta) * sin(phi), cos(theta));
+    return {d, cos(theta) / pi};
+}
+
+}  // namespace rt

@@ -1,0 +1,33 @@
+#include "rt/fragments.h"
+
+namespace rt {
+
+/// Where a ray first meets a sphere.
+///
+///     |o + t d - c|^2 = r^2,    the least root with near < t < far
+///
+/// sphere   centre c [world] and radius r > 0
+/// ray      origin o [world], direction d of any length, and the interval that counts
+/// returns  t in units of |d|; inf where no root lies in the interval, also when the ray starts inside: then it is the far root
+/// blank    inf
+///
+/// The textbook formula b^2 - a c cancels for spheres that are small, far away or huge. Take the discriminant from the point
+/// of the ray that is nearest to the centre, l = f - (f.d/d.d) d with f = o - c: it is r^2 - l.l. And take the root whose
+/// terms have one sign first, the other one from the product of both.
+///
+/// Source: Haines et al., "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, chapter 7.
+Real hit_sphere(const Sphere& sphere, const Ray& ray) {
+    vec3 oc = ray.origin - sphere.center;
+    double a = dot(ray.direction, ray.direction);
+    double half_b = dot(oc, ray.direction);
+    double c = dot(oc, oc) - sphere.radius * sphere.radius;
+    double disc = half_b * half_b - a * c;
+    if (disc < 0)
+        return inf;
+    double t = (-half_b - sqrt(disc)) / a;
+    if (t <= ray.near || t >= ray.far)
+        return inf;
+    return t;
+}
+
+}  // namespace rt

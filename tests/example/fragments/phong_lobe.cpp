@@ -1,0 +1,25 @@
+#include "rt/fragments.h"
+
+namespace rt {
+
+/// A direction about z, with the density of a Phong lobe.
+///
+///     density = (n + 1)/(2 pi) cos(alpha)^n,    so    cos(alpha) = u.x^(1/(n+1)),    phi = 2 pi u.y
+///
+/// exponent  n >= 0; a narrow lobe for a large one
+/// u         random point of the unit square, 0 <= u < 1
+/// returns   unit direction, alpha its angle to the z axis, and its density [1/sr]
+/// blank     the z axis
+///
+/// For a large n the sine drowns in 1 - cos^2: with l = log(u.x)/(n + 1) the cosine is exp(l) and the squared sine
+/// -expm1(2 l).
+///
+/// Source: Lafortune and Willems, "Using the Modified Phong Reflectance Model", TR CW197, 1994.
+DirectionSample phong_lobe(Real exponent, vec2 u) {
+    double c = std::pow(u.x, 1 / (exponent + 1));
+    double s = safe_sqrt(1 - c * c);
+    double phi = 2 * pi * u.y;
+    return {vec3(s * std::cos(phi), s * std::sin(phi), c), (exponent + 1) / (2 * pi) * std::pow(c, exponent)};
+}
+
+}  // namespace rt

@@ -1,0 +1,23 @@
+#include "rt/fragments.h"
+
+namespace rt {
+
+/// The irradiance at a surface from a light without extent, unless something is in between.
+///
+///     H = I max(0, n . d) / r^2        a point light: d the unit direction to it, r its distance
+///     H = E max(0, n . d)              a directional one: the limit for a light far away
+///
+/// light    position [world] and intensity I [W/sr]; or, where light.directional is set, position is the unit vector d
+///          towards the light and intensity its irradiance E on a surface that faces it [W/m2]
+/// p        point of the surface [world]
+/// n        unit surface normal [world]
+/// returns  irradiance [W/m2]
+/// blank    pi: each surface shows its own colour, unlit
+///
+/// Source: Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed., section 4.1.
+Color point_irradiance(const PointLight& light, vec3 p, vec3 n) {
+    vec3 d = light.directional ? light.position : unit(light.position - p);
+    return std::max(0.0, dot(n, d)) * light.intensity;
+}
+
+}  // namespace rt

@@ -1,0 +1,24 @@
+#include "rt/fragments.h"
+
+namespace rt {
+
+/// Direction of a ray after it enters another medium, by Snell's law.
+///
+///     t = e d + (e c - sqrt(1 - e^2 (1 - c^2))) n,    e = ior_from / ior_to,    c = -d . n
+///
+/// d         unit direction of travel, towards the surface [world]
+/// n         unit surface normal on the side that the ray comes from: d . n < 0 [world]
+/// ior_from  index of refraction on that side
+/// ior_to    index of refraction on the other side
+/// returns   unit direction [world]; the zero vector at total internal reflection
+/// blank     d
+///
+/// Source: Heckbert, "Writing a Ray Tracer", An Introduction to Ray Tracing, chapter 7.
+vec3 refracted_direction(vec3 d, vec3 n, Real ior_from, Real ior_to) {
+    double eta = ior_from / ior_to;
+    vec3 parallel = eta * (d - dot(d, n) * n);
+    double rest = 1 - dot(parallel, parallel);
+    return parallel - sqrt(rest) * n;
+}
+
+}  // namespace rt

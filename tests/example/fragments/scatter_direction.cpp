@@ -1,0 +1,24 @@
+#include "rt/fragments.h"
+
+namespace rt {
+
+/// The direction of light after it is scattered in a medium, by the phase function of Henyey and Greenstein.
+///
+///     density = (1 - g^2) / (4 pi (1 + g^2 - 2 g c)^(3/2)),    c = cosine of the angle between old and new direction
+///
+/// With s = 2 u.x - 1 the cosine is (2 s + g (3 + s^2) + 2 g^2 s + g^3 (s^2 - 1)) / (2 (1 + g s)^2), which is s for g = 0:
+/// all directions alike.
+///
+/// d        unit direction of travel [world]
+/// g        mean cosine, -1 < g < 1
+/// u        random point of the unit square, 0 <= u < 1
+/// returns  unit direction [world] and its density [1/sr]
+/// blank    straight on
+///
+/// Source: Henyey and Greenstein, "Diffuse Radiation in the Galaxy", Astrophysical Journal 93, 1941.
+DirectionSample scatter_direction(vec3 d, Real g, vec2 u) {
+    // YOUR CODE HERE
+    return not_started(DirectionSample{d, 1 / (4 * pi)});
+}
+
+}  // namespace rt
