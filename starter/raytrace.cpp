@@ -45,11 +45,12 @@ void describe_options(CLI::App& app, Options& o) {
     std::vector<std::string> names;
     for (const auto& [name, sampler] : samplers) names.push_back(name);
     const CLI::Range positive(1e-30, 1e30);
+    const auto not_negative = [](const std::string& text) { return text[0] == '-' ? "must not be negative" : ""; };
     app.add_option("scene", o.scene, "a scene file (TOML)")->required();
     app.add_option("-o,--out", o.out, "the image: NAME.exr, with a preview NAME.png beside it");
     app.add_option("--samples", o.samples, "samples a pixel")->check(CLI::Range(1, 1 << 30));
     app.add_option("--sampler", o.sampler, "pattern of the samples")->check(CLI::IsMember(names));
-    app.add_option("--seed", o.settings.seed, "another seed, another noise")->check(CLI::NonNegativeNumber);
+    app.add_option("--seed", o.settings.seed, "another seed, another noise")->check(not_negative);
     app.add_option("--threads", o.settings.threads, "0: one for each core")->check(CLI::Range(0, 1024));
     app.add_option("--size", o.size, "size of the film, WIDTHxHEIGHT")
         ->delimiter('x')->expected(2)->check(CLI::Range(1, 65536));
@@ -57,7 +58,8 @@ void describe_options(CLI::App& app, Options& o) {
     app.add_option("--pixel", o.pixel, "print every intermediate value of this pixel's paths, X,Y")
         ->delimiter(',')->expected(2);
     app.add_option("--time-limit", o.settings.time_limit, "render passes until this time is over [s]")->check(positive);
-    app.add_option("--target-error", o.settings.target_error, "render passes until the RMSE is this small")->check(positive);
+    app.add_option("--target-error", o.settings.target_error, "render passes until the RMSE is this small")
+        ->check(positive);
     app.add_option("--exposure", o.exposure, "factor for the preview")->check(positive);
     app.add_flag("--plan", o.plan, "print what this scene needs and what is left out");
     app.add_flag("--quiet", o.quiet, "print nothing but errors");
@@ -152,8 +154,8 @@ void report_fault(const Options& o, const rt::RenderSettings& settings, const rt
     const auto name = std::find_if(samplers.begin(), samplers.end(),
                                    [&](const auto& entry) { return entry.second == settings.sampler; });
     fmt::print(stderr,
-               "{}: {}; expected a finite number\nTo see how it came about: raytrace {} --pixel {},{} --seed {} --samples {} "
-               "--sampler {} --size {}x{}\n",
+               "{}: {}; expected a finite number\n"
+               "To see how it came about: raytrace {} --pixel {},{} --seed {} --samples {} --sampler {} --size {}x{}\n",
                o.scene, fault, o.scene, x, y, settings.seed, settings.samples, name->first, scene.camera.size.x,
                scene.camera.size.y);
 }
