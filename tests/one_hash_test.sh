@@ -8,12 +8,12 @@ trap 'rm -rf "$work"' EXIT
 
 renderers="$build/raytrace $build/raytrace_linked"
 if command -v clang++ >/dev/null; then
-    cmake -S starter -B "$build/clang" -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DFRAGMENTS="$PWD/solution" >"$work/log" &&
-        cmake --build "$build/clang" >>"$work/log" 2>&1 || {
+    if ! { cmake -S starter -B "$build/clang" -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DFRAGMENTS="$PWD/solution" &&
+        cmake --build "$build/clang"; } >"$work/log" 2>&1; then
         tail -n 30 "$work/log"
         echo "the renderer does not build with clang++"
         exit 1
-    }
+    fi
     renderers="$renderers $build/clang/raytrace"
 else
     echo "clang++ is missing: GCC alone is tested; apt-get install clang for both"
