@@ -5,8 +5,8 @@
 # Debian's and Ubuntu's names. Elsewhere, CMake says what it misses; vcpkg.json lists the same libraries.
 packages="cmake g++ ninja-build bubblewrap libarchive-dev libboost-math-dev libcli11-dev libfmt-dev libglm-dev
     libopenexr-dev libpng-dev libtbb-dev libtinyobjloader-dev libtomlplusplus-dev nlohmann-json3-dev"
-test_packages="catch2 clang shellcheck"
-mitsuba_packages="python3-venv libllvm19"
+test_packages="catch2 clang patch python3 shellcheck"
+mitsuba_packages="python3-venv"
 
 # install_packages NAME...: those that are missing, after asking.
 install_packages() {
@@ -45,20 +45,23 @@ install_packages() {
     rm -f "$log"
 }
 
-# build_release TARGET: configures and builds; silent unless it fails, but for progress of the first time on a terminal.
+# build_release TARGET [CMAKE OPTIONS...]: configures, the first time or with options, and builds; silent unless it fails,
+# but for progress of the first time on a terminal.
 build_release() {
-    local folder=$root/build/release
+    local folder=$root/build/release target=$1
+    shift
     mkdir -p "$folder"
-    if ! [ -f "$folder/build.ninja" ] && ! (cd "$root" && cmake --preset release) >"$folder.log" 2>&1; then
+    if { [ $# -gt 0 ] || ! [ -f "$folder/build.ninja" ]; } &&
+        ! (cd "$root" && cmake --preset release "$@") >"$folder.log" 2>&1; then
         grep -A 6 'CMake Error' "$folder.log" >&2 || cat "$folder.log" >&2
         echo "The project cannot be configured (above; all of it is in $folder.log)." >&2
         exit 3
     fi
-    if [ -t 1 ] && ! [ -e "$folder/.built-$1" ]; then
-        cmake --build "$folder" --target "$1" || exit 3
-    elif ! cmake --build "$folder" --target "$1" >"$folder.log" 2>&1; then
+    if [ -t 1 ] && ! [ -e "$folder/.built-$target" ]; then
+        cmake --build "$folder" --target "$target" || exit 3
+    elif ! cmake --build "$folder" --target "$target" >"$folder.log" 2>&1; then
         cat "$folder.log" >&2
         exit 3
     fi
-    touch "$folder/.built-$1"
+    touch "$folder/.built-$target"
 }
