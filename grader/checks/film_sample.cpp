@@ -1,8 +1,11 @@
+#include <fmt/format.h>
+
 #include <array>
 
 #include "checks/fragment_checks.h"
 #include "checks/probe_check.h"
 #include "checks/warp.h"
+#include "statistics/moments.h"
 
 namespace grade {
 
@@ -55,6 +58,16 @@ Checks check_film_sample(Generator& random) {
     even.delta0 = 1;  // stratified points are more even than random ones
     even.delta = 1.5;
 
+    // one pixel, drawn again and again: only u changes
+    const auto repeats = [n](Generator& draws) {
+        const vec2 low(whole_between(draws, 0, 300), whole_between(draws, 0, 300));
+        const double width = between(draws, 0.5, 2), height = between(draws, 0.5, 2);
+        Rows rows;
+        for (int k = 0; k < pixels; ++k)
+            for (int i = 0; i < n; ++i) rows.push_back(row(Extent{low, low + vec2(width, height)}, i, n, square(draws)));
+        return rows;
+    };
+
     // n Var(mean of the pixel's x) / (1/12) is 1 for independent samples, and 1/n for cells of a grid
     Statistic strata;
     strata.id = "G2";
@@ -76,8 +89,33 @@ Checks check_film_sample(Generator& random) {
                : value > truth            ? std::string("the samples of a pixel move together: is one position drawn for all of them?")
                                           : std::string("the samples hardly move from render to render: is u used?");
     };
+    // one sample moves in a cell of 1/n of the pixel: n 12 Var(x) is 1, and the same for y
+    Statistic cell;
+    cell.id = "G2";
+    cell.what = "variance of one sample, over that of a cell";
+    cell.truth = 1;
+    cell.delta0 = 0.05;
+    cell.delta = 0.5;
+    cell.measure = [n](const Observation& seen) {
+        double variance = 0;
+        for (int i = 0; i < n; ++i) {
+            Moments x, y;
+            for (int k = 0; k < pixels; ++k) {
+                const vec2 s = share(seen.inputs[k * n + i], seen.outputs[k * n + i]);
+                x.add(s.x), y.add(s.y);
+            }
+            variance += (x.variance() + y.variance()) / 2 / n;
+        }
+        return 12 * n * variance;
+    };
+    cell.hint = [n](double value, double) {
+        if (value < 0.1) return fmt::format("with new random numbers a sample hardly moves, by {:.3g} of its cell's variance: are u ignored?", value);
+        const double cells = n / value;
+        if (cells < 1.2) return std::string("each sample falls anywhere in the pixel: it must fall in a cell of its own, see stratified_2d");
+        return fmt::format("a sample moves as if the pixel had {:.3g} cells; expected n = {}", cells, n);
+    };
     return {probe_check("in_the_pixel", "film_sample", {"stratified_2d"}, inputs, {inside, weight, x, y, spread_x, spread_y, even, purity()}),
-            probe_check("stratified", "film_sample", {"stratified_2d"}, inputs, {strata})};
+            probe_check("stratified", "film_sample", {"stratified_2d"}, repeats, {cell, strata})};
 }
 
 }  // namespace grade
