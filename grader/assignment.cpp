@@ -22,7 +22,8 @@ std::vector<std::string> Assignment::names() const {
 }
 
 Assignment read_assignment(const std::string& path) {
-    const std::optional<std::string> text = read_text(path);
+    std::error_code error;
+    const std::optional<std::string> text = read_text(fs::canonical(path, error));
     if (!text) throw rt::InputError(path + ":1:1: cannot be read; expected the assignment's parts and fragments");
     const rt::Table file = rt::Table::parse(*text, path);
     file.only({"title", "part"});

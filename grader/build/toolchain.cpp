@@ -21,7 +21,7 @@ std::vector<Value> list(const toml::table& file, const char* key) {
     if (const toml::array* array = file[key].as_array())
         for (const toml::node& node : *array) {
             std::string value = node.value_or(std::string());
-            if (!value.empty()) values.emplace_back(std::move(value));
+            if (!value.empty() && value != "/usr/include") values.emplace_back(std::move(value));
         }
     return values;
 }
@@ -58,6 +58,7 @@ Toolchain read_toolchain(const fs::path& path) try {
     chain.compiler = text("compiler");
     chain.description = text("description");
     chain.compile = list(file, "compile");
+    for (const std::string& option : list(file, "options")) chain.compile.push_back(option);
     chain.includes = list<fs::path>(file, "includes");
     chain.precompiled = text("precompiled");
     chain.link = list(file, "link");

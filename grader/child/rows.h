@@ -71,9 +71,9 @@ inline void append(Numbers& row, double x) { row.push_back(x); }
 inline void append(Numbers& row, int x) { row.push_back(x); }
 inline void append(Numbers& row, bool x) { row.push_back(x ? 1 : 0); }
 inline void append(Numbers& row, rt::Event x) { row.push_back(double(int(x))); }
-inline void append(Numbers& row, rt::vec2 v) { row.insert(row.end(), {v.x, v.y}); }
-inline void append(Numbers& row, rt::ivec2 v) { row.insert(row.end(), {double(v.x), double(v.y)}); }
-inline void append(Numbers& row, rt::vec3 v) { row.insert(row.end(), {v.x, v.y, v.z}); }
+inline void append(Numbers& row, rt::vec2 v) { append(row, v.x), append(row, v.y); }
+inline void append(Numbers& row, rt::ivec2 v) { append(row, v.x), append(row, v.y); }
+inline void append(Numbers& row, rt::vec3 v) { append(row, v.x), append(row, v.y), append(row, v.z); }
 
 void append(Numbers& row, const rt::Ray& ray);
 void append(Numbers& row, const rt::Hit& hit);

@@ -1,0 +1,174 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <random>
+
+#include "assignment.h"
+#include "build/files.h"
+#include "build/submission.h"
+#include "build/toolchain.h"
+#include "checks/check.h"
+#include "judging/grading.h"
+#include "judging/judge_check.h"
+#include "report/page.h"
+#include "report/terminal.h"
+#include "rt/scene_reader.h"
+
+/// grade SUBMISSION: the command line. Each subcommand is a function that returns the exit code.
+namespace {
+
+using namespace grade;
+
+enum ExitCode { graded = 0, below_required = 1, usage = 2, infrastructure = 3 };
+
+/// What is wrong with a command line beyond what its parser sees.
+struct UsageError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+struct Arguments {
+    std::string submission, mode, json, html, keep, toolchain = GRADE_TOOLCHAIN, own_scene;
+    std::vector<std::string> only;
+    std::optional<std::uint64_t> seed;
+    std::optional<double> required;
+    int jobs = 0, replicates = 64;
+    double time_limit = 10;
+    bool trusted = false;
+};
+
+std::string command_of(int argc, char** argv) {
+    std::string command = "grade";
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i];
+        const bool plain = !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+") == word.npos;
+        std::string quoted = "'";
+        for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+        command += " " + (plain ? word : quoted + "'");
+    }
+    return command;
+}
+
+std::uint64_t fresh_seed() {
+    std::random_device device;
+    return device() % 1'000'000 + 1;
+}
+
+GradingSettings settings_of(const Arguments& arguments, const Assignment& assignment, const Toolchain& chain) {
+    GradingSettings settings;
+    for (const std::string& name : arguments.only) {
+        const auto names = assignment.names();
+        if (std::ranges::count(names, name) == 0)
+            throw UsageError(fmt::format("--only {}: no fragment has this name; assignment.toml lists them", name));
+        settings.only.insert(name);
+    }
+    settings.student = arguments.mode.empty() ? !chain.has_solution() : arguments.mode == "student";
+    if (!settings.student && !chain.has_solution()) throw UsageError("--mode instructor needs the folder solution/, which is not here");
+    if (settings.student && arguments.seed && *arguments.seed != student_seed)
+        throw UsageError(fmt::format("--seed {}: in student mode the seed is {}, which the stored statistics of the solution belong to",
+                                     *arguments.seed, student_seed));
+    settings.seed = settings.student ? student_seed : arguments.seed ? *arguments.seed : fresh_seed();
+    settings.jobs = arguments.jobs;
+    settings.time_limit = arguments.time_limit;
+    settings.trusted = arguments.trusted;
+    settings.keep = arguments.keep;
+    settings.pictures = !arguments.html.empty();
+    if (settings.pictures) settings.own_scene = arguments.own_scene.empty() ? chain.source / "scenes/own_picture.toml" : fs::path(arguments.own_scene);
+    return settings;
+}
+
+int grade_one(const Arguments& arguments, const std::string& command) {
+    const Toolchain chain = read_toolchain(arguments.toolchain);
+    const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
+    GradingSettings settings = settings_of(arguments, assignment, chain);
+    const Submission submission =
+        read_submission(arguments.submission.empty() ? chain.source / "starter" : fs::path(arguments.submission), assignment.names());
+    const std::vector<Check> checks = all_checks(settings.seed);
+
+    ProgressLine line;
+    settings.progress = [&](int done, int all, const std::string& doing) { line.show(done, all, doing); };
+    if (!arguments.json.empty())
+        settings.partial = [&](Record record) {
+            record.command = command;
+            write_text(arguments.json, to_json(record));
+        };
+    Record record = grade_submission(submission, assignment, chain, checks, settings);
+    record.command = command;
+    line.clear();
+
+    if (!arguments.json.empty()) write_text(arguments.json, to_json(record));
+    if (!arguments.html.empty()) {
+        fs::create_directories(arguments.html);
+        write_text(fs::path(arguments.html) / "index.html", page(record, assignment));
+    }
+    fmt::print("{}\nseed {}, {} mode; {}\n", table(record, assignment, isatty(STDOUT_FILENO)), record.seed,
+               record.student_mode ? "student" : "instructor", record.sandbox);
+    if (!arguments.html.empty()) fmt::print("page: {}\n", (fs::path(arguments.html) / "index.html").string());
+    return arguments.required && record.score() < *arguments.required ? below_required : graded;
+}
+
+int store_references(const Arguments& arguments) {
+    const Toolchain chain = read_toolchain(arguments.toolchain);
+    if (!chain.has_solution()) throw UsageError("references are made from the folder solution/, which is not here");
+    const std::vector<Check> checks = all_checks(student_seed);
+    ProgressLine line;
+    const auto stored = make_references(chain, checks, arguments.replicates, arguments.jobs,
+                                        [&](int done, int all, const std::string& doing) { line.show(done, all, doing); });
+    line.clear();
+    const fs::path folder = chain.source / "scenes/reference";
+    write_references(folder, checks, stored, student_seed);
+    fmt::print("{} checks in {}\n", stored.size(), folder.string());
+    return graded;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app("Grades a submission: renders with its fragments, and measures what comes out", "grade");
+    Arguments arguments;
+    app.add_option("SUBMISSION", arguments.submission, "a folder, a .zip or a .tar.gz; default: starter");
+    app.add_option("--only", arguments.only, "grade only these fragments")->delimiter(',')->type_name("FRAGMENT");
+    app.add_option("--seed", arguments.seed, "of all parameters and random numbers; default: a fresh one")->type_name("N");
+    app.add_option("--mode", arguments.mode, "instructor: each fragment with the solution's others; student: with the submission's own")
+        ->check(CLI::IsMember({"instructor", "student"}));
+    app.add_option("--json", arguments.json, "write the record of the grading")->type_name("FILE");
+    app.add_option("--html", arguments.html, "write a page with all pictures into this folder")->type_name("DIR");
+    app.add_option("--require", arguments.required, "exit with 1 below so many points")->type_name("POINTS");
+    app.add_option("--jobs", arguments.jobs, "how many programs run at a time; default: one for each core")->check(CLI::Range(1, 1024));
+    app.add_option("--time-limit", arguments.time_limit, "CPU seconds for one answer of a fragment")->capture_default_str()->check(CLI::Range(1.0, 600.0));
+    app.add_option("--keep", arguments.keep, "leave objects and programs in this folder")->type_name("DIR");
+    app.add_option("--picture", arguments.own_scene, "the scene of the submission's own picture on the page")->type_name("SCENE");
+    app.add_flag("--trusted", arguments.trusted, "the code is your own: limits, but no sandbox");
+    app.add_option("--toolchain", arguments.toolchain, "what the build wrote about itself")->group("");
+
+    CLI::App* references = app.add_subcommand("references", "store the solution's statistics for students, who have no solution");
+    references->add_option("--replicates", arguments.replicates, "of each check")->capture_default_str()->check(CLI::Range(8, 100000));
+    references->add_option("--jobs", arguments.jobs, "how many programs run at a time")->check(CLI::Range(1, 1024));
+    references->fallthrough();
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : usage;
+    }
+    try {
+        if (references->parsed()) return store_references(arguments);
+        return grade_one(arguments, command_of(argc, argv));
+    } catch (const UsageError& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return usage;
+    } catch (const SubmissionError& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return usage;
+    } catch (const rt::InputError& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return usage;
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "the grader failed: {}\n", error.what());
+        return infrastructure;
+    }
+}

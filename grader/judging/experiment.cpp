@@ -1,0 +1,83 @@
+#include "judging/experiment.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <limits>
+
+#include "statistics/image_fault.h"
+
+namespace grade {
+
+namespace {
+
+/// Source: Steele et al., "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014 (SplitMix64).
+std::uint64_t mixed(std::uint64_t x) {
+    x += 0x9e3779b97f4a7c15;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
+    return x ^ (x >> 31);
+}
+
+std::optional<std::string> probe_fault(const std::string& fragment, const Rows& inputs, const Rows& outputs) {
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+        for (const double x : outputs[i])
+            if (std::isnan(x)) {
+                const Row shown(inputs[i].begin(), inputs[i].begin() + std::ptrdiff_t(std::min<std::size_t>(inputs[i].size(), 16)));
+                return fmt::format("{} returned nan for ({:.6g}{}): look for 0/0, the root of a negative number, or the direction of a "
+                                   "vector of length 0",
+                                   fragment, fmt::join(shown, ", "), shown.size() < inputs[i].size() ? ", ..." : "");
+            }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::string key_of(const Check& check) { return check.fragment + "." + check.name; }
+
+std::uint64_t replicate_seed(std::uint64_t grading_seed, const Check& check, Stream stream, int replicate) {
+    std::uint64_t state = mixed(grading_seed);
+    for (const char c : key_of(check)) state = mixed(state ^ static_cast<unsigned char>(c));
+    return mixed(mixed(state ^ std::uint64_t(stream)) + std::uint64_t(replicate));
+}
+
+Outcome<Observation> observe(Runner& runner, const Check& check, std::uint64_t seed) {
+    Observation observation;
+    if (const auto* probe = std::get_if<Probe>(&check.experiment)) {
+        Generator generator(seed);
+        observation.inputs = probe->inputs(generator);
+        auto outcome = runner.probe(probe->fragment, observation.inputs);
+        if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
+        observation.outputs = std::move(std::get<Rows>(outcome));
+        if (const auto fault = probe_fault(probe->fragment, observation.inputs, observation.outputs))
+            return Fault{Verdict::not_an_image, *fault, {}};
+        return observation;
+    }
+    auto outcome = runner.render(std::get<Render>(check.experiment), seed);
+    if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
+    observation.image = std::move(std::get<rt::Image>(outcome));
+    if (const auto fault = image_fault(observation.image, observation.image.width, observation.image.height))
+        return Fault{Verdict::not_an_image, *fault, {}};
+    return observation;
+}
+
+bool is_same(const Observation& a, const Observation& b) {
+    const auto same_rows = [](const Rows& x, const Rows& y) {
+        if (x.size() != y.size()) return false;
+        for (std::size_t i = 0; i < x.size(); ++i)
+            if (x[i].size() != y[i].size() || std::memcmp(x[i].data(), y[i].data(), x[i].size() * sizeof(double)) != 0) return false;
+        return true;
+    };
+    return is_same(a.image, b.image) && same_rows(a.outputs, b.outputs);
+}
+
+double measured(const Statistic& statistic, const Observation& observation) try {
+    return statistic.measure(observation);
+} catch (const std::exception&) {
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace grade

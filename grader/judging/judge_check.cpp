@@ -1,0 +1,180 @@
+#include "judging/judge_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "rt/scene_reader.h"
+#include "statistics/image_fault.h"
+
+namespace grade {
+
+namespace {
+
+constexpr int most_pictures = 4;  // replicates whose mean is shown
+
+bool is_render(const Check& check) { return std::holds_alternative<Render>(check.experiment); }
+
+/// One statistic of a check while it runs.
+struct Trial {
+    const Statistic* statistic;
+    Judge judge;
+    std::optional<Judgement> judgement;
+};
+
+StatisticRecord record_of(const Statistic& statistic, const Judgement& judgement) {
+    StatisticRecord record{statistic.id, statistic.what, judgement.value, judgement.truth, judgement.low, judgement.high, statistic.delta0,
+                           statistic.delta, statistic.exact, judgement.replicates, judgement.verdict, {}};
+    if (judgement.verdict == Verdict::passed) return record;
+    if (judgement.replicates == 0) {
+        record.value = record.truth = record.low = record.high = std::nullopt;
+        record.hint = "the solution's statistics are not stored: `grade references` stores them";
+    } else if (judgement.verdict == Verdict::inconclusive) {
+        record.hint = fmt::format("neither right nor wrong after {} replicates", judgement.replicates);
+    } else if (!std::isfinite(judgement.value)) {
+        record.hint = fmt::format("{} cannot be measured in what came back", statistic.what);
+    } else if (statistic.hint) {
+        record.hint = statistic.hint(judgement.value, judgement.truth);
+    }
+    if (record.hint.empty()) record.hint = fmt::format("{}: {:.4g}; expected {:.4g}", statistic.what, judgement.value, judgement.truth);
+    return record;
+}
+
+std::string advice(const Fault& fault, Reference& reference) {
+    if (fault.verdict != Verdict::timed_out) return fault.message;
+    const auto solution = reference.cpu_seconds();
+    return fault.message + (solution ? fmt::format("; the solution needs {:.2g} s", *solution) : "") + ": look for a loop that does not end";
+}
+
+void add_picture(rt::Image& mean, const rt::Image& next, int count) {
+    if (count == 0) mean = next;
+    else
+        for (std::size_t k = 0; k < mean.pixels.size(); ++k) mean.pixels[k] += (next.pixels[k] - mean.pixels[k]) / double(count + 1);
+}
+
+}  // namespace
+
+CheckRecord blank_record(const Check& check) {
+    CheckRecord record;
+    record.name = check.name;
+    record.fragment = check.fragment;
+    record.share = check.share;
+    if (const auto* render = std::get_if<Render>(&check.experiment)) {
+        record.scene = render->scene;
+        record.samples = render->samples;
+        record.sampler = render->sampler;
+        record.exposure = rt::parse_scene(render->scene, "scenes/check.toml").exposure;
+    }
+    return record;
+}
+
+CheckRecord judge_check(const Check& check, Runner& runner, Reference& reference, const CheckSettings& settings) {
+    CheckRecord record = blank_record(check);
+    const auto seed = [&](int replicate) { return replicate_seed(settings.seed, check, Stream::submission, replicate); };
+    const auto spend = [&] { record.cpu_seconds += runner.seconds(); };
+    const auto give_up = [&](Fault fault) {
+        record.verdict = fault.verdict;
+        record.message = advice(fault, reference);
+        record.excerpt = fault.excerpt;
+        return record;
+    };
+
+    // the first replicate, twice: the same must come back
+    auto outcome = observe(runner, check, seed(0));
+    if (const Fault* fault = std::get_if<Fault>(&outcome)) return give_up(*fault);
+    const Observation first = std::move(std::get<Observation>(outcome));
+    spend();
+    int pictures = 0;
+    const auto show = [&](const Observation& observation) {
+        if (settings.pictures && is_render(check) && pictures < most_pictures) add_picture(record.picture, observation.image, pictures++);
+    };
+    show(first);
+    auto repeated = observe(runner, check, seed(0));
+    if (const Fault* fault = std::get_if<Fault>(&repeated)) return give_up(*fault);
+    spend();
+    if (!is_same(first, std::get<Observation>(repeated)))
+        return give_up({Verdict::not_an_image,
+                        "gives another result when it runs again with the same arguments: a fragment keeps no state, and all its "
+                        "randomness is in its arguments",
+                        {}});
+    if (is_render(check) && is_quantised(first.image)) {
+        const auto theirs = reference.picture(1);
+        if (theirs && !is_quantised(*theirs))
+            return give_up({Verdict::not_an_image, "the picture has only the levels of 8 bits: radiance is not to be rounded", {}});
+    }
+
+    // what has no noise
+    std::vector<Trial> trials;
+    for (const Statistic& statistic : check.statistics) {
+        Trial trial{&statistic, Judge({statistic.delta0, statistic.delta}, settings.statistics, statistic.truth), std::nullopt};
+        const double value = measured(statistic, first);
+        if (statistic.exact) {
+            std::optional<double> truth = statistic.truth;
+            if (!truth)
+                if (const auto theirs = reference.exact()) truth = (*theirs)[trials.size()];
+            trial.judgement = truth ? judge_exact(value, *truth, statistic.delta) : Judgement{};
+        } else {
+            trial.judge.add(value);
+        }
+        trials.push_back(std::move(trial));
+    }
+
+    // what has: as many replicates as it takes
+    const auto open = [](const Trial& trial) { return !trial.judgement; };
+    int own = 1, theirs = 0;
+    bool reference_ends = false;
+    while (std::ranges::any_of(trials, open)) {
+        int wanted = 0;
+        bool needs_reference = false;
+        for (Trial& trial : trials) {
+            if (trial.judgement) continue;
+            trial.judgement = trial.judge.decide();
+            if (trial.judgement) continue;
+            wanted = std::max(wanted, trial.judge.wanted());
+            needs_reference = needs_reference || !trial.statistic->truth;
+        }
+        if (reference_ends)
+            for (Trial& trial : trials)
+                if (open(trial) && !trial.statistic->truth) trial.judgement = Judgement{};
+        for (; own < wanted; ++own) {
+            auto next = observe(runner, check, seed(own));
+            if (const Fault* fault = std::get_if<Fault>(&next)) return give_up(*fault);
+            spend();
+            const Observation& observation = std::get<Observation>(next);
+            if (own == 1 && is_render(check) && is_same(first, observation) && reference.noisy().value_or(false))
+                return give_up({Verdict::not_an_image,
+                                "two seeds give one picture: are the random numbers that the fragment is handed used?", {}});
+            show(observation);
+            for (Trial& trial : trials)
+                if (open(trial)) trial.judge.add(measured(*trial.statistic, observation));
+        }
+        for (; needs_reference && !reference_ends && theirs < wanted; ++theirs) {
+            const auto values = reference.replicate(theirs);
+            if (!values) {
+                reference_ends = true;
+                break;
+            }
+            for (std::size_t i = 0; i < trials.size(); ++i)
+                if (open(trials[i]) && !trials[i].statistic->truth) trials[i].judge.add_reference((*values)[i]);
+        }
+    }
+
+    record.verdict = check.statistics.empty() ? Verdict::inconclusive : Verdict::passed;
+    for (const Trial& trial : trials) {
+        record.statistics.push_back(record_of(*trial.statistic, *trial.judgement));
+        record.verdict = worse(record.verdict, trial.judgement->verdict);
+    }
+    if (settings.pictures && is_render(check))
+        if (auto theirs_picture = reference.picture(pictures)) record.solution_picture = std::move(*theirs_picture);
+    return record;
+}
+
+int noisy_statistics(const std::vector<Check>& checks) {
+    int count = 0;
+    for (const Check& check : checks)
+        count += int(std::ranges::count_if(check.statistics, [](const Statistic& statistic) { return !statistic.exact; }));
+    return std::max(count, 1);
+}
+
+}  // namespace grade

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "judging/reference.h"
+#include "report/record.h"
+#include "statistics/engine.h"
+
+namespace grade {
+
+struct CheckSettings {
+    std::uint64_t seed = 0;
+    Settings statistics;    // alpha is shared by all statistics of the assignment
+    bool pictures = false;  // keep pictures for the page
+};
+
+/// A check as the record has it before it ran.
+CheckRecord blank_record(const Check& check);
+
+/// Runs a check's experiment, replicate after replicate, until each statistic has its verdict.
+CheckRecord judge_check(const Check& check, Runner& runner, Reference& reference, const CheckSettings& settings);
+
+/// How many statistics have noise, and so share alpha.
+int noisy_statistics(const std::vector<Check>& checks);
+
+}  // namespace grade

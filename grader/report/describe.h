@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "assignment.h"
+
+/// What the handout says about points and checks, written by the program that gives the points.
+namespace grade {
+
+/// A table of the parts, their fragments and points.
+std::string describe_points(const Assignment& assignment);
+
+/// One fragment's points and checks: what each measures, what must come out, and how far off it may be. Numbers that
+/// depend on the grading seed are words.
+std::string describe_checks(const Assignment& assignment, const std::string& fragment);
+
+/// The handout with its blocks made anew, each between its markers:
+///
+///     <!-- points -->           ... <!-- end -->
+///     <!-- checks: FRAGMENT --> ... <!-- end -->
+///
+/// path is for errors: throws rt::InputError for a marker without end and for an unknown fragment.
+std::string with_new_tables(const std::string& handout, const Assignment& assignment, const std::string& path);
+
+}  // namespace grade

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace grade {
+
+/// Text of a submission as it may be shown on a terminal: no control characters but line ends, no bytes that are no
+/// UTF-8, at most that many bytes.
+std::string printable(std::string_view text, std::size_t most = 2000);
+
+/// Text as it may stand in a page or in a quoted attribute; made printable first.
+std::string html(std::string_view text);
+
+}  // namespace grade

@@ -1,0 +1,124 @@
+#include "report/record.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace grade {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON has neither NaN nor infinity.
+Json number(std::optional<double> x) { return x && std::isfinite(*x) ? Json(*x) : Json(nullptr); }
+
+Json statistic_json(const CheckRecord& check, const StatisticRecord* statistic) {
+    Json json;
+    json["name"] = check.name;
+    json["scene"] = check.scene;
+    json["statistic"] = statistic ? Json(statistic->id) : Json(nullptr);
+    if (statistic) {
+        json["what"] = statistic->what;
+        json["value"] = number(statistic->value);
+        json["truth"] = number(statistic->truth);
+        json["low"] = number(statistic->low);
+        json["high"] = number(statistic->high);
+        json["tolerance"] = number(statistic->tolerance);
+        json["delta0"] = number(statistic->delta0);
+        json["exact"] = statistic->exact;
+        json["replicates"] = statistic->replicates;
+    }
+    json["verdict"] = name(statistic ? statistic->verdict : check.verdict);
+    json["cause"] = statistic ? statistic->hint : check.message;
+    json["hint"] = statistic ? statistic->hint : check.message;
+    json["check_verdict"] = name(check.verdict);
+    json["share"] = check.share;
+    if (!check.blocked_by.empty()) json["blocked_by"] = check.blocked_by;
+    json["check_cpu_seconds"] = check.cpu_seconds;
+    return json;
+}
+
+Json fragment_json(const FragmentRecord& fragment) {
+    Json json;
+    json["name"] = fragment.name;
+    json["part"] = fragment.part;
+    json["points"] = fragment.points;
+    json["max_points"] = fragment.max_points;
+    json["verdict"] = name(fragment.verdict);
+    json["message"] = first_message(fragment);
+    json["cpu_seconds"] = fragment.cpu_seconds;
+    json["blocked_by"] = fragment.blocked_by;
+    json["checks"] = Json::array();
+    for (const CheckRecord& check : fragment.checks) {
+        if (check.statistics.empty()) json["checks"].push_back(statistic_json(check, nullptr));
+        for (const StatisticRecord& statistic : check.statistics) json["checks"].push_back(statistic_json(check, &statistic));
+    }
+    return json;
+}
+
+double rounded(double points) { return std::round(points * 100) / 100; }
+
+}  // namespace
+
+double Record::score() const {
+    double sum = 0;
+    for (const FragmentRecord& fragment : fragments) sum += fragment.points;
+    return rounded(sum);
+}
+
+double Record::max_score() const {
+    double sum = 0;
+    for (const FragmentRecord& fragment : fragments) sum += fragment.max_points;
+    return rounded(sum);
+}
+
+std::string to_json(const Record& record) {
+    Json json;
+    json["schema"] = "penumbra/result/v1";
+    json["submission"] = record.submission;
+    json["title"] = record.title;
+    json["seed"] = record.seed;
+    json["mode"] = record.student_mode ? "student" : "instructor";
+    json["sandbox"] = record.sandbox;
+    json["complete"] = std::ranges::all_of(record.fragments, &FragmentRecord::finished);
+    json["score"] = record.score();
+    json["max_score"] = record.max_score();
+    json["fragments"] = Json::array();
+    for (const FragmentRecord& fragment : record.fragments) json["fragments"].push_back(fragment_json(fragment));
+    json["toolchain"] = record.toolchain;
+    json["versions"] = {{"grade", record.version}};
+    json["command"] = record.command;
+    json["wall_seconds"] = record.wall_seconds;
+    // a submission's text may be no UTF-8
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Verdict worse(Verdict a, Verdict b) {
+    constexpr std::array order{Verdict::did_not_build, Verdict::not_started, Verdict::crashed,      Verdict::timed_out, Verdict::not_an_image,
+                               Verdict::failed,        Verdict::blocked,     Verdict::inconclusive, Verdict::passed};
+    return *std::ranges::find_if(order, [&](Verdict verdict) { return verdict == a || verdict == b; });
+}
+
+double points_of(const FragmentRecord& fragment) {
+    double passed = 0, all = 0;
+    for (const CheckRecord& check : fragment.checks) {
+        all += check.share;
+        if (check.verdict == Verdict::passed) passed += check.share;
+    }
+    return all > 0 ? rounded(fragment.max_points * passed / all) : 0;
+}
+
+std::string first_message(const FragmentRecord& fragment) {
+    if (!fragment.message.empty()) return fragment.message;
+    for (const CheckRecord& check : fragment.checks) {
+        if (check.verdict != fragment.verdict || check.verdict == Verdict::passed) continue;
+        if (!check.message.empty()) return check.message;
+        for (const StatisticRecord& statistic : check.statistics)
+            if (statistic.verdict == check.verdict && !statistic.hint.empty()) return statistic.hint;
+    }
+    return {};
+}
+
+}  // namespace grade

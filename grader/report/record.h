@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rt/image.h"
+#include "statistics/verdict.h"
+
+/// The record of a grading: the one source of every report.
+namespace grade {
+
+struct StatisticRecord {
+    std::string id, what;
+    std::optional<double> value, truth, low, high;  // low, high: confidence interval of the value
+    double delta0 = 0, tolerance = 0;               // deviations that are still right, that must be found
+    bool exact = false;
+    int replicates = 0;
+    Verdict verdict = Verdict::inconclusive;
+    std::string hint;  // where it failed: what the deviation usually means
+};
+
+struct CheckRecord {
+    std::string name, fragment;
+    std::string scene;    // TOML text; empty for a probe
+    int samples = 0;      // a pixel
+    std::string sampler;
+    int share = 1;        // of the fragment's points
+    Verdict verdict = Verdict::inconclusive;
+    std::string message;  // where there is nothing to measure: what happened, and what to do
+    std::string excerpt;  // of what the program printed; untrusted
+    std::vector<std::string> blocked_by;
+    std::vector<StatisticRecord> statistics;
+    double cpu_seconds = 0;
+
+    // for the page only
+    rt::Image picture, solution_picture;
+    double exposure = 1;
+};
+
+struct FragmentRecord {
+    std::string name, part;
+    double points = 0, max_points = 0;
+    Verdict verdict = Verdict::inconclusive;
+    std::string message;  // what to know about it as a whole; compiler errors are untrusted text
+    std::vector<std::string> blocked_by;
+    std::vector<CheckRecord> checks;
+    double cpu_seconds = 0;
+    bool finished = false;
+};
+
+struct Record {
+    std::string submission, title;
+    std::uint64_t seed = 0;
+    bool student_mode = false;
+    std::string sandbox, toolchain, version, command;
+    std::vector<FragmentRecord> fragments;  // in the order of the assignment
+    double wall_seconds = 0;
+
+    // the whole picture that the submission draws, for the page only
+    rt::Image own_picture;
+    std::string own_picture_scene, own_picture_fault;
+    double own_picture_exposure = 1;
+
+    double score() const;
+    double max_score() const;
+};
+
+/// The record as JSON, penumbra/result/v1. What depends on time and load is in keys that end in _seconds, nowhere else.
+std::string to_json(const Record& record);
+
+/// From bad to good: of two verdicts, the one to tell first.
+Verdict worse(Verdict a, Verdict b);
+
+/// Points of a fragment: its share of passed checks, rounded to 2 decimals.
+double points_of(const FragmentRecord& fragment);
+
+/// The first thing to say about what is not passed, in a line or two; may hold untrusted text.
+std::string first_message(const FragmentRecord& fragment);
+
+}  // namespace grade

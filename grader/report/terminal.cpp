@@ -1,0 +1,97 @@
+#include "report/terminal.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <sstream>
+
+#include "report/escape.h"
+
+namespace grade {
+
+namespace {
+
+constexpr std::size_t width = 100;
+
+const char* color_of(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::passed: return "\033[32m";
+        case Verdict::not_started:
+        case Verdict::blocked: return "\033[2m";
+        case Verdict::inconclusive: return "\033[33m";
+        default: return "\033[31m";
+    }
+}
+
+/// Words in lines that are not too long, each after an indent. Lines of their own stay so.
+std::string wrapped(const std::string& text, const std::string& indent, int most_lines) {
+    std::string result;
+    int count = 0;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line) && count < most_lines;) {
+        if (line.find_first_not_of(' ') == line.npos) continue;
+        const bool code = line.starts_with(' ');
+        for (bool more = true; more && count < most_lines; ++count) {
+            std::size_t cut = std::min(line.size(), width - indent.size());
+            if (cut < line.size() && !code) {
+                const std::size_t space = line.rfind(' ', cut);
+                if (space != line.npos && space > 0) cut = space;
+            }
+            result += indent + line.substr(0, cut) + "\n";
+            line.erase(0, code ? line.size() : cut + (cut < line.size()));
+            more = !line.empty();
+        }
+    }
+    return result;
+}
+
+std::string points(double x) { return fmt::format("{:g}", x); }
+
+}  // namespace
+
+std::string in_words(Verdict verdict) {
+    std::string words(name(verdict));
+    std::ranges::replace(words, '_', ' ');
+    return words;
+}
+
+std::string table(const Record& record, const Assignment& assignment, bool color) {
+    const auto paint = [&](Verdict verdict, const std::string& text) { return color ? color_of(verdict) + text + "\033[0m" : text; };
+    std::string text;
+    for (const Part& part : assignment.parts) {
+        double have = 0, most = 0;
+        std::string rows;
+        for (const FragmentRecord& fragment : record.fragments) {
+            if (fragment.part != part.name) continue;
+            have += fragment.points, most += fragment.max_points;
+            rows += fmt::format("  {:<24}{} {:>6} of {}\n", fragment.name, paint(fragment.verdict, fmt::format("{:<16}", in_words(fragment.verdict))),
+                                points(fragment.points), points(fragment.max_points));
+            if (fragment.verdict != Verdict::passed) rows += wrapped(printable(first_message(fragment)), "      ", fragment.verdict == Verdict::did_not_build ? 8 : 4);
+        }
+        if (rows.empty()) continue;
+        text += fmt::format("{}{:<43}{:>6} of {}{}\n{}\n", color ? "\033[1m" : "", part.title, points(have), points(most), color ? "\033[0m" : "", rows);
+    }
+    text += fmt::format("{}{:<43}{:>6} of {}{}\n", color ? "\033[1m" : "", "Total", points(record.score()), points(record.max_score()), color ? "\033[0m" : "");
+    return text;
+}
+
+ProgressLine::ProgressLine() : on_(isatty(STDERR_FILENO)) {}
+
+void ProgressLine::show(int done, int all, const std::string& doing) {
+    if (!on_) return;
+    const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    std::string left;
+    if (done > 2 && elapsed > 1) left = fmt::format(", about {:.0f} s left", elapsed * (all - done) / done);
+    fmt::print(stderr, "\r\033[K{} of {}{}  {}", done, all, left, printable(doing, 60));
+    std::fflush(stderr);
+    shown_ = true;
+}
+
+void ProgressLine::clear() {
+    if (shown_) fmt::print(stderr, "\r\033[K");
+    shown_ = false;
+}
+
+}  // namespace grade
