@@ -15,6 +15,7 @@
 #include "checks/check.h"
 #include "judging/grading.h"
 #include "judging/judge_check.h"
+#include "report/describe.h"
 #include "report/page.h"
 #include "report/terminal.h"
 #include "rt/scene_reader.h"
@@ -32,7 +33,7 @@ struct UsageError : std::runtime_error {
 };
 
 struct Arguments {
-    std::string submission, mode, json, html, keep, toolchain = GRADE_TOOLCHAIN, own_scene;
+    std::string submission, mode, json, html, keep, toolchain = GRADE_TOOLCHAIN, own_scene, handout;
     std::vector<std::string> only;
     std::optional<std::uint64_t> seed;
     std::optional<double> required;
@@ -125,6 +126,19 @@ int store_references(const Arguments& arguments) {
     return graded;
 }
 
+int describe(const Arguments& arguments) {
+    const Assignment assignment = read_assignment((read_toolchain(arguments.toolchain).source / "assignment.toml").string());
+    if (arguments.handout.empty()) {
+        fmt::print("{}\n", describe_points(assignment));
+        for (const Fragment& fragment : assignment.fragments) fmt::print("### {}\n\n{}\n", fragment.name, describe_checks(assignment, fragment.name));
+        return graded;
+    }
+    const auto text = read_text(arguments.handout);
+    if (!text) throw UsageError(fmt::format("--update {}: cannot be read; expected the handout", arguments.handout));
+    write_text(arguments.handout, with_new_tables(*text, assignment, arguments.handout));
+    return graded;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -150,6 +164,10 @@ int main(int argc, char** argv) {
     references->add_option("--jobs", arguments.jobs, "how many programs run at a time")->check(CLI::Range(1, 1024));
     references->fallthrough();
 
+    CLI::App* tables = app.add_subcommand("describe", "print the handout's tables of points and checks");
+    tables->add_option("--update", arguments.handout, "make them anew in this file")->type_name("FILE");
+    tables->fallthrough();
+
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -157,6 +175,7 @@ int main(int argc, char** argv) {
     }
     try {
         if (references->parsed()) return store_references(arguments);
+        if (tables->parsed()) return describe(arguments);
         return grade_one(arguments, command_of(argc, argv));
     } catch (const UsageError& error) {
         fmt::print(stderr, "{}\n", error.what());

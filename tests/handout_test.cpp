@@ -1,0 +1,113 @@
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+
+#include "assignment.h"
+#include "build/strip.h"
+#include "catch.h"
+#include "checks/check.h"
+#include "report/describe.h"
+
+using namespace grade;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string text_of(const fs::path& path) {
+    std::ifstream in(path);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+const std::string& handout() {
+    static const std::string text = text_of("handout.md");
+    return text;
+}
+
+/// First groups of all matches.
+std::vector<std::string> found(const std::string& text, const std::string& pattern) {
+    const std::regex regex(pattern);
+    std::vector<std::string> all;
+    for (std::sregex_iterator match(text.begin(), text.end(), regex), end; match != end; ++match) all.push_back((*match)[1]);
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("the handout's tables of points and checks are what the program gives") {
+    INFO("make them anew: build/release/grader/grade describe --update handout.md");
+    CHECK(with_new_tables(handout(), read_assignment("assignment.toml"), "handout.md") == handout());
+}
+
+TEST_CASE("the handout has a section with a table for each fragment, in the order of the assignment") {
+    const auto names = read_assignment("assignment.toml").names();
+    CHECK(found(handout(), "<!-- checks: (\\w+) -->") == names);
+    std::vector<std::string> sections;
+    for (const auto& title : found(handout(), "\n### (\\w+)\n"))
+        if (std::find(names.begin(), names.end(), title) != names.end()) sections.push_back(title);
+    CHECK(sections == names);
+}
+
+TEST_CASE("the handout explains each kind of statistic") {
+    for (const Check& check : all_checks(1))
+        for (const Statistic& statistic : check.statistics) {
+            INFO(check.fragment << ", " << check.name);
+            CHECK(handout().find("\n| " + statistic.id + " | ") != std::string::npos);
+        }
+}
+
+TEST_CASE("the handout documents each key of a scene file") {
+    std::set<std::string> keys;
+    for (const char* file : {"scene_reader.cpp", "read_materials.cpp", "read_shapes.cpp"})
+        for (const auto& list : found(text_of(fs::path("starter/rt") / file), "only\\(\\{([^}]*)\\}"))
+            for (const auto& key : found(list, "\"(\\w+)\"")) keys.insert(key);
+    REQUIRE(keys.size() > 40);
+    const std::string scene_files = handout().substr(handout().find("\n## Scene files"));
+    for (const std::string& key : keys) {
+        INFO(key);
+        CHECK(std::regex_search(scene_files, std::regex("[`.\\[{, ]" + key + "[`\\].,} ]")));
+    }
+}
+
+TEST_CASE("the handout documents each option of raytrace and grade") {
+    for (const char* file : {"starter/raytrace.cpp", "grader/grade.cpp"})
+        for (const auto& option : found(text_of(file), "app\\.add_(?:option|flag)\\(\"(?:-o,)?(--[\\w-]+)\"")) {
+            if (option == "--toolchain" || option == "--out") continue;
+            INFO(option);
+            CHECK(handout().find("`" + option) != std::string::npos);
+        }
+}
+
+TEST_CASE("the handout's and the README's pictures and files are there") {
+    for (const char* page : {"handout.md", "README.md"})
+        for (const auto& path : found(text_of(page), "\\]\\(([\\w./-]+)(?:#[\\w-]*)?\\)")) {
+            INFO(page << ": " << path);
+            CHECK(fs::exists(path));
+        }
+}
+
+TEST_CASE("the handout holds no line of what a student must write") {
+    for (const Fragment& fragment : read_assignment("assignment.toml").fragments) {
+        const std::string path = "solution/" + fragment.name + ".cpp";
+        if (fragment.given) continue;
+        for (const auto& line : secrets(find_region(text_of(path), path))) {
+            INFO(path << ": " << line);
+            CHECK(handout().find("\n" + line + "\n") == std::string::npos);
+            CHECK(handout().find("`" + line + "`") == std::string::npos);
+        }
+    }
+}
+
+TEST_CASE("a block without end and an unknown fragment are errors with their line") {
+    const Assignment assignment = read_assignment("assignment.toml");
+    const auto error = [&](const std::string& text) {
+        try {
+            return with_new_tables(text, assignment, "h.md");
+        } catch (const std::exception& e) {
+            return std::string(e.what());
+        }
+    };
+    CHECK(error("a\n<!-- points -->\n").rfind("h.md:2:1: this block has no end", 0) == 0);
+    CHECK(error("<!-- checks: no_such -->\n<!-- end -->\n").rfind("h.md:1:1: no fragment is named \"no_such\"", 0) == 0);
+    CHECK(error("<!-- a comment -->\ntext\n") == "<!-- a comment -->\ntext\n");
+}
