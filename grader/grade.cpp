@@ -82,7 +82,7 @@ GradingSettings settings_of(const Arguments& arguments, const Assignment& assign
     return settings;
 }
 
-int grade_one(const Arguments& arguments, const std::string& command) {
+int grade_one(const Arguments& arguments, std::string command) {
     const Toolchain chain = read_toolchain(arguments.toolchain);
     const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
     GradingSettings settings = settings_of(arguments, assignment, chain);
@@ -90,6 +90,7 @@ int grade_one(const Arguments& arguments, const std::string& command) {
         read_submission(arguments.submission.empty() ? chain.source / "starter" : fs::path(arguments.submission), assignment.names());
     const std::vector<Check> checks = all_checks(settings.seed);
 
+    if (!arguments.seed && !settings.student) command += fmt::format(" --seed {}", settings.seed);
     ProgressLine line;
     settings.progress = [&](int done, int all, const std::string& doing) { line.show(done, all, doing); };
     if (!arguments.json.empty())
