@@ -1,0 +1,57 @@
+#include "report/picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace grade {
+
+namespace {
+
+std::string base64(const std::string& bytes) {
+    constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        std::uint32_t group = 0;
+        for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0);
+        for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? digits[group >> (18 - 6 * k) & 63] : '=';
+    }
+    return text;
+}
+
+double luminance(rt::Color c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; }
+
+/// Of a colour of the screen, 0 to 255 each.
+rt::Color linear(double r, double g, double b) {
+    const auto one = [](double x) { return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4); };
+    return {one(r / 255), one(g / 255), one(b / 255)};
+}
+
+/// What most of a picture is darker than.
+double bright(const rt::Image& image) {
+    std::vector<double> values;
+    for (const rt::Color& pixel : image.pixels) values.push_back(luminance(pixel));
+    const auto place = values.begin() + std::ptrdiff_t(values.size() * 9 / 10);
+    std::nth_element(values.begin(), place, values.end());
+    return *place > 0 ? *place : *std::max_element(values.begin(), values.end());
+}
+
+}  // namespace
+
+std::string data_uri(const rt::Image& image, double exposure) {
+    return "data:image/png;base64," + base64(rt::png_bytes(image, exposure));
+}
+
+Difference difference(const rt::Image& picture, const rt::Image& truth) {
+    const rt::Color blue = linear(0, 90, 181), white(1), orange = linear(220, 95, 0);
+    const double level = std::max(bright(truth), bright(picture) / 16);
+    Difference map{rt::Image(picture.width, picture.height), level > 0 ? level / 4 : 1};
+    for (std::size_t k = 0; k < picture.pixels.size(); ++k) {
+        const double x = std::clamp((luminance(picture.pixels[k]) - luminance(truth.pixels[k])) / map.full, -1.0, 1.0);
+        map.image.pixels[k] = white + std::abs(x) * ((x < 0 ? blue : orange) - white);
+    }
+    return map;
+}
+
+}  // namespace grade

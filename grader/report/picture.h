@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "rt/image.h"
+
+namespace grade {
+
+/// The preview of a picture as the source of an <img>: "data:image/png;base64,...".
+std::string data_uri(const rt::Image& image, double exposure);
+
+/// Where one picture is brighter (orange) or darker (blue) than another, white where they agree; colours that colour-blind
+/// eyes tell apart too.
+struct Difference {
+    rt::Image image;  // already as the colours are to be seen: exposure 1
+    double full;      // luminance difference that has the full colour
+};
+
+/// Of two pictures of one size.
+Difference difference(const rt::Image& picture, const rt::Image& truth);
+
+}  // namespace grade
