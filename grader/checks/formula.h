@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tuple>
+#include <type_traits>
 
 #include "checks/check.h"
 #include "child/rows.h"
@@ -16,7 +17,9 @@ RowFunction of(F f) {
     return [f](const Row& inputs) {
         RowReader in(inputs);
         const std::tuple<Arguments...> arguments{read(in, Tag<Arguments>{})...};
-        return row(std::apply(f, arguments));
+        auto result = std::apply(f, arguments);
+        if constexpr (std::is_same_v<decltype(result), Row>) return result;  // numbers already
+        else return row(result);
     };
 }
 

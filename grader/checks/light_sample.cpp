@@ -33,11 +33,12 @@ vec2 on_light(const Emitter& light, vec3 p, const LightSample& s) {
     return vec2(rt::dot(q, frame.x), rt::dot(q, frame.y)) / light.disc.radius;
 }
 
-/// Area that a sample stands for: cosine at the light / (density distance^2). Its mean is the light's area, whatever the
+/// Area that a sample stands for: distance^2 / (cosine at the light * density). Its mean is the light's area, whatever the
 /// density, if that is the density of the sample.
 double area_share(const Row& in, const LightSample& s) {
     if (!(s.density > 0)) return 0;
-    return std::max(0.0, -rt::dot(s.direction, normal_of(emitter_of(in)))) / (s.density * rt::sqr(s.distance));
+    const double cosine = -rt::dot(s.direction, normal_of(emitter_of(in)));
+    return cosine > 1e-9 ? rt::sqr(s.distance) / (cosine * s.density) : 0;
 }
 
 /// How far a sample is off the light's surface, in the light's size.
