@@ -23,10 +23,13 @@ struct Trial {
     std::optional<Judgement> judgement;
 };
 
-StatisticRecord record_of(const Statistic& statistic, const Judgement& judgement) {
+/// The record of a statistic; `first` is the first replicate's observation.
+StatisticRecord record_of(const Statistic& statistic, const Judgement& judgement, const Observation& first) {
     StatisticRecord record{statistic.id, statistic.what, judgement.value, judgement.truth, judgement.low, judgement.high, statistic.delta0,
                            statistic.delta, statistic.exact, judgement.replicates, judgement.verdict, {}};
     if (judgement.verdict == Verdict::passed) return record;
+    if (judgement.verdict == Verdict::failed && statistic.cause) record.hint = statistic.cause(first);
+    if (!record.hint.empty()) return record;
     if (judgement.replicates == 0) {
         record.value = record.truth = record.low = record.high = std::nullopt;
         record.hint = "the solution's statistics are not stored: `grade references` stores them";
@@ -162,7 +165,7 @@ CheckRecord judge_check(const Check& check, Runner& runner, Reference& reference
 
     record.verdict = check.statistics.empty() ? Verdict::inconclusive : Verdict::passed;
     for (const Trial& trial : trials) {
-        record.statistics.push_back(record_of(*trial.statistic, *trial.judgement));
+        record.statistics.push_back(record_of(*trial.statistic, *trial.judgement, first));
         record.verdict = worse(record.verdict, trial.judgement->verdict);
     }
     if (settings.pictures && is_render(check))
