@@ -17,6 +17,7 @@
 #include <optional>
 
 #include "rt/image.h"
+#include "rt/mitsuba.h"
 #include "rt/plan.h"
 #include "rt/render.h"
 #include "rt/scene_reader.h"
@@ -27,7 +28,7 @@ namespace {
 enum Exit { ok = 0, not_finite = 1, bad_input = 2, no_output = 3 };
 
 struct Options {
-    std::string scene, out;
+    std::string scene, out, mitsuba;
     std::optional<int> samples;
     std::optional<std::string> sampler;
     std::optional<rt::Real> exposure;
@@ -62,6 +63,7 @@ void describe_options(CLI::App& app, Options& o) {
         ->check(positive);
     app.add_option("--exposure", o.exposure, "factor for the preview")->check(positive);
     app.add_flag("--plan", o.plan, "print what this scene needs and what is left out");
+    app.add_option("--export-mitsuba", o.mitsuba, "write the scene for Mitsuba 3: NAME.xml, with its meshes beside it");
     app.add_flag("--quiet", o.quiet, "print nothing but errors");
 }
 
@@ -104,7 +106,7 @@ rt::RenderSettings make_settings(const Options& o, const rt::Scene& scene) {
 /// Before the rendering: it would be a pity to find out afterwards.
 void check_output(const std::string& out) {
     const std::filesystem::path path(out);
-    if (out.empty()) throw UsageError("no output; expected -o NAME.exr, --plan or --pixel X,Y");
+    if (out.empty()) throw UsageError("no output; expected -o NAME.exr, --plan, --pixel X,Y or --export-mitsuba NAME.xml");
     if (path.extension() != ".exr") throw UsageError(out + ": unknown kind of image; expected -o NAME.exr");
     const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
     if (access(folder.c_str(), W_OK) != 0)
@@ -168,7 +170,8 @@ int run(const Options& o) {
         check_inside(o.pixel, scene.camera.size, "pixel");
         fmt::print("{}", rt::trace_pixel(scene, settings, o.pixel[0], o.pixel[1]));
     }
-    if (o.out.empty() && (o.plan || !o.pixel.empty())) return ok;
+    if (!o.mitsuba.empty()) rt::export_mitsuba(scene, o.mitsuba);
+    if (o.out.empty() && (o.plan || !o.pixel.empty() || !o.mitsuba.empty())) return ok;
     check_output(o.out);
 
     const bool bar = !o.quiet && isatty(STDERR_FILENO);

@@ -10,6 +10,7 @@
 
 #include "rt/mitsuba_parts.h"
 #include "rt/plan.h"
+#include "rt/scene_reader.h"
 
 namespace rt {
 namespace {
@@ -61,7 +62,11 @@ std::vector<std::string> find_unsaid(const Scene& scene) {
         if (m.specular != Color(0)) say("Phong's highlight ('specular'); expected a lobe ('reflectance' and 'exponent')");
         if (m.ambient * scene.ambient != Color(0)) say("ambient light; expected 'environment'");
         const Real share = std::max(largest(m.reflectance), largest(m.transmittance));
-        if (m.albedo != Color(0) && share > 0 && !(largest(m.albedo) + share <= 1 && share < 1))
+        if (m.albedo == Color(0) || share == 0) continue;
+        // Mitsuba weighs a sample of its mixtures by the density of both parts, which a perfect mirror does not have.
+        if (m.exponent == inf)
+            say("'albedo' on a perfect mirror or clear glass; expected 'exponent', or two materials");
+        else if (!(largest(m.albedo) + share <= 1 && share < 1))
             say("'albedo' and 'reflectance' or 'transmittance' above 1 together; expected at most 1");
     }
     return unsaid;
@@ -76,7 +81,7 @@ MitsubaFiles to_mitsuba(const Scene& scene, const std::string& stem) {
         std::string message;
         for (const std::string& what : unsaid)
             message += fmt::format("{}{}: Mitsuba cannot express {}", message.empty() ? "" : "\n", scene.path, what);
-        throw std::runtime_error(message);
+        throw InputError(message);
     }
 
     MitsubaFiles out;

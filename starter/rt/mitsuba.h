@@ -23,7 +23,7 @@ struct MitsubaFiles {
 /// tests/mitsuba/lobe.py registers.
 ///
 /// stem    what the names of the meshes' files begin with
-/// errors  std::runtime_error with one line for each thing that Mitsuba has no words for
+/// errors  InputError with one line for each thing that Mitsuba has no words for
 MitsubaFiles to_mitsuba(const Scene& scene, const std::string& stem);
 
 /// Writes the XML to a path and the meshes beside it. Errors as to_mitsuba; std::runtime_error that names a path which
