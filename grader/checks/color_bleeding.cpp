@@ -176,7 +176,7 @@ Check beside_wall(Generator& random) {
 }  // namespace
 
 Checks check_color_bleeding(Generator& random) {
-    return {estimates(random), any_surface(), hollow_sphere(random), beside_wall(random)};
+    return {any_surface(), estimates(random), hollow_sphere(random), beside_wall(random)};
 }
 
 }  // namespace grade

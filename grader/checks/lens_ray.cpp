@@ -1,6 +1,13 @@
+#include <fmt/format.h>
+
+#include "checks/draw.h"
+#include "checks/formula.h"
 #include "checks/fragment_checks.h"
 #include "checks/probe_check.h"
-#include "checks/warp.h"
+#include "checks/render_check.h"
+#include "rt/scene_reader.h"
+#include "statistics/blob.h"
+#include "statistics/projection.h"
 
 namespace grade {
 
@@ -11,87 +18,220 @@ using rt::Camera, rt::Ray, rt::vec2, rt::vec3;
 Camera camera_of(const Row& in) { return argument<0, Camera, Ray, vec2>(in); }
 Ray pinhole_of(const Row& in) { return argument<1, Camera, Ray, vec2>(in); }
 
-/// Where on the lens a ray starts, in its radius: across, up, and along the axis.
-vec3 on_lens(const Row& in, const Row& out) {
-    const Camera camera = camera_of(in);
-    const vec3 p = from_row<Ray>(out).origin - camera.eye;
-    return vec3(rt::dot(p, camera.right), rt::dot(p, camera.up), rt::dot(p, camera.back)) / camera.lens_radius;
+Camera any_camera(Generator& random) {
+    const Place place = any_place(random);
+    Camera camera;
+    camera.eye = place.origin;
+    camera.right = place.axes.x, camera.up = place.axes.y, camera.back = place.axes.z;
+    camera.tan_half_fov = between(random, 0.3, 0.9);
+    camera.size = {200, 200};
+    camera.lens_radius = between(random, 0.05, 0.3);
+    camera.focus = between(random, 2, 8);
+    return camera;
 }
 
-/// How far apart a ray and the pinhole's ray are in the plane at a distance along the axis, in the lens's radius.
-double apart(const Row& in, const Row& out, double z) {
+Row lens_row(const Camera& camera, Generator& random) {
+    const Ray pinhole{camera.eye, view_direction(camera, 200.0 * square(random)), 0, rt::inf};
+    return row(camera, pinhole, square(random));
+}
+
+/// Where on the lens a ray starts, in lens radii.
+vec2 on_lens(const Row& in, const Row& out) {
     const Camera camera = camera_of(in);
-    const auto at = [&](const Ray& ray) {
-        const double start = rt::dot(ray.origin - camera.eye, -camera.back), speed = rt::dot(ray.direction, -camera.back);
-        return ray.origin + (z - start) / speed * ray.direction;
+    const vec3 offset = (from_row<Ray>(out).origin - camera.eye) / camera.lens_radius;
+    return {rt::dot(offset, camera.right), rt::dot(offset, camera.up)};
+}
+
+/// How far along the pinhole's ray the point in focus is.
+using Focus = double (*)(const Camera& camera, vec3 d);
+
+/// Angle between the ray and the way from its origin to the point in focus.
+double miss(const Row& in, const Row& out, Focus focus) {
+    const Camera camera = camera_of(in);
+    const Ray ray = from_row<Ray>(out), pinhole = pinhole_of(in);
+    const double t = focus(camera, pinhole.direction);
+    const vec3 due = rt::unit(pinhole.direction + (pinhole.origin - ray.origin) / t);
+    return glm::length(rt::unit(ray.direction) - due);
+}
+
+double plane_in_focus(const Camera& camera, vec3 d) { return camera.focus / -rt::dot(d, camera.back); }
+
+Statistic focus_point() {
+    struct Mistake {
+        const char* words;
+        Focus focus;
     };
-    return glm::length(at(from_row<Ray>(out)) - at(pinhole_of(in))) / camera.lens_radius;
+    static constexpr Mistake mistakes[] = {
+        {"the focus is measured along the ray; expected along the axis: what is in focus is a plane, not a sphere",
+         [](const Camera& camera, vec3) { return camera.focus; }},
+        {"the cosine is on the wrong side: the plane in focus is further away along an oblique ray, focus/cosine",
+         [](const Camera& camera, vec3 d) { return camera.focus * -rt::dot(d, camera.back); }},
+        {"the rays of a pixel are parallel; expected that they meet in the plane in focus", [](const Camera&, vec3) { return rt::inf; }},
+        {"the rays of a pixel meet behind the camera: a sign is wrong", [](const Camera& camera, vec3 d) { return -plane_in_focus(camera, d); }},
+        {"the rays of a pixel meet at distance 1, whatever the focus", [](const Camera& camera, vec3 d) { return 1 / -rt::dot(d, camera.back); }},
+        {"the rays of a pixel meet at twice the distance", [](const Camera& camera, vec3 d) { return 2 * plane_in_focus(camera, d); }},
+        {"the rays of a pixel meet at half of the distance", [](const Camera& camera, vec3 d) { return 0.5 * plane_in_focus(camera, d); }},
+        {"the rays of a pixel meet too close by the lens radius", [](const Camera& camera, vec3 d) {
+             return (camera.focus - camera.lens_radius) / -rt::dot(d, camera.back);
+         }}};
+    Statistic s = property("D3", "angle by which rays miss the point in focus", [](const Row& in, const Row& out) { return miss(in, out, plane_in_focus); },
+                           1e-4, "rays do not meet the pinhole's ray in the plane in focus");
+    s.cause = [](const Observation& seen) -> std::string {
+        for (const Mistake& mistake : mistakes) {
+            bool all = true;
+            for (std::size_t k = 0; all && k < seen.inputs.size(); ++k) all = miss(seen.inputs[k], seen.outputs[k], mistake.focus) < 1e-4;
+            if (all) return mistake.words;
+        }
+        return "";
+    };
+    return s;
+}
+
+std::vector<Statistic> ray_properties() {
+    return {property("D1", "origin off the plane of the lens by [lens radius]", [](const Row& in, const Row& out) {
+                const Camera camera = camera_of(in);
+                return std::abs(rt::dot(from_row<Ray>(out).origin - camera.eye, camera.back)) / camera.lens_radius;
+            }, 1e-3, "the lens is not at right angles to the camera's axis: is it turned with the camera, along right and up?"),
+            property("D1", "length of the direction, off 1 by",
+                     [](const Row&, const Row& out) { return std::abs(glm::length(from_row<Ray>(out).direction) - 1); }, 1e-4,
+                     "the direction is no unit vector"),
+            property("D1", "the ray's interval", [](const Row&, const Row& out) {
+                const Ray ray = from_row<Ray>(out);
+                return ray.near >= 0 && ray.near < 0.01 && ray.far > 1e6 ? 0.0 : 1.0;
+            }, 0, "the ray must be valid from 0 to infinity")};
+}
+
+Check rays(Generator& random) {
+    const Camera camera = any_camera(random);
+    const auto inputs = rows_of(1024, [=](Generator& draw) { return lens_row(camera, draw); });
+    const auto square_radius = [](const Row& in, const Row& out) {
+        const vec2 p = on_lens(in, out);
+        return p.x * p.x + p.y * p.y;
+    };
+    Statistic size = mean_of("D2", "mean square of the distance from the middle of the lens [lens radius^2]", square_radius, 0.5, 0.5,
+        by_value("the mean square of the distance from the middle of the lens, in lens radii,",
+                 {{1.0 / 3, "is the square root missing? r = sqrt(u)"},
+                  {2.0 / 3, "is the lens a square?"},
+                  {0.125, "is the lens radius taken for its diameter?"},
+                  {2, "is the lens's diameter taken for its radius?"},
+                  {1, "do all rays start on the rim?"},
+                  {0.5 / rt::sqr(camera.lens_radius), "is the lens radius used?"},
+                  {0.5 * rt::sqr(camera.lens_radius), "is the lens radius squared?"},
+                  {0, "is u used? All rays start in the middle"}},
+                 0.04));
+    Statistic spread = uniform_in_square("V3", "chi squared of the points on the lens per degree of freedom",
+        [](const Row& in, const Row& out) {
+            const vec2 p = on_lens(in, out);
+            const double turn = std::atan2(p.y, p.x) / (2 * rt::pi);
+            return vec2(p.x * p.x + p.y * p.y, turn < 0 ? turn + 1 : turn);
+        },
+        8, 8, always("the points are not uniform on the lens, the disc about camera.eye with the axes right and up"));
+    std::vector<Statistic> all = ray_properties();
+    all.insert(all.end(), {size, spread});
+    return probe_check("lens", "lens_ray", {"uniform_disk"}, inputs, all);
+}
+
+Check in_focus() {
+    const auto inputs = rows_of(128, [](Generator& random) {
+        Camera camera = any_camera(random);
+        if (chance(random, 0.1)) camera.focus = rt::inf;
+        return lens_row(camera, random);
+    });
+    return probe_check("in_focus", "lens_ray", {"uniform_disk"}, inputs, {focus_point()});
+}
+
+/// A lamp of so many pixels' radius at a film point, at distance z along the axis: a disc parallel to the film, whose picture
+/// is a disc, blurred by that of the lens.
+std::string lamp(const Camera& camera, vec2 film, double z, double pixels) {
+    const vec3 d = view_direction(camera, film);
+    return disc("lamp", camera.eye - z / rt::dot(d, camera.back) * d, camera.back, pixels / pixels_per_metre(camera, z));
+}
+
+/// Moments of the blur alone: those of a lamp's picture less what the lamp's own disc and the pixel add.
+///
+///     E |a + b|^2 = E a^2 + E b^2,    E |a + b|^4 = E a^4 + E b^4 + 4 E a^2 E b^2
+struct Blur {
+    double square = 0, fourth = 0;  // mean powers of the distance from the centre [pixel^2, pixel^4]
+    double radius() const { return std::sqrt(2 * std::max(square, 0.0)); }
+};
+
+Blur blur(const rt::Image& image, const Region& region, double lamp_radius) {
+    const Blob seen = blob_moments(image, region);
+    const double disc = rt::sqr(lamp_radius) / 2, disc4 = std::pow(lamp_radius, 4) / 3, pixel = 1.0 / 6, pixel4 = 7.0 / 180;
+    Blur b;
+    b.square = seen.radial_square - disc - pixel;
+    b.fourth = seen.radial_kurtosis * rt::sqr(seen.radial_square) - disc4 - pixel4 - 4 * (b.square * (disc + pixel) + disc * pixel);
+    return b;
+}
+
+/// What is sharp has no blur, but for how its rim falls on the pixels.
+Statistic sharp(std::string what, Region region, double lamp_radius, Hint hint) {
+    Statistic s = of_picture("D3", std::move(what), [=](const rt::Image& image) { return blur(image, region, lamp_radius).square; }, 0, 0.8, std::move(hint));
+    s.delta0 = 0.2;
+    return s;
+}
+
+std::string lens_scene(const View& view) {
+    return toml(view) + "[materials.lamp]\nemission = 3\nsampled = false\n\n";
+}
+
+/// Three lamps: before the plane in focus, in it, and behind it.
+Check depths(Generator& random) {
+    const Place place = any_place(random);
+    const double focus = between(random, 2, 5), nearer = between(random, 0.5, 0.7), further = between(random, 0.5, 0.6), size = 3;
+    View view{place({0, 0, 0}), place({0, 0, -1}), place.turned({0, 1, 0}), 30, {96, 32}};
+    view.focus = focus;
+    // 1/z - 1/focus is nearer/focus and -further/focus
+    view.lens_radius = between(random, 6.5, 7.5) * focus / nearer / (16 / std::tan(15 * rt::pi / 180));
+    const Camera camera = rt::parse_scene(lens_scene(view), "lens").camera;
+    const double before = focus / (1 + nearer), behind = focus / (1 - further);
+    const std::string scene = lens_scene(view) + lamp(camera, {16, 16}, before, size) + lamp(camera, {48, 16}, focus, size) +
+                              lamp(camera, {80, 16}, behind, size);
+
+    const auto radius = [=](int x, double z) {
+        return [=](const rt::Image& image) { return blur(image, {x, 0, 32, 32}, size).radius() / blur_radius(camera, z); };
+    };
+    const std::vector<KnownRatio> known = {{0.5, "is the lens radius taken for its diameter?"},
+                                           {2, "is the lens's diameter taken for its radius?"},
+                                           {std::sqrt(2.0 / 3), "is the square root of u missing?"},
+                                           {std::sqrt(4.0 / 3), "is the lens a square?"},
+                                           {std::sqrt(2.0), "do all rays start on the rim of the lens?"},
+                                           {0, "is the lens used?"}};
+    return render_check("depths", "lens_ray", {"uniform_disk", "emission_counts"}, {scene, 64, "sobol"},
+        {of_picture("D1", "radius of the blur disc before the plane in focus, over what must be", radius(0, before), 1, 0.08,
+                    by_ratio("the blur disc of a lamp before the plane in focus", known)),
+         of_picture("D1", "radius of the blur disc behind the plane in focus, over what must be", radius(64, behind), 1, 0.08,
+                    by_ratio("the blur disc of a lamp behind the plane in focus", known)),
+         sharp("blur in the plane in focus [pixel^2]", {32, 0, 32, 32}, size,
+               always("what is in the plane in focus is blurred: do all rays of a film point meet there?")),
+         of_picture("D2", "mean fourth power over squared mean square of the blur", [=](const rt::Image& image) {
+             const Blur b = blur(image, {0, 0, 32, 32}, size);
+             return b.fourth / rt::sqr(b.square);
+         }, 4.0 / 3, 0.12,
+                    by_value("the blur disc's mean fourth power over its squared mean square, 4/3 for a uniform disc,",
+                             {{1.8, "is the square root of u missing? The middle of the lens gets too much"}, {1.4, "is the lens a square?"}, {1, "do all rays start on the rim of the lens?"}}, 0.04))});
+}
+
+/// A lamp in the plane in focus, in a corner of a wide picture.
+Check corner(Generator& random) {
+    const Place place = any_place(random);
+    View view{place({0, 0, 0}), place({0, 0, -1}), place.turned({0, 1, 0}), 80, {48, 48}};
+    view.focus = between(random, 1, 5);
+    view.lens_radius = between(random, 0.35, 0.4) * view.focus;
+    const double size = 3;
+    const bool right = chance(random, 0.5), low = chance(random, 0.5);
+    const Camera camera = rt::parse_scene(lens_scene(view), "lens").camera;
+    const std::string scene = lens_scene(view) + lamp(camera, {right ? 40 : 8, low ? 40 : 8}, view.focus, size);
+    const Region region{right ? 32 : 0, low ? 32 : 0, 16, 16};
+    return render_check("corner", "lens_ray", {"uniform_disk", "emission_counts"}, {scene, 64, "sobol"},
+        {sharp("blur in the corner of the plane in focus [pixel^2]", region, size, [](double value, double) {
+            return fmt::format("in the corner of the picture, what is in focus is blurred to a disc of radius {:.3g} pixels: is the focus "
+                               "measured along the ray? It is along the axis", std::sqrt(2 * std::max(value, 0.0)));
+        })});
 }
 
 }  // namespace
 
-Checks check_lens_ray(Generator& random) {
-    Camera camera;
-    const rt::Frame axes = rt::frame_about(direction(random));
-    camera.eye = box(random, -2, 2);
-    camera.right = axes.x, camera.up = axes.y, camera.back = axes.z;
-    camera.lens_radius = between(random, 0.05, 0.3);
-    camera.focus = between(random, 2, 6);
-    camera.tan_half_fov = 0.6;
-    const auto rays = [](Camera lens) {
-        return [lens](Generator& draws) {
-            return repeat(rows_of(1024, [lens](Generator& draw) {
-                const vec2 film = 1.2 * square(draw) - 0.6;
-                const Ray pinhole{lens.eye, rt::unit(film.x * lens.right + film.y * lens.up - lens.back), 0, rt::inf};
-                return row(lens, pinhole, square(draw));
-            })(draws));
-        };
-    };
-    Statistic plane = property("D2", "distance of the origin from the lens, in its radius",
-        [](const Row& in, const Row& out) {
-            const vec3 p = on_lens(in, out);
-            return std::max(std::abs(p.z), std::hypot(p.x, p.y) - 1);
-        },
-        1e-3, "rays start beside the lens: origin = eye + lens_radius (x right + y up), (x, y) in the unit disk");
-    Statistic sharp = property("D3", "distance between rays of one film point in the plane in focus, in the lens's radius",
-        [](const Row& in, const Row& out) { return apart(in, out, camera_of(in).focus); }, 0.01,
-        "rays of one film point do not meet in the plane in focus");
-    sharp.cause = [](const Observation& seen) -> std::string {
-        double sphere = 0, parallel = 0, double_plane = 0;
-        for (std::size_t k = 0; k < seen.inputs.size(); ++k) {
-            const Camera camera = camera_of(seen.inputs[k]);
-            const Ray pinhole = pinhole_of(seen.inputs[k]);
-            const vec3 d = from_row<Ray>(seen.outputs[k]).direction;
-            sphere = std::max(sphere, apart(seen.inputs[k], seen.outputs[k], camera.focus * -rt::dot(pinhole.direction, camera.back)));
-            parallel = std::max(parallel, glm::length(rt::unit(d) - pinhole.direction));
-            double_plane = std::max(double_plane, apart(seen.inputs[k], seen.outputs[k], 2 * camera.focus));
-        }
-        if (sphere < 0.01) return "the focus is measured along the ray, so corners are blurred: it is the distance of a plane, along the axis";
-        if (parallel < 1e-3) return "all rays of a film point are parallel: they must meet in the plane in focus";
-        if (double_plane < 0.01) return "the plane in focus is at twice its distance";
-        return "";
-    };
-    const auto radius = [](const Row& in, const Row& out) { const vec3 p = on_lens(in, out); return p.x * p.x + p.y * p.y; };
-    Statistic size = mean_of("D1", "mean square of the point on the lens, in its radius", radius, 0.5, 0.5,
-        by_ratio("the mean square of the point on the lens", {{0.25, "is lens_radius used as a diameter?"}, {4, "is lens_radius doubled?"}, {4.0 / 3, "the lens is a square, not a disk"},
-                                                              {2.0 / 3, "points crowd in the middle of the lens: a square root is missing"}, {0, "all rays go through the middle of the lens: it is a pinhole"}}));
-    Statistic even = uniform_in_square("D2", "chi-squared of equal areas of the lens",
-        [=](const Row& in, const Row& out) { const vec3 p = on_lens(in, out); return vec2(p.x * p.x + p.y * p.y, turn(p.x, p.y)); }, 8, 8,
-        always("equal areas of the lens do not get equally many rays: it is a disk, sampled evenly, with two numbers"));
-    Statistic ray = property("D1", "length of the direction, off 1 by, or an interval that is not 0 to infinity",
-        [](const Row&, const Row& out) {
-            const Ray r = from_row<Ray>(out);
-            return std::abs(glm::length(r.direction) - 1) + (r.near >= 0 && r.near < 0.01 && r.far > 1e6 ? 0 : 1);
-        },
-        1e-3, "the direction is no unit vector, or the ray's interval is not 0 to infinity");
-
-    Camera distant = camera;
-    distant.focus = rt::inf;
-    Statistic parallel = property("D1", "angle between rays of one film point, with the focus at infinity [rad]",
-        [](const Row& in, const Row& out) { return glm::length(from_row<Ray>(out).direction - pinhole_of(in).direction); }, 1e-6,
-        "with the focus infinitely far away the rays of a film point are parallel");
-    return {probe_check("meets_in_focus", "lens_ray", {"uniform_disk"}, rays(camera), {sharp, plane, size, even, ray, purity()}),
-            probe_check("focus_at_infinity", "lens_ray", {"uniform_disk"}, rays(distant), {parallel})};
-}
+Checks check_lens_ray(Generator& random) { return {in_focus(), rays(random), depths(random), corner(random)}; }
 
 }  // namespace grade

@@ -71,7 +71,7 @@ Statistic of_picture(std::string id, std::string what, std::function<double(cons
     s.what = std::move(what);
     s.measure = [number = std::move(number)](const Observation& seen) { return number(seen.image); };
     s.truth = truth;
-    s.delta0 = delta / 50;
+    s.delta0 = delta / 10;
     s.delta = delta;
     s.hint = std::move(hint);
     return s;

@@ -56,7 +56,7 @@ double over_pixel(int x, int y, F f) {
 Check render_check(std::string name, std::string fragment, std::vector<std::string> needs, Render render,
                    std::vector<Statistic> statistics, int share = 1);
 
-/// A number of the picture; a fiftieth of delta is right in any case.
+/// A number of the picture; a tenth of delta is right in any case.
 Statistic of_picture(std::string id, std::string what, std::function<double(const rt::Image&)> number, double truth, double delta,
                      Hint hint);
 

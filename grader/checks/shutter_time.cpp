@@ -1,40 +1,116 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "checks/draw.h"
+#include "checks/formula.h"
 #include "checks/fragment_checks.h"
 #include "checks/probe_check.h"
-#include "checks/warp.h"
+#include "checks/render_check.h"
+#include "statistics/blob.h"
 
 namespace grade {
 
-Checks check_shutter_time(Generator& random) {
-    using rt::Shutter;
-    const Shutter shutter{between(random, -1, 1), between(random, 1.2, 3)};
-    const double length = shutter.close - shutter.open;
-    const auto inputs = [shutter](Generator& draws) {
-        return repeat(rows_of(1024, [shutter](Generator& draw) { return row(shutter, between(draw, 0, 1)); })(draws));
+namespace {
+
+using rt::Shutter, rt::vec2, rt::vec3;
+
+Shutter shutter_of(const Row& in) { return argument<0, Shutter, double>(in); }
+
+/// How much of the time that the shutter is open has passed.
+double share(const Row& in, const Row& out) { return (out[0] - shutter_of(in).open) / (shutter_of(in).close - shutter_of(in).open); }
+
+Row shutter_row(double open, double close, double u) { return {open, close, u}; }
+
+Check times(Generator& random) {
+    const double open = between(random, 0.5, 2) * (chance(random, 0.5) ? 1 : -1), length = between(random, 0.2, 0.4);
+    const auto inputs = rows_of(1024, [=](Generator& draw) { return shutter_row(open, open + length, between(draw, 0, 1)); });
+    Statistic mean = mean_of("M1", "mean time, as a share of the exposure", share, 0.5, 1,
+                             by_value("the mean time, as a share of the exposure,",
+                                      {{0, "does the shutter close as soon as it opens?"}, {1, "does the shutter open only when it closes?"}}, 0.05));
+    Statistic spread = uniform_in_square("V3", "chi squared of the times per degree of freedom",
+        [](const Row& in, const Row& out) { return vec2(share(in, out), 0.5); }, 16, 1,
+        by_ratio("the chi squared of the times", {}, "they must be uniform between opening and closing"));
+    Statistic inside = property("M1", "times outside the exposure",
+        [](const Row& in, const Row& out) { return share(in, out) >= -1e-5 && share(in, out) <= 1 + 1e-5 ? 0.0 : 1.0; }, 0,
+        "a time is before the shutter opens or after it closes");
+    inside.hint = always("a time is before the shutter opens or after it closes: expected open + a share of (close - open)");
+    inside.cause = [=](const Observation& seen) -> std::string {
+        const auto all_within = [&](double low, double high) {
+            return std::ranges::all_of(seen.outputs, [&](const Row& out) { return out[0] >= low - 1e-6 && out[0] <= high + 1e-6; });
+        };
+        if (all_within(0, length)) return "times start at 0; expected open + a share of (close - open)";
+        if (all_within(std::min(0.0, open + length), std::max(0.0, open + length))) return "times are a share of close; expected open + a share of (close - open)";
+        if (all_within(open, open + 1)) return "up to a second is added to open, whatever close is; expected a share of (close - open)";
+        return "";
     };
-    const auto share = [=](const Row&, const Row& out) { return (out[0] - shutter.open) / length; };
-    Statistic inside = property("M1", "time outside the shutter's interval, in its length",
-        [=](const Row& in, const Row& out) { return std::max({0.0, -share(in, out), share(in, out) - 1}); }, 1e-6,
-        "times fall before the shutter opens or after it closes");
-    Statistic centroid = mean_of("M1", "mean time, as a share of the interval", share, 0.5, 0.5, [](double value, double) {
-        if (std::abs(value) < 0.02) return std::string("all times are those of the opening: nothing is blurred");
-        if (std::abs(value - 1) < 0.02) return std::string("all times are those of the closing: nothing is blurred");
-        return fmt::format("the mean time lies at {:.3g} of the interval; expected the middle: is the opening time added?", value);
-    });
-    Statistic spread = mean_of("M1", "variance of the time, in interval lengths squared",
-        [=](const Row& in, const Row& out) { return rt::sqr(share(in, out) - 0.5); }, 1.0 / 12, 1.0 / 12,
-        by_ratio("the variance of the time", {{3, "only the two end times are taken: a double image in place of a streak"}, {0, "all times are the middle one"}}));
-    Statistic even = uniform_in_square("M1", "chi-squared of equal parts of the interval",
-        [=](const Row& in, const Row& out) { return rt::vec2(share(in, out), 0.5); }, 32, 1, always("the times are not evenly distributed"));
-    const auto closed = rows_of(16, [](Generator& draw) {
-        const double at = between(draw, -1, 1);
-        return row(Shutter{at, at}, between(draw, 0, 1));
-    });
-    Statistic instant = property("M1", "time off that of a shutter that is open for an instant",
-        [](const Row& in, const Row& out) { return std::abs(out[0] - in[0]); }, 1e-6, "a shutter that closes as it opens has one time only");
-    return {probe_check("even_in_time", "shutter_time", {}, inputs, {inside, centroid, spread, even, purity()}),
-            probe_check("instant", "shutter_time", {}, closed, {instant})};
+    return probe_check("times", "shutter_time", {}, inputs, {inside, mean, spread});
 }
+
+Check instant() {
+    const auto inputs = rows_of(16, [](Generator& random) {
+        const double open = between(random, -2, 2);
+        return shutter_row(open, open, between(random, 0, 1));
+    });
+    return probe_check("instant", "shutter_time", {}, inputs, {property("M1", "time from the instant [s]",
+        [](const Row& in, const Row& out) { return std::abs(out[0] - shutter_of(in).open); }, 1e-5,
+        "a shutter that closes as it opens leaves one time")});
+}
+
+/// A lamp that flies by while the shutter is open: a streak. Along it, the lamp's own disc and the pixel are taken from the
+/// moments: what is left is that of the way, uniform over its length.
+Check streak(Generator& random) {
+    const Place place = any_place(random);
+    const double open = between(random, 0.4, 0.8), close = open + between(random, 0.5, 1), turn = between(random, 0, 2 * rt::pi);
+    constexpr double pixel = 0.01, radius = 2;  // [m] of a pixel, across the plane of the lamp; [pixel]
+    const double length = between(random, 20, 24), middle = (open + close) / 2;
+    const vec2 along(std::cos(turn), std::sin(turn)), step = length / (close - open) * along, center(between(random, -2, 2), between(random, -2, 2));
+    const vec2 start = center - middle * step;  // y up
+    const View view{place({0, 0, 5}), place({0, 0, 0}), place.turned({0, 1, 0}), 2 * std::atan(20 * pixel / 5) * 180 / rt::pi, {40, 40}};
+    const std::string scene = fmt::format("{}[shutter]\nopen = {}\nclose = {}\n\n[materials.lamp]\nemission = 4\nsampled = false\n\n", toml(view),
+                                          toml(open), toml(close)) +
+        disc("lamp", place(pixel * vec3(start.x, start.y, 0)), place.axes.z, radius * pixel, place.turned(pixel * vec3(step.x, step.y, 0)));
+
+    struct Along {
+        double mean = 0, variance = 0, kurtosis = 0;
+    };
+    const auto measured = [=](const rt::Image& image) {
+        double mass = 0, first = 0, second = 0, fourth = 0;
+        const auto over_pixels = [&](auto f) {
+            for (int y = 0; y < image.height; ++y)
+                for (int x = 0; x < image.width; ++x)
+                    f((x + 0.5 - 20 - center.x) * along.x + (20 - y - 0.5 - center.y) * along.y, brightness(image.at(x, y)));
+        };
+        over_pixels([&](double s, double light) { mass += light, first += light * s; });
+        over_pixels([&](double s, double light) {
+            const double square = rt::sqr(s - first / mass);
+            second += light * square / mass, fourth += light * square * square / mass;
+        });
+        // cumulants add up: those of the disc and of the pixel are known
+        const double variance = second - radius * radius / 4 - 1.0 / 12;
+        const double cumulant = fourth - 3 * second * second + std::pow(radius, 4) / 16 + (std::pow(along.x, 4) + std::pow(along.y, 4)) / 120;
+        return Along{first / mass, variance, 3 + cumulant / rt::sqr(variance)};
+    };
+    const double due = length * length / 12;
+    return render_check("streak", "shutter_time", {"moved", "emission_counts"}, {scene, 64, "sobol"},
+        {of_picture("M1", "middle of the streak, from where it must be [pixel]", [=](const rt::Image& i) { return measured(i).mean; }, 0, 0.8,
+                    by_value("the middle of the streak, from where it must be [pixel],",
+                             {{-length * open / (close - open), "does time start at 0? It starts when the shutter opens"},
+                              {-length / 2, "is the lamp seen when the shutter opens alone?"},
+                              {length / 2, "is the lamp seen when the shutter closes alone?"}},
+                             1)),
+         of_picture("M1", "variance along the streak, over length^2/12", [=](const rt::Image& i) { return measured(i).variance / due; }, 1, 0.08,
+                    by_ratio("the variance along the streak", {{3, "is the lamp seen at the two ends alone?"},
+                                                               {0, "there is one time for the whole picture: is u used?"},
+                                                               {0.25, "is half of the exposure used?"},
+                                                               {4, "is twice the exposure used?"}},
+                             "times must be uniform between opening and closing")),
+         of_picture("M1", "kurtosis along the streak", [=](const rt::Image& i) { return measured(i).kurtosis; }, 1.8, 0.15,
+                    by_value("the kurtosis along the streak, 1.8 for uniform times,", {{1, "is the lamp seen at the two ends alone?"}}, 0.1))});
+}
+
+}  // namespace
+
+Checks check_shutter_time(Generator& random) { return {times(random), instant(), streak(random)}; }
 
 }  // namespace grade
