@@ -32,6 +32,7 @@ install_packages() {
         exit 3
     fi
 
+    echo "Installing them..." >&2
     local log
     log=$(mktemp)
     export DEBIAN_FRONTEND=noninteractive
