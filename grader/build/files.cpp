@@ -23,7 +23,7 @@ std::optional<std::string> read_text(const fs::path& path, std::uint64_t most) {
         text.emplace(std::size_t(facts.st_size), '\0');
         std::size_t have = 0;
         while (have < text->size()) {
-            const ssize_t got = read(file, text->data() + have, text->size() - have);
+            const ssize_t got = ::read(file, text->data() + have, text->size() - have);
             if (got <= 0) break;
             have += std::size_t(got);
         }
