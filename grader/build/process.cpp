@@ -57,7 +57,7 @@ void apply(const Limits& limits) {
 /// Appends what is there to text, up to its bound. false: the other end is closed.
 bool drain(int descriptor, std::string& text, std::size_t most) {
     std::array<char, 65536> buffer;
-    const ssize_t got = read(descriptor, buffer.data(), buffer.size());
+    const ssize_t got = ::read(descriptor, buffer.data(), buffer.size());
     if (got < 0) return errno == EAGAIN || errno == EINTR;
     if (got == 0) return false;
     text.append(buffer.data(), std::min(std::size_t(got), most - std::min(most, text.size())));
@@ -142,7 +142,7 @@ bool Process::pump(std::string_view bytes, std::size_t wanted, bool to_the_end, 
             // never more than was asked for, so that what comes unasked stays in the pipe
             std::array<char, 65536> buffer;
             const std::size_t ask = to_the_end ? buffer.size() : std::min(buffer.size(), room - received_.size());
-            const ssize_t got = read(results_, buffer.data(), ask);
+            const ssize_t got = ::read(results_, buffer.data(), ask);
             if (got == 0) close_one(results_);
             if (got > 0 && !to_the_end) received_.append(buffer.data(), std::size_t(got));
             moved = got > 0;
