@@ -50,9 +50,9 @@ TEST_CASE("camera_ray: unit directions; the middle of the film looks along the a
 TEST_CASE("hit_sphere: a ray towards a point inside hits the surface, small, huge, near and far away") {
     Random random(2);
     for (int i = 0; i < 20000; ++i) {
-        const Sphere sphere{random.scale(1e-3, 1e6) * random.direction(), random.scale(1e-6, 1e6)};
+        const Sphere sphere{random.vector(1e-3, 1e6), random.scale(1e-6, 1e6)};
         const Real distance = sphere.radius * random.scale(1.01, 1e6);
-        const vec3 target = sphere.center + 0.99 * random.number() * sphere.radius * random.direction();
+        const vec3 target = sphere.center + sphere.radius * random.vector(0.01, 0.99);
         const Ray ray = ray_to(target, distance, random);
         INFO("center " << text(sphere.center) << ", radius " << sphere.radius << ", origin " << text(ray.origin)
                        << ", direction " << text(ray.direction));
@@ -135,7 +135,7 @@ TEST_CASE("hit_triangle: no ray passes between two triangles that share an edge 
         for (int k = 0; k < 5; ++k)
             rim[k] = hub + vec3(std::cos(2 * pi * k / 5), std::sin(2 * pi * k / 5), 0.3 * random.between(-1, 1));
         const vec3 target = random.integer(0, 1) ? hub : hub + random.number() * 0.9 * (rim[2] - hub);
-        const vec3 eye = hub + vec3(random.between(-1, 1), random.between(-1, 1), 10);
+        const vec3 eye = hub + vec3(2.0 * random.point() - 1.0, 10);
         const Ray ray{eye, target - eye, 0, inf};
         int hits = 0;
         for (int k = 0; k < 5; ++k) hits += hit_triangle({hub, rim[k], rim[(k + 1) % 5]}, ray) < inf;

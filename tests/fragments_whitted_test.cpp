@@ -91,7 +91,7 @@ TEST_CASE("phong: ambient light alone where the light is below the horizon; line
 TEST_CASE("shadow_ray: towards the light, from the light's side of the surface, and not as far as the light") {
     Random random(5);
     for (int i = 0; i < 2000; ++i) {
-        const Hit hit{random.scale(1e-3, 1e6) * random.direction(), random.direction(), random.scale(1e-16, 1e-9)};
+        const Hit hit{random.vector(1e-3, 1e6), random.direction(), random.scale(1e-16, 1e-9)};
         const vec3 d = random.direction();
         const Real distance = random.scale(1e-6, 1e9);
         const Ray ray = shadow_ray(hit, d, distance);
@@ -108,7 +108,7 @@ TEST_CASE("shadow_ray: towards the light, from the light's side of the surface, 
 TEST_CASE("mirror_direction: as long as d, the same angle on the other side, in one plane, and back again") {
     Random random(6);
     for (int i = 0; i < 2000; ++i) {
-        const vec3 n = random.direction(), d = random.scale(0.1, 10) * random.direction(), r = mirror_direction(d, n);
+        const vec3 n = random.direction(), d = random.vector(0.1, 10), r = mirror_direction(d, n);
         INFO("d " << text(d) << ", n " << text(n));
         CHECK(dot(r, r) == Approx(dot(d, d)).epsilon(1e-13));
         CHECK(dot(r, n) == Approx(-dot(d, n)).margin(1e-13));

@@ -44,6 +44,12 @@ struct Random {
         }
     }
 
+    /// Every direction alike, and every order of magnitude.
+    rt::vec3 vector(double low, double high) {
+        const double length = scale(low, high);
+        return length * direction();
+    }
+
     /// A unit vector with v . n > least.
     rt::vec3 direction_about(rt::vec3 n, double least = 0.01) {
         for (;;) {
