@@ -72,6 +72,9 @@ Checks check_camera_ray(Generator&) {
         {"the picture is scaled by size - 1; expected size", through([](const Camera& c, vec2 p) {
              return vec2(0.5 * c.size.x, 0.5 * c.size.y) + (vec2(p.x / (c.size.x - 1), p.y / (c.size.y - 1)) - 0.5) * vec2(c.size);
          })},
+        {"the picture is scaled by size - 1 and shifted; expected size", through([](const Camera& c, vec2 p) {
+             return 0.5 * vec2(c.size) + (p - 0.5 * (vec2(c.size) - 1.0)) * (c.size.y / (c.size.y - 1.0));
+         })},
         {"the aspect ratio is missing: x is scaled by the width; expected the height", through([](const Camera& c, vec2 p) {
              return vec2(0.5 * c.size.x + (p.x / c.size.x - 0.5) * c.size.y, p.y);
          })},

@@ -16,9 +16,10 @@ Checks check_cosine_hemisphere(Generator&) {
                                by_ratio("the mean cosine", {{0.75, "the directions are uniform on the hemisphere; expected more of them about z"},
                                                             {1.5, "all directions are the z axis"},
                                                             {0.5, "are u.x and the height exchanged?"}}));
-    Statistic spread = uniform_in_square("V3", "chi-squared of directions",
-        [](const Row&, const Row& out) { return rt::vec2(1 - out[2] * out[2], turn(out[0], out[1])); }, 8, 8,
+    const RowPoint cell = [](const Row&, const Row& out) { return rt::vec2(1 - out[2] * out[2], turn(out[0], out[1])); };
+    Statistic spread = uniform_in_square("V3", "chi-squared of directions", cell, 8, 8,
         always("the directions are not distributed as cos(theta)/pi: do height and angle each use a number of their own?"));
+    name_half_circles(spread, cell);
     return {probe_check("cosine_law", "cosine_hemisphere", {}, inputs, {unit_length(), above, cosine, density, spread, purity()})};
 }
 

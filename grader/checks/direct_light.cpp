@@ -26,11 +26,8 @@ Checks check_direct_light(Generator&) {
         if (chance(random, 0.7)) m.specular = box(random, 0.1, 0.9);
         m.shininess = log_between(random, 2, 60);
         const Color radiance = box(random, 1, 20);
-        const vec3 n = direction(random), d = tilted(random, n, between(random, 0, chance(random, 0.75) ? 1.45 : 3));
-        vec3 c;
-        do c = chance(random, 0.7) ? tilted(random, rt::unit(2 * std::abs(rt::dot(n, d)) * n + (rt::dot(n, d) > 0 ? -d : d)), between(random, 0, 0.6))
-                                   : tilted(random, n, between(random, 0, 1.5));
-        while (rt::dot(c, n) <= 0.01);
+        const vec3 n = direction(random), d = tilted(random, n, light_angle(random));
+        const vec3 c = viewer(random, n, d);
         const LightSample sample{d, log_between(random, 0.3, 10), chance(random, 0.1) ? 0 : log_between(random, 0.05, 20)};
         return row(m, radiance, sample, n, c);
     });
@@ -38,6 +35,11 @@ Checks check_direct_light(Generator&) {
         {"the density is ignored: the sample must be divided by it", estimate({}, [](Color c, const LightSample&) { return c; })},
         {"the sample is multiplied by its density; expected divided", estimate({}, [](Color c, const LightSample& s) { return c * s.density; })},
         {"1/r^2 counts twice: it is part of the density per solid angle", estimate({}, [](Color c, const LightSample& s) { return c / (s.density * s.distance * s.distance); })},
+        {"the highlight is not divided by the density", of<Material, Color, LightSample, vec3, vec3>([](const Material& m, Color l, const LightSample& s, vec3 n, vec3 c) {
+             Model diffuse, highlight;
+             diffuse.highlight = highlight.diffuse = false;
+             return Color(s.density > 0 ? reflected(m, n, s.direction, c, diffuse) * l / s.density + reflected(m, n, s.direction, c, highlight) * l : Color(0));
+         })},
         {"a sample with density 0 must add nothing: it gives inf or nan", of<Material, Color, LightSample, vec3, vec3>([](const Material& m, Color l, const LightSample& s, vec3 n, vec3 c) {
              return Color(s.density > 0 ? reflected(m, n, s.direction, c, {}) * l / s.density : Color(NAN));
          })}};

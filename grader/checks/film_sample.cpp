@@ -109,13 +109,16 @@ Checks check_film_sample(Generator& random) {
         return 12 * n * variance;
     };
     cell.hint = [n](double value, double) {
-        if (value < 0.1) return fmt::format("with new random numbers a sample hardly moves, by {:.3g} of its cell's variance: are u ignored?", value);
+        if (value < 0.1)
+            return fmt::format("with new random numbers a sample hardly moves, by {:.3g} of its cell's variance: is u, its jitter, ignored, drawn "
+                               "once, or the same in all pixels?", value);
         const double cells = n / value;
         if (cells < 1.2) return std::string("each sample falls anywhere in the pixel: it must fall in a cell of its own, see stratified_2d");
         return fmt::format("a sample moves as if the pixel had {:.3g} cells; expected n = {}", cells, n);
     };
-    return {probe_check("in_the_pixel", "film_sample", {"stratified_2d"}, inputs, {inside, weight, x, y, spread_x, spread_y, even, purity()}),
-            probe_check("stratified", "film_sample", {"stratified_2d"}, repeats, {cell, strata})};
+    return {probe_check("in_the_pixel", "film_sample", {"stratified_2d"}, inputs, {inside}),
+            probe_check("stratified", "film_sample", {"stratified_2d"}, repeats, {cell, strata}),
+            probe_check("even_in_the_pixel", "film_sample", {"stratified_2d"}, inputs, {weight, x, y, spread_x, spread_y, even, purity()})};
 }
 
 }  // namespace grade

@@ -1,5 +1,6 @@
 #include "checks/formula.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -14,7 +15,11 @@ constexpr std::size_t repeated = 16;
 /// The larger one; a nan wins.
 double worse(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 
-std::string numbers(const Row& row) { return fmt::format("({:.6g})", fmt::join(row, ", ")); }
+std::string numbers(const Row& row) {
+    constexpr std::size_t most = 20;
+    const Row shown(row.begin(), row.begin() + std::ptrdiff_t(std::min(row.size(), most)));
+    return fmt::format("({:.6g}{})", fmt::join(shown, ", "), row.size() > most ? ", ..." : "");
+}
 
 /// Whether nearly all rows are as a suspect has them, among them some that are not right.
 bool matches(const Observation& seen, const RowFunction& right, const Suspect& suspect, double tolerance) {
@@ -28,6 +33,24 @@ bool matches(const Observation& seen, const RowFunction& right, const Suspect& s
         telling += is_wrong && as_suspected;
     }
     return wrong > 0 && telling >= 0.95 * double(wrong) && same >= 0.95 * double(seen.inputs.size());
+}
+
+std::vector<double> deviations(const Observation& seen, const RowFunction& right) {
+    std::vector<double> all;
+    for (std::size_t k = 0; k < seen.inputs.size(); ++k) all.push_back(deviation(seen.outputs[k], right(seen.inputs[k])));
+    return all;
+}
+
+/// Whether the rows that are wrong are those of a circumstance, and there are others.
+bool goes_with(const Observation& seen, const std::vector<double>& off, const Circumstance& circumstance, double tolerance) {
+    double wrong = 0, holding = 0, both = 0;
+    for (std::size_t k = 0; k < off.size(); ++k) {
+        const bool is_wrong = !(off[k] <= tolerance), holds = circumstance.holds(seen.inputs[k]);
+        wrong += is_wrong;
+        holding += holds;
+        both += is_wrong && holds;
+    }
+    return both >= 0.98 * wrong && both >= 0.3 * holding && holding <= 0.95 * double(off.size());
 }
 
 }  // namespace
@@ -44,7 +67,8 @@ double deviation(const Row& outputs, const Row& right) {
     return worst;
 }
 
-Statistic formula(std::string id, std::string what, RowFunction right, double tolerance, std::vector<Suspect> suspects) {
+Statistic formula(std::string id, std::string what, RowFunction right, double tolerance, std::vector<Suspect> suspects,
+                  std::vector<Circumstance> circumstances) {
     Statistic s;
     s.id = std::move(id);
     s.what = std::move(what);
@@ -57,19 +81,20 @@ Statistic formula(std::string id, std::string what, RowFunction right, double to
         return worst;
     };
     s.hint = [](double value, double) { return fmt::format("the formula is off by up to {:.3g} of its value", value); };
-    s.cause = [right, tolerance, suspects = std::move(suspects)](const Observation& seen) -> std::string {
+    s.cause = [=](const Observation& seen) -> std::string {
         for (const Suspect& suspect : suspects)
             if (matches(seen, right, suspect, tolerance)) return suspect.words;
 
-        std::size_t wrong = 0, worst = 0;
-        double most = -1;
-        for (std::size_t k = 0; k < seen.inputs.size(); ++k) {
-            const double off = deviation(seen.outputs[k], right(seen.inputs[k]));
-            wrong += !(off <= tolerance);
-            if (worse(off, most) != most) most = off, worst = k;
-        }
-        return fmt::format("{} of {} calls are wrong; for arguments {} the result is {}, expected {}", wrong, seen.inputs.size(),
-                           numbers(seen.inputs[worst]), numbers(seen.outputs[worst]), numbers(right(seen.inputs[worst])));
+        const std::vector<double> off = deviations(seen, right);
+        std::size_t worst = 0;
+        for (std::size_t k = 0; k < off.size(); ++k)
+            if (std::isnan(off[k]) || off[k] > off[worst]) worst = k;
+        const auto wrong = std::count_if(off.begin(), off.end(), [=](double x) { return !(x <= tolerance); });
+        std::string words;
+        for (const Circumstance& circumstance : circumstances)
+            if (words.empty() && goes_with(seen, off, circumstance, tolerance)) words = circumstance.words + ": ";
+        return words + fmt::format("{} of {} calls are wrong; for arguments {} the result is {}, expected {}", wrong, off.size(),
+                                   numbers(seen.inputs[worst]), numbers(seen.outputs[worst]), numbers(right(seen.inputs[worst])));
     };
     return s;
 }

@@ -41,9 +41,17 @@ struct Suspect {
     RowFunction outputs;
 };
 
+/// A mistake that shows as the arguments for which the outputs are wrong.
+struct Circumstance {
+    std::string words;  // "t is a length where |direction| is not 1"
+    std::function<bool(const Row& inputs)> holds;
+};
+
 /// The largest deviation of any row, which must stay below the tolerance. Single precision reaches 1e-4 where the inputs
-/// are ordinary. The cause is the first suspect whose outputs are those of the rows; else the hint shows the worst row.
-Statistic formula(std::string id, std::string what, RowFunction right, double tolerance, std::vector<Suspect> suspects = {});
+/// are ordinary. The cause is the first suspect whose outputs are those of the rows; else the first circumstance that nearly
+/// all wrong rows have in common, and other rows have not; the worst row is shown as well.
+Statistic formula(std::string id, std::string what, RowFunction right, double tolerance, std::vector<Suspect> suspects = {},
+                  std::vector<Circumstance> circumstances = {});
 
 /// The largest of a deviation of each row: 0 where a property holds.
 Statistic property(std::string id, std::string what, std::function<double(const Row& inputs, const Row& outputs)> violation,

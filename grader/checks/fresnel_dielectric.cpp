@@ -23,6 +23,16 @@ RowFunction law(double share_s, double share_p, double total, bool inverted = fa
     });
 }
 
+/// Schlick's approximation, with or without total internal reflection and equal indices.
+RowFunction schlick(bool cases) {
+    return of<double, double, double>([=](double c, double from, double to) {
+        const double r0 = rt::sqr((from - to) / (from + to));
+        if (cases && std::sqrt(1 - c * c) * from > to) return 1.0;
+        if (cases && from == to) return 0.0;
+        return r0 + (1 - r0) * std::pow(1 - c, 5);
+    });
+}
+
 }  // namespace
 
 Checks check_fresnel_dielectric(Generator&) {
@@ -39,17 +49,15 @@ Checks check_fresnel_dielectric(Generator&) {
                         {formula("F3", "reflectance, off by", law(0.5, 0.5, 1), 1e-4,
                                  {{"total internal reflection gives 0; expected 1", law(0.5, 0.5, 0)},
                                   {"total internal reflection gives nan; expected 1", law(0.5, 0.5, NAN)},
-                                  {"the two indices are exchanged", law(0.5, 0.5, 1, true)},
+                                  {"the indices are inverted: ior_from and ior_to are exchanged", law(0.5, 0.5, 1, true)},
                                   {"the factor 1/2 is missing: unpolarised light is the mean of s and p", law(1, 1, 1)},
                                   {"only s-polarised light is counted: expected the mean of s and p", law(1, 0, 1)},
                                   {"only p-polarised light is counted: expected the mean of s and p", law(0, 1, 1)},
                                   {"the transmitted share is returned; expected the reflected one", of<double, double, double>([](double c, double from, double to) {
                                        return 1 - fresnel(c, from, to, 0.5, 0.5, 1);
                                    })},
-                                  {"this is Schlick's approximation; expected Fresnel's formula", of<double, double, double>([](double c, double from, double to) {
-                                       const double r0 = rt::sqr((from - to) / (from + to));
-                                       return r0 + (1 - r0) * std::pow(1 - c, 5);
-                                   })}})})};
+                                  {"this is Schlick's approximation; expected Fresnel's formula", schlick(false)},
+                                  {"this is Schlick's approximation; expected Fresnel's formula", schlick(true)}})})};
 }
 
 }  // namespace grade

@@ -10,7 +10,7 @@ namespace grade {
 inline rt::Ray ray_towards(Generator& random, rt::vec3 target, rt::vec3 normal, double size, bool clipped) {
     const rt::vec3 d = tilted(random, (chance(random, 0.5) ? 1.0 : -1.0) * normal, between(random, 0, 1.3));
     const double distance = size * between(random, 0.5, 20) * (chance(random, 0.85) ? 1 : -1);
-    const double speed = log_between(random, 0.1, 10);
+    const double speed = chance(random, 0.3) ? 1 : log_between(random, 0.3, 10);
     rt::Ray ray{target - distance * d, speed * d, 0, rt::inf};
     if (clipped && chance(random, 0.6)) ray.near = std::abs(distance) / speed * between(random, 0.2, 1.8);
     if (clipped && chance(random, 0.6)) ray.far = ray.near + std::abs(distance) / speed * between(random, 0.2, 1.8);
@@ -52,6 +52,18 @@ std::vector<Suspect> flat_suspects(std::function<double(const Shape&, const rt::
         {"t is a length; expected in units of |direction|, which need not be 1", of<Shape, rt::Ray>([=](const Shape& s, const rt::Ray& r) {
              return inside(s, r) && in_range(r, t(s, r)) ? t(s, r) * glm::length(r.direction) : rt::inf;
          })}};
+}
+
+/// Where a flat shape is wrong; size is that of the shape.
+template <class Shape>
+std::vector<Circumstance> flat_circumstances(std::function<double(const Shape&)> size) {
+    return {{"only rays whose direction is no unit vector are wrong: t is in units of |direction|", [](const Row& in) {
+                 const rt::Ray ray = argument<1, Shape, rt::Ray>(in);
+                 return std::abs(glm::length(ray.direction) - 1) > 1e-6;
+             }},
+            {"only small shapes are wrong: an absolute epsilon is too large for them", [size](const Row& in) {
+                 return size(argument<0, Shape, rt::Ray>(in)) < 0.2;
+             }}};
 }
 
 }  // namespace grade

@@ -19,7 +19,7 @@ std::array<double, 2> coordinates(const Quad& q, const Ray& ray) {
 }
 
 Row ordinary(Generator& random, bool clipped) {
-    const double size = log_between(random, 0.1, 10);
+    const double size = log_between(random, 0.01, 10);
     const rt::Frame frame = rt::frame_about(direction(random));
     const Quad q{box(random, -5, 5), size * between(random, 0.3, 2) * frame.x, size * between(random, 0.3, 2) * frame.y};
     const double reach = chance(random, 0.6) ? 0.97 : 2.5;
@@ -53,10 +53,11 @@ Checks check_hit_quad(Generator&) {
                                       })}};
     for (Suspect& s : flat_suspects<Quad>(at, within(-1, 1), normal_of)) suspects.push_back(std::move(s));
     const RowFunction right = hit(within(-1, 1));
+    const std::vector<Circumstance> circumstances = flat_circumstances<Quad>([](const Quad& q) { return glm::length(q.u) + glm::length(q.v); });
     const auto unclipped = rows_of(96, [](Generator& random) { return ordinary(random, false); });
     const auto clipped = rows_of(96, [](Generator& random) { return ordinary(random, true); });
-    return {probe_check("inside", "hit_quad", {}, unclipped, {formula("W1", "distance, off by", right, 1e-3, suspects)}),
-            probe_check("interval", "hit_quad", {}, clipped, {formula("W1", "distance within the interval, off by", right, 1e-3, suspects)})};
+    return {probe_check("inside", "hit_quad", {}, unclipped, {formula("W1", "distance, off by", right, 1e-3, suspects, circumstances)}),
+            probe_check("interval", "hit_quad", {}, clipped, {formula("W1", "distance within the interval, off by", right, 1e-3, suspects, circumstances)})};
 }
 
 }  // namespace grade

@@ -38,7 +38,7 @@ Row ordinary(Generator& random, bool clipped) {
     const double passing = chance(random, 0.2) ? between(random, 1.1, 2) : between(random, 0, 0.95);
     const rt::vec3 beside = passing * sphere.radius * tilted(random, d, rt::pi / 2);
     const double start = between(random, 0, 1) < 0.3 ? between(random, -0.1, 0.1) : between(random, -30, 8);
-    const double speed = log_between(random, 0.1, 10);  // |direction|
+    const double speed = chance(random, 0.3) ? 1 : log_between(random, 0.1, 10);  // |direction|
 
     Ray ray{sphere.center + beside + start * sphere.radius * d, speed * d, 0, rt::inf};
     const auto [t0, t1] = crossings(sphere, ray);
@@ -77,10 +77,22 @@ Checks check_hit_sphere(Generator&) {
         {"a sphere that is missed gives no inf", of<Sphere, Ray>([=](const Sphere& s, const Ray& r) {
              return std::isnan(crossings(s, r)[0]) ? double(NAN) : from_row<double>(right(row(s, r)));
          })}};
+    const std::vector<Circumstance> circumstances = {
+        {"only rays whose direction is no unit vector are wrong: d . d is not 1", [](const Row& in) {
+             const Ray ray = argument<1, Sphere, Ray>(in);
+             return std::abs(glm::length(ray.direction) - 1) > 1e-6;
+         }},
+        {"only rays that start inside the sphere are wrong", [](const Row& in) {
+             const Sphere s = argument<0, Sphere, Ray>(in);
+             return glm::length(argument<1, Sphere, Ray>(in).origin - s.center) < s.radius;
+         }},
+        {"only rays that pass the sphere are wrong: the square root's argument is negative there", [](const Row& in) {
+             return std::isnan(crossings(argument<0, Sphere, Ray>(in), argument<1, Sphere, Ray>(in))[0]);
+         }}};
     const auto unclipped = rows_of(96, [](Generator& random) { return ordinary(random, false); });
     const auto clipped = rows_of(96, [](Generator& random) { return ordinary(random, true); });
-    return {probe_check("nearest_crossing", "hit_sphere", {}, unclipped, {formula("W1", "distance, off by", right, 1e-3, suspects)}),
-            probe_check("interval", "hit_sphere", {}, clipped, {formula("W1", "distance within the interval, off by", right, 1e-3, suspects)})};
+    return {probe_check("nearest_crossing", "hit_sphere", {}, unclipped, {formula("W1", "distance, off by", right, 1e-3, suspects, circumstances)}),
+            probe_check("interval", "hit_sphere", {}, clipped, {formula("W1", "distance within the interval, off by", right, 1e-3, suspects, circumstances)})};
 }
 
 }  // namespace grade

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "checks/fragment_checks.h"
 #include "checks/hit_flat.h"
@@ -26,7 +27,7 @@ Row ordinary(Generator& random, bool clipped) {
     Triangle t;
     double size;
     do {
-        size = log_between(random, 0.1, 10);
+        size = log_between(random, 0.01, 10);
         const vec3 center = box(random, -5, 5);
         t = {center + size * box(random, -1, 1), center + size * box(random, -1, 1), center + size * box(random, -1, 1)};
     } while (glm::length(rt::cross(t.b - t.a, t.c - t.a)) < 0.4 * size * size);
@@ -57,6 +58,16 @@ Checks check_hit_triangle(Generator&) {
         const double where = at(t, ray);
         return b >= 0 && c >= 0 && b <= 1 && c <= 1 && where > ray.near && where < ray.far ? where : rt::inf;
     })});
+    // two edges of three, as conditions on the shares, with or without regard to the side
+    for (const auto& [i, j] : {std::pair(0, 1), std::pair(1, 2), std::pair(0, 2)})
+        for (const bool either_sign : {false, true})
+            suspects.push_back({"points outside one of the three edges count as inside: that edge is not tested", of<Triangle, Ray>([=, i = i, j = j](const Triangle& t, const Ray& ray) {
+                const auto share = shares(t, ray);
+                const bool in = (share[i] >= 0 && share[j] >= 0) || (either_sign && share[i] <= 0 && share[j] <= 0);
+                const double where = at(t, ray);
+                return in && where > ray.near && where < ray.far ? where : rt::inf;
+            })});
+    const std::vector<Circumstance> circumstances = flat_circumstances<Triangle>([](const Triangle& t) { return glm::length(t.b - t.a) + glm::length(t.c - t.a); });
     const auto unclipped = rows_of(96, [](Generator& random) { return ordinary(random, false); });
     const auto clipped = rows_of(96, [](Generator& random) { return ordinary(random, true); });
     const auto nothing = rows_of(24, [](Generator& random) {
@@ -64,8 +75,8 @@ Checks check_hit_triangle(Generator&) {
         const Triangle thin = chance(random, 0.5) ? Triangle{a, a, b} : Triangle{a, b, a};
         return row(thin, Ray{origin, rt::unit(a + between(random, 0, 1) * (b - a) - origin), 0, rt::inf});
     });
-    return {probe_check("inside", "hit_triangle", {}, unclipped, {formula("W1", "distance, off by", right, 1e-3, suspects)}),
-            probe_check("interval", "hit_triangle", {}, clipped, {formula("W1", "distance within the interval, off by", right, 1e-3, suspects)}),
+    return {probe_check("inside", "hit_triangle", {}, unclipped, {formula("W1", "distance, off by", right, 1e-3, suspects, circumstances)}),
+            probe_check("interval", "hit_triangle", {}, clipped, {formula("W1", "distance within the interval, off by", right, 1e-3, suspects, circumstances)}),
             probe_check("no_area", "hit_triangle", {}, nothing, {property("W1", "a triangle without area is hit",
                 [](const Row&, const Row& out) { return out[0] == rt::inf ? 0.0 : 1.0; }, 0, "a triangle whose corners coincide must give inf, not nan or a hit")})};
 }

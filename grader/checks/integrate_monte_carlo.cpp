@@ -45,6 +45,12 @@ Checks check_integrate_monte_carlo(Generator& random) {
     Statistic value = formula("I1", "estimate from given points, off by", estimate(-1, true), 1e-4,
                               {{"f is multiplied by the density; expected the weight 1/Q", estimate(1, true)},
                                {"the density is ignored; expected the weight 1/Q(x_i)", estimate(0, true)},
+                               {"one density serves all points; expected that of each, w_i = 1/Q(x_i)",
+                               of<Integrand, Integrand, std::vector<double>>([](const Integrand& f, const Integrand& q, const std::vector<double>& x) {
+                                   double sum = 0;
+                                   for (const double xi : x) sum += f(xi) / q(x[0]) / double(x.size());
+                                   return sum;
+                               })},
                                {"the sum is not divided by the number of points", estimate(-1, false)}});
 
     // Over many draws the mean is the integral: height / rate.

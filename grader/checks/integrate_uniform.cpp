@@ -39,6 +39,9 @@ Checks check_integrate_uniform(Generator&) {
     Statistic value = formula("I1", "sum over regular points, off by", shifted(0.5), 1e-4,
                               {{"the sum runs over left end points, x_i = a + i D/n; expected the middle of each interval", shifted(0)},
                                {"the sum runs over right end points; expected the middle of each interval", shifted(1)},
+                               {"this is the trapezoidal rule, over n + 1 points; expected the midpoints", of<Integrand, double, double, int>([](const Integrand& f, double a, double b, int n) {
+                                    return (sum_of_cosine(f, a, b, n, 0) + sum_of_cosine(f, a, b, n, 1)) / 2;
+                                })},
                                {"the factor D is missing", shifted(0.5, [](double d, int) { return 1 / d; })},
                                {"the factor 1/N is missing", shifted(0.5, [](double, int n) { return double(n); })},
                                {"the factor D/N is missing", shifted(0.5, [](double d, int n) { return n / d; })}});

@@ -102,10 +102,17 @@ Check flat_light(Generator& random, Emitter::Kind kind, const char* name, std::v
     Statistic x = mean_of("L1", "mean point on the light, across", moment([=](vec2 q) { return q.x / area; }), 0, 1, corner);
     Statistic y = mean_of("L1", "mean point on the light, along", moment([=](vec2 q) { return q.y / area; }), 0, 1, corner);
     Statistic xy = mean_of("L3", "covariance of the point on the light", moment([=](vec2 q) { return q.x * q.y / area; }), 0, 1,
-                           always("the two coordinates depend on each other: each needs a random number of its own"));
+                           always("the two coordinates depend on each other: one needs u.x and the other u.y"));
     const Hint width = by_ratio("the mean square of the point on the light", {{0.25, "half of the light is sampled"}, {0, "one point of the light is sampled"}, {2.0 / 3, "points crowd in the middle: is a square root missing?"}});
     Statistic xx = mean_of("L3", "mean square of the point on the light, across", moment([](vec2 q) { return q.x * q.x; }), second, second, width);
     Statistic yy = mean_of("L3", "mean square of the point on the light, along", moment([](vec2 q) { return q.y * q.y; }), second, second, width);
+    const auto one_point = [](const Observation& seen) -> std::string {
+        const LightSample first = from_row<LightSample>(seen.outputs[0]);
+        for (const Row& out : seen.outputs)
+            if (glm::length(from_row<LightSample>(out).direction - first.direction) > 1e-9) return "";
+        return "one point of the light is taken for all samples: u must choose it";
+    };
+    for (Statistic* s : {&size, &x, &y, &xx, &yy}) s->cause = one_point;
     return probe_check(name, "light_sample", std::move(needs), samples_of(light, p), {on, size, x, y, xx, yy, xy, purity()});
 }
 

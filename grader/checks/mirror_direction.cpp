@@ -33,6 +33,9 @@ Checks check_mirror_direction(Generator&) {
                            {"r has unit length; expected the length of d", of<vec3, vec3>([](vec3 d, vec3 n) {
                                 return rt::unit(d - 2 * rt::dot(d, n) * n);
                             })},
+                           {"the normal is taken to be on the viewer's side: it may be on either side of the surface", of<vec3, vec3>([](vec3 d, vec3 n) {
+                                return vec3(d + 2 * std::abs(rt::dot(d, n)) * n);
+                            })},
                            {"the normal is turned towards the viewer with the wrong sign", of<vec3, vec3>([](vec3 d, vec3 n) {
                                 return vec3(d - 2 * std::abs(rt::dot(d, n)) * n);
                             })}});

@@ -12,7 +12,7 @@ using rt::Color, rt::Material, rt::vec3;
 
 RowFunction modelled(Model model) {
     return of<Material, Color, Color, vec3, vec3, vec3>([=](const Material& m, Color ambient, Color irradiance, vec3 n, vec3 d, vec3 c) {
-        return Color((model.ambient ? m.ambient * ambient : Color(0)) + irradiance * reflected(m, n, d, c, model));
+        return Color((model.ambient || (model.ambient_below && rt::dot(n, d) <= 0) ? m.ambient * ambient : Color(0)) + irradiance * reflected(m, n, d, c, model));
     });
 }
 
@@ -24,12 +24,9 @@ Checks check_phong(Generator&) {
         m.ambient = box(random, 0.1, 0.5), m.albedo = box(random, 0.1, 0.9), m.specular = box(random, 0.1, 0.9);
         m.shininess = log_between(random, 2, 60);
         const Color ambient = box(random, 0, 1), irradiance = box(random, 1, 5);
-        const vec3 n = direction(random), d = tilted(random, n, between(random, 0, chance(random, 0.75) ? 1.45 : 3));
+        const vec3 n = direction(random), d = tilted(random, n, light_angle(random));
         // the viewer near the mirrored light, or anywhere above the surface
-        vec3 c;
-        do c = chance(random, 0.7) ? tilted(random, rt::unit(2 * std::abs(rt::dot(n, d)) * n + (rt::dot(n, d) > 0 ? -d : d)), between(random, 0, 0.6))
-                                   : tilted(random, n, between(random, 0, 1.5));
-        while (rt::dot(c, n) <= 0.01);
+        const vec3 c = viewer(random, n, d);
         return row(m, ambient, irradiance, n, d, c);
     });
     std::vector<Suspect> suspects;

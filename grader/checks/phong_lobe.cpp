@@ -22,9 +22,10 @@ Checks check_phong_lobe(Generator& random) {
                                           {(n + 1) / (2 * n + 1), "the exponent is 2 n"},
                                           {0, "all directions are the z axis"}},
                      "the exponent is wrong: cos(alpha) = u^(1/(n+1))"));
-        Statistic spread = uniform_in_square("P1", "chi-squared of directions",
-            [n](const Row&, const Row& out) { return rt::vec2(std::pow(std::max(0.0, out[2]), n + 1), turn(out[0], out[1])); }, 8, 8,
+        const RowPoint cell = [n](const Row&, const Row& out) { return rt::vec2(std::pow(std::max(0.0, out[2]), n + 1), turn(out[0], out[1])); };
+        Statistic spread = uniform_in_square("P1", "chi-squared of directions", cell, 8, 8,
             always("the directions are not distributed as (n + 1)/(2 pi) cos(alpha)^n: do height and angle each use a number of their own?"));
+        name_half_circles(spread, cell);
         checks.push_back(probe_check(name, "phong_lobe", {}, inputs, {unit_length(), width, density, spread, purity()}));
     }
     return checks;

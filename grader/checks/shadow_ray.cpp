@@ -47,13 +47,16 @@ Checks check_shadow_ray(Generator&) {
         1e-3, "the ray does not run towards the light");
     Statistic start = about_ray("start of the ray, away from the surface point by [m]",
         [](const Arguments& a, const Ray& r) { return std::abs(along(a, r, r.near)) + glm::length(r.origin - a.hit.point); },
-        2 * small, "the ray starts too far away from the surface: shadows come loose from what casts them");
+        2 * small, "the ray's origin is too far from the surface, so shadows come loose from what casts them: is an epsilon too large?");
     Statistic clear = about_ray("start of the ray on or below the surface",
         [](const Arguments& a, const Ray& r) {
             const double height = rt::dot(r.origin + r.near * r.direction - a.hit.point, a.hit.normal);
             return height >= 0.5 * a.hit.error ? 0.0 : 1.0;
         },
         0, "the ray can meet the surface where it starts (acne): spawn_ray moves the origin off it");
+    Statistic inside = about_ray("start of the ray below the surface",
+        [](const Arguments& a, const Ray& r) { return rt::dot(r.origin + r.near * r.direction - a.hit.point, a.hit.normal) < -0.5 * a.hit.error ? 1.0 : 0.0; },
+        0, "the ray starts on the wrong side, inside the surface: it must leave on the side to which it points");
     Statistic beyond = about_ray("end of the ray, beyond the light by [share of the distance]",
         [](const Arguments& a, const Ray& r) {
             if (std::isinf(a.distance)) return 0.0;
@@ -66,7 +69,7 @@ Checks check_shadow_ray(Generator&) {
             return std::max(0.0, 1 - along(a, r, r.far) / a.distance);
         },
         2 * small, "the ray ends too far before the light: what is near the light casts no shadow; is its far end in units of its direction?");
-    return {probe_check("from_surface_to_light", "shadow_ray", {}, inputs, {aim, clear, start, before, beyond})};
+    return {probe_check("from_surface_to_light", "shadow_ray", {}, inputs, {aim, inside, clear, start, before, beyond})};
 }
 
 }  // namespace grade

@@ -23,9 +23,10 @@ Checks check_sphere_cone(Generator& random) {
         Statistic height = mean_of("V3", "mean of (1 - cos(theta)) over its greatest value",
             [cap](const Row&, const Row& out) { return (1 - out[2]) / cap; }, 0.5, 0.5,
             by_ratio("the mean of 1 - cos(theta)", {{2.0 / 3, "the angle itself is uniform in u.x; expected its cosine"}, {0, "all directions are the z axis"}}));
-        Statistic spread = uniform_in_square("V3", "chi-squared of directions",
-            [cap](const Row&, const Row& out) { return rt::vec2((1 - out[2]) / cap, turn(out[0], out[1])); }, 8, 8,
+        const RowPoint cell = [cap](const Row&, const Row& out) { return rt::vec2((1 - out[2]) / cap, turn(out[0], out[1])); };
+        Statistic spread = uniform_in_square("V3", "chi-squared of directions", cell, 8, 8,
             always("equal parts of the cone do not get equally many directions: do height and angle each use a number of their own?"));
+        name_half_circles(spread, cell);
         checks.push_back(probe_check(name, "sphere_cone", {}, inputs, {unit_length(), inside, height, density, spread, purity()}));
     }
     return checks;

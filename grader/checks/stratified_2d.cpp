@@ -12,6 +12,7 @@ struct Box {
     rt::vec2 low{rt::inf}, high{-rt::inf};
 
     void add(rt::vec2 p) { low = glm::min(low, p), high = glm::max(high, p); }
+    double longest() const { return std::max(high.x - low.x, high.y - low.y); }
     double area() const { return (high.x - low.x) * (high.y - low.y); }
     double overlap(const Box& other) const {
         const rt::vec2 size = glm::min(high, other.high) - glm::max(low, other.low);
@@ -61,6 +62,17 @@ Checks check_stratified_2d(Generator& random) {
         Statistic area = about_cells(n, "area of a cell, off 1/n by its share",
             worst_of([n](const std::vector<Box>& all, std::size_t i) { return std::abs(all[i].area() * n - 1); }), 0.05,
             "a cell does not have the area 1/n: is u stretched over the cell, and is the number of columns a whole number, not an integer division?");
+        area.cause = [n](const Observation& seen) -> std::string {
+            const std::vector<Box> all = boxes(seen, n);
+            double largest = 0;
+            for (const Box& box : all) largest = std::max(largest, box.area());
+            if (largest * n < 0.01) return "all points of a cell are one point, a regular grid: u says where in the cell";
+            if (largest > 0.99) return "the cells are not used: the points are independent, anywhere in the square";
+            return "";
+        };
+        Statistic shape = about_cells(n, "longest side of a cell, over 1/sqrt(n), beyond 2",
+            worst_of([n](const std::vector<Box>& all, std::size_t i) { return std::max(0.0, all[i].longest() * std::sqrt(double(n)) - 2); }), 0,
+            "the cells are strips: only one axis is stratified; expected about sqrt(n) columns of about sqrt(n) cells");
         Statistic overlap = about_cells(n, "overlap of two cells, over their area",
             worst_of([n](const std::vector<Box>& all, std::size_t i) {
                 double worst = 0;
@@ -77,7 +89,7 @@ Checks check_stratified_2d(Generator& random) {
             6, 6, always("the points of all cells together do not fill the square evenly"));
         even.delta0 = 1;  // stratified points are more even than random ones
         even.delta = 1.5;
-        checks.push_back(probe_check(n == odd ? "any_number_of_cells" : "grid_of_cells", "stratified_2d", {}, inputs, {inside, area, overlap, even, purity()}));
+        checks.push_back(probe_check(n == odd ? "any_number_of_cells" : "grid_of_cells", "stratified_2d", {}, inputs, {inside, area, overlap, shape, even, purity()}));
     }
     return checks;
 }

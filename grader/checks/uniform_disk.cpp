@@ -17,9 +17,10 @@ Checks check_uniform_disk(Generator&) {
                                by_ratio("the mean square of the radius", {{2.0 / 3, "r = u.x without its square root crowds the points in the middle"},
                                                                           {4.0 / 3, "the points fill a square, not a disk"},
                                                                           {4, "is the radius used as a diameter?"}}));
-    Statistic even = uniform_in_square("D2", "chi-squared of equal areas",
-        [=](const Row& in, const Row& out) { return rt::vec2(square_of_radius(in, out), turn(out[0], out[1])); }, 8, 8,
+    const RowPoint cell = [=](const Row& in, const Row& out) { return rt::vec2(square_of_radius(in, out), turn(out[0], out[1])); };
+    Statistic even = uniform_in_square("D2", "chi-squared of equal areas", cell, 8, 8,
         always("equal areas of the disk do not get equally many points: do radius and angle each use a number of their own?"));
+    name_half_circles(even, cell);
     return {probe_check("even_on_the_disk", "uniform_disk", {}, inputs, {inside, density, radius, even, purity()})};
 }
 

@@ -13,6 +13,16 @@ inline double turn(double x, double y) {
     return t < 0 ? t + 1 : t;
 }
 
+/// For a statistic of evenness: says so where one half of the circle about z gets nothing.
+inline void name_half_circles(Statistic& s, std::function<rt::vec2(const Row& inputs, const Row& outputs)> point) {
+    s.cause = [point](const Observation& seen) -> std::string {
+        double first = 0;
+        for (std::size_t k = 0; k < seen.inputs.size(); ++k) first += point(seen.inputs[k], seen.outputs[k]).y < 0.5;
+        const double share = first / double(seen.inputs.size());
+        return share < 0.02 || share > 0.98 ? "only half of the circle is used: the angle runs through a full turn, 2 pi" : "";
+    };
+}
+
 /// Directions must have length 1.
 inline Statistic unit_length() {
     return property("V3", "length of the direction, off 1 by",

@@ -33,6 +33,13 @@ Checks check_whitted(Generator&) {
         return glass ? Outgoing{Color(1), fresnel * m.reflectance, (1 - fresnel) * m.transmittance} : Outgoing{Color(1), m.reflectance, Color(0)};
     });
     const std::vector<Suspect> suspects = {
+        {"the mirrored ray of an opaque surface has weight 1: it must be attenuated by the reflectance", weights([](const Material& m, double f, bool glass) {
+             return glass ? Outgoing{Color(1), f * m.reflectance, (1 - f) * m.transmittance} : Outgoing{Color(1), Color(1), Color(0)};
+         })},
+        {"the mirrored ray has weight 1 where anything is reflected: it must be attenuated by the reflectance", weights([](const Material& m, double f, bool glass) {
+             return glass ? Outgoing{Color(1), f * m.reflectance, (1 - f) * m.transmittance}
+                          : Outgoing{Color(1), m.reflectance == Color(0) ? Color(0) : Color(1), Color(0)};
+         })},
         {"the mirrored ray has weight 1: it must be attenuated by the reflectance", weights([](const Material& m, double f, bool glass) {
              return glass ? Outgoing{Color(1), Color(f), (1 - f) * m.transmittance} : Outgoing{Color(1), Color(1), Color(0)};
          })},
