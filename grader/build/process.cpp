@@ -148,7 +148,7 @@ bool Process::pump(std::string_view bytes, std::size_t wanted, bool to_the_end, 
             moved = got > 0;
         }
         if (events[0].revents != 0) {
-            const ssize_t sent = write(in_, bytes.data(), bytes.size());
+            const ssize_t sent = ::write(in_, bytes.data(), bytes.size());
             if (sent > 0) bytes.remove_prefix(std::size_t(sent));
             if (sent < 0 && errno != EAGAIN && errno != EINTR) close_one(in_);
             moved = moved || sent > 0;
