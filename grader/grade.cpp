@@ -78,7 +78,7 @@ GradingSettings settings_of(const Arguments& arguments, const Assignment& assign
     settings.trusted = arguments.trusted;
     settings.keep = arguments.keep;
     settings.pictures = !arguments.html.empty();
-    if (settings.pictures) settings.own_scene = arguments.own_scene.empty() ? chain.source / "scenes/own_picture.toml" : fs::path(arguments.own_scene);
+    if (settings.pictures) settings.own_scene = arguments.own_scene.empty() ? chain.source / "scenes/gallery/everything.toml" : fs::path(arguments.own_scene);
     return settings;
 }
 

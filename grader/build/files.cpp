@@ -43,7 +43,7 @@ void write_text(const fs::path& path, std::string_view text) {
     const int file = open(draft.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
     if (file < 0) fail("cannot be written");
     while (!text.empty()) {
-        const ssize_t sent = write(file, text.data(), text.size());
+        const ssize_t sent = ::write(file, text.data(), text.size());
         if (sent < 0 && errno == EINTR) continue;
         if (sent <= 0) {
             close(file);

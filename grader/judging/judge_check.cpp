@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 
 #include "rt/scene_reader.h"
 #include "statistics/image_fault.h"
@@ -23,12 +24,19 @@ struct Trial {
     std::optional<Judgement> judgement;
 };
 
+/// What a statistic says about an observation that it fails; empty: nothing.
+std::string cause_of(const Statistic& statistic, const Observation& observation) try {
+    return statistic.cause ? statistic.cause(observation) : "";
+} catch (const std::exception&) {
+    return {};
+}
+
 /// The record of a statistic; `first` is the first replicate's observation.
 StatisticRecord record_of(const Statistic& statistic, const Judgement& judgement, const Observation& first) {
     StatisticRecord record{statistic.id, statistic.what, judgement.value, judgement.truth, judgement.low, judgement.high, statistic.delta0,
                            statistic.delta, statistic.exact, judgement.replicates, judgement.verdict, {}};
     if (judgement.verdict == Verdict::passed) return record;
-    if (judgement.verdict == Verdict::failed && statistic.cause) record.hint = statistic.cause(first);
+    if (judgement.verdict == Verdict::failed) record.hint = cause_of(statistic, first);
     if (!record.hint.empty()) return record;
     if (judgement.replicates == 0) {
         record.value = record.truth = record.low = record.high = std::nullopt;

@@ -1,0 +1,138 @@
+#include <nlohmann/json.hpp>
+
+#include "build/process.h"
+#include "catch.h"
+#include "child/rows.h"
+#include "report/bar.h"
+#include "report/escape.h"
+#include "report/page.h"
+#include "report/picture.h"
+#include "report/terminal.h"
+
+using namespace grade;
+
+namespace {
+
+Assignment assignment() { return {"Rays", {{"one", "Part one"}}, {{"moved", "one", 3, false}}}; }
+
+Record record_with(const std::string& hostile) {
+    Record record;
+    record.submission = hostile;
+    record.title = "Rays";
+    CheckRecord check;
+    check.name = "c", check.fragment = "moved", check.verdict = Verdict::failed, check.share = 2, check.excerpt = hostile, check.message = hostile;
+    StatisticRecord statistic;
+    statistic.id = "L3", statistic.what = "width [pixel]", statistic.value = 2.0, statistic.truth = 1.0, statistic.low = 1.9, statistic.high = 2.1;
+    statistic.tolerance = 0.2, statistic.verdict = Verdict::failed, statistic.hint = hostile;
+    check.statistics = {statistic};
+    CheckRecord good = check;
+    good.verdict = Verdict::passed, good.share = 1, good.message.clear();
+    record.fragments = {{"moved", "one", 0, 3, Verdict::failed, hostile, {}, {check, good}, 0, true}};
+    record.fragments[0].points = points_of(record.fragments[0]);
+    return record;
+}
+
+}  // namespace
+
+TEST_CASE("nothing that a submission says gets into the page or the terminal as it is") {
+    const std::string hostile = "<script>alert(1)</script>\" onload='x' \033[2J\xff\xe2\x80\xae";
+    const Record record = record_with(hostile);
+    const std::string text = page(record, assignment());
+    CHECK(text.find("<script") == std::string::npos);
+    CHECK(text.find("onload='x'") == std::string::npos);
+    CHECK(text.find('\033') == std::string::npos);
+    CHECK(text.find('\xff') == std::string::npos);
+    const std::string terminal = table(record, assignment(), false);
+    CHECK(terminal.find('\033') == std::string::npos);
+    CHECK(terminal.find("\xe2\x80\xae") == std::string::npos);
+    CHECK_NOTHROW(nlohmann::json::parse(to_json(record)));
+}
+
+TEST_CASE("printable text keeps what people write and ends somewhere") {
+    CHECK(printable("größer\tals\n§") == "größer\tals\n§");
+    CHECK(printable("a\rb\x01" "c") == "ab?c");
+    CHECK(printable(std::string(5000, 'x'), 100).size() < 110);
+}
+
+TEST_CASE("points are the share of passed checks") {
+    CHECK(record_with("").fragments[0].points == 1);
+    FragmentRecord none;
+    none.max_points = 3;
+    CHECK(points_of(none) == 0);
+}
+
+TEST_CASE("the worst verdict of a fragment is told") {
+    CHECK(worse(Verdict::passed, Verdict::inconclusive) == Verdict::inconclusive);
+    CHECK(worse(Verdict::crashed, Verdict::failed) == Verdict::crashed);
+    CHECK(worse(Verdict::blocked, Verdict::failed) == Verdict::failed);
+}
+
+TEST_CASE("a value far off stays inside its drawing, as an arrow") {
+    StatisticRecord statistic;
+    statistic.value = 1e6, statistic.truth = 1, statistic.low = 1e6, statistic.high = 1e6, statistic.tolerance = 0.1, statistic.verdict = Verdict::failed;
+    CHECK(bar(statistic).find("<path") != std::string::npos);
+    statistic.value = 1.05;
+    CHECK(bar(statistic).find("<circle") != std::string::npos);
+    statistic.value = std::nullopt;
+    CHECK(bar(statistic).empty());
+}
+
+TEST_CASE("the difference of pictures is white where they agree, blue where darker, orange where brighter") {
+    rt::Image a(3, 1), b(3, 1);
+    a.pixels = {rt::Color(1), rt::Color(0.5), rt::Color(2)};
+    b.pixels = {rt::Color(1), rt::Color(1), rt::Color(1)};
+    const Difference map = difference(a, b);
+    CHECK(map.image.pixels[0] == rt::Color(1));
+    CHECK(map.image.pixels[1].b > map.image.pixels[1].r);
+    CHECK(map.image.pixels[2].r > map.image.pixels[2].b);
+    CHECK(data_uri(map.image, 1).starts_with("data:image/png;base64,iVBORw0KGgo"));
+}
+
+TEST_CASE("arguments survive as rows") {
+    rt::Material material;
+    material.albedo = {0.1, 0.2, 0.3}, material.shininess = 7, material.ior = 1.5, material.sampled = false, material.medium.g = 0.4;
+    const Numbers numbers = row(material, rt::Ray{{1, 2, 3}, {4, 5, 6}, 0, rt::inf}, rt::Event::lobe, 3, true);
+    CHECK(numbers.size() == 27 + 8 + 1 + 1 + 1);
+    RowReader in(numbers);
+    const auto back = read(in, Tag<rt::Material>{});
+    CHECK(back.albedo == material.albedo);
+    CHECK((back.shininess == 7 && back.ior == 1.5 && !back.sampled && back.medium.g == 0.4));
+    const auto ray = read(in, Tag<rt::Ray>{});
+    CHECK((ray.direction == rt::vec3(4, 5, 6) && ray.far == rt::inf));
+    CHECK(read(in, Tag<rt::Event>{}) == rt::Event::lobe);
+    CHECK(read(in, Tag<int>{}) == 3);
+    CHECK(read(in, Tag<bool>{}));
+    CHECK(in.at_end());
+    CHECK_THROWS_AS(in.number(), std::out_of_range);
+    CHECK_THROWS_AS((from_row<std::vector<double>>(Numbers{5, 1, 2})), std::domain_error);
+}
+
+TEST_CASE("an integrand is its formula") {
+    using Kind = Integrand::Kind;
+    CHECK(Integrand{Kind::polynomial, {1, 2, 3}}(2) == 17);
+    CHECK(Integrand{Kind::cosine, {1, 2, 3, 0}}(1) == Approx(3));
+    CHECK(Integrand{Kind::gaussian, {5, 1, 2}}(1) == 5);
+    CHECK(Integrand{Kind::lorentzian, {4, 1, 2}}(3) == 2);
+    CHECK(Integrand{Kind::exponential, {2, 1}}(0) == 2);
+    CHECK(Integrand{Kind::power, {2, 3}}(2) == 16);
+    CHECK(Integrand{Kind::step, {0.5, 1, 2}}(0.5) == 2);
+}
+
+TEST_CASE("a program's end, output and limits are told") {
+    const auto shell = [](const std::string& text, Limits limits = {}) { return run({"/bin/sh", "-c", text}, limits, "/"); };
+    CHECK(shell("echo out; echo err >&2; exit 3").code == 3);
+    CHECK(shell("echo out").out == "out\n");
+    CHECK(shell("kill -SEGV $$").how == Ending::How::signalled);
+    Limits limits;
+    limits.wall_seconds = 0.5;
+    CHECK(shell("sleep 100", limits).how == Ending::How::timed_out);
+    limits = {};
+    limits.cpu_seconds = limits.most_cpu_seconds = 1;
+    CHECK(shell("while :; do :; done", limits).how == Ending::How::timed_out);
+    limits = {};
+    limits.output = 1000;
+    CHECK(shell("yes | head -c 1000000", limits).out.size() == 1000);
+    CHECK(shell("sleep 100 & echo done").out == "done\n");
+    CHECK(shell("env").out.find("HOME") == std::string::npos);
+    CHECK(run({"/no/such/program"}, {}, "/").how == Ending::How::not_run);
+}
