@@ -78,7 +78,9 @@ GradingSettings settings_of(const Arguments& arguments, const Assignment& assign
     settings.trusted = arguments.trusted;
     settings.keep = arguments.keep;
     settings.pictures = !arguments.html.empty();
-    if (settings.pictures) settings.own_scene = arguments.own_scene.empty() ? chain.source / "scenes/gallery/everything.toml" : fs::path(arguments.own_scene);
+    const fs::path gallery = chain.source / "scenes/gallery/everything.toml";
+    if (!arguments.own_scene.empty()) rt::read_scene(arguments.own_scene);  // says what is wrong with it, before all the work
+    if (settings.pictures) settings.own_scene = !arguments.own_scene.empty() ? fs::path(arguments.own_scene) : fs::exists(gallery) ? gallery : fs::path();
     return settings;
 }
 
