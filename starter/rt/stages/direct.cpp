@@ -9,6 +9,11 @@ struct alignas(64) Reflectances {
     Color albedo(int i) const { return {albedo_r[i], albedo_g[i], albedo_b[i]}; }
 };
 
+/// What is left of the light after its way through the medium in which the surface lies.
+Real left_by_medium(const World& world, Index medium, Real distance) {
+    return medium == nothing ? 1 : std::exp(-world.scene.materials[std::size_t(medium)].medium.extinction * distance);
+}
+
 /// Adds reflected light where the shadow ray met nothing, and counts the shadow rays.
 void gather(const World& world, const Batch& b, const Colors& light, Batch& shadow, Chunk& chunk) {
     int sent = 0;
@@ -20,8 +25,11 @@ void gather(const World& world, const Batch& b, const Colors& light, Batch& shad
     if (sent == 0) return;
     shadow.count = b.count;
     any_hit_stage(world, shadow);
-    for (int i = 0; i < b.count; ++i)
-        if (shadow.shape[i] == nothing) chunk.radiance[std::size_t(b.slot[i])] += b.weight(i) * light.at(i);
+    for (int i = 0; i < b.count; ++i) {
+        if (shadow.shape[i] != nothing || light.at(i) == Color(0)) continue;
+        const Real left = world.plan.medium ? left_by_medium(world, b.medium[i], shadow.far[i]) : 1;
+        chunk.radiance[std::size_t(b.slot[i])] += left * b.weight(i) * light.at(i);
+    }
     chunk.rays[int(RayKind::shadow)] += std::uint64_t(sent);
 }
 
