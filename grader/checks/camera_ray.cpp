@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "checks/draw.h"
+#include "checks/figures.h"
 #include "checks/formula.h"
 #include "checks/fragment_checks.h"
 #include "checks/probe_check.h"
@@ -38,10 +39,10 @@ RowFunction through(std::function<rt::vec2(const rt::Camera&, rt::vec2)> film) {
 
 }  // namespace
 
-Checks check_camera_ray(Generator&) {
-    const auto inputs = rows_of(64, [](Generator& random) {
-        const rt::Camera camera = any_camera(random);
-        return row(camera, square(random) * rt::vec2(camera.size));
+Checks check_camera_ray(Generator& random) {
+    const auto inputs = rows_of(64, [](Generator& draw) {
+        const rt::Camera camera = any_camera(draw);
+        return row(camera, square(draw) * rt::vec2(camera.size));
     });
     using rt::Camera, rt::vec2;
     Statistic origin = property("A1", "distance of the origin from the eye",
@@ -109,7 +110,7 @@ Checks check_camera_ray(Generator&) {
     };
     film.delta = 0.01;
     film.hint = [](double value, double) { return fmt::format("the ray misses its film point by up to {:.3g} pixels", value); };
-    return {probe_check("film_point", "camera_ray", {}, inputs, {film, origin, length, range})};
+    return {probe_check("film_point", "camera_ray", {}, inputs, {film, origin, length, range}), slanted_quad(random)};
 }
 
 }  // namespace grade

@@ -1,4 +1,5 @@
 #include "checks/draw.h"
+#include "checks/figures.h"
 #include "checks/formula.h"
 #include "checks/fragment_checks.h"
 #include "checks/probe_check.h"
@@ -35,13 +36,13 @@ RowFunction schlick(bool cases) {
 
 }  // namespace
 
-Checks check_fresnel_dielectric(Generator&) {
-    const auto inputs = rows_of(96, [](Generator& random) {
-        const double low = between(random, 1, 1.2), high = between(random, 1.3, 2.5);
-        const bool up = chance(random, 0.5);
-        const double from = up ? high : low, to = chance(random, 0.05) ? from : up ? low : high;
+Checks check_fresnel_dielectric(Generator& random) {
+    const auto inputs = rows_of(96, [](Generator& draw) {
+        const double low = between(draw, 1, 1.2), high = between(draw, 1.3, 2.5);
+        const bool up = chance(draw, 0.5);
+        const double from = up ? high : low, to = chance(draw, 0.05) ? from : up ? low : high;
         double cosine;
-        do cosine = chance(random, 0.1) ? 1 : between(random, 0.02, 1);
+        do cosine = chance(draw, 0.1) ? 1 : between(draw, 0.02, 1);
         while (std::abs(1 - rt::sqr(from / to) * (1 - cosine * cosine)) < 0.01 && from != to);
         return row(cosine, from, to);
     });
@@ -57,7 +58,7 @@ Checks check_fresnel_dielectric(Generator&) {
                                        return 1 - fresnel(c, from, to, 0.5, 0.5, 1);
                                    })},
                                   {"this is Schlick's approximation; expected Fresnel's formula", schlick(false)},
-                                  {"this is Schlick's approximation; expected Fresnel's formula", schlick(true)}})})};
+                                  {"this is Schlick's approximation; expected Fresnel's formula", schlick(true)}})}), bright_slab(random)};
 }
 
 }  // namespace grade

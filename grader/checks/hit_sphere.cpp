@@ -1,6 +1,7 @@
 #include <array>
 
 #include "checks/draw.h"
+#include "checks/figures.h"
 #include "checks/formula.h"
 #include "checks/fragment_checks.h"
 #include "checks/probe_check.h"
@@ -55,7 +56,7 @@ Row ordinary(Generator& random, bool clipped) {
 
 }  // namespace
 
-Checks check_hit_sphere(Generator&) {
+Checks check_hit_sphere(Generator& random) {
     const auto inside = [](double t, const Ray& ray) { return t > ray.near && t < ray.far; };
     const auto after_start = [](double t, const Ray&) { return t > 0; };
     const auto always_ = [](double t, const Ray&) { return !std::isnan(t); };
@@ -89,10 +90,11 @@ Checks check_hit_sphere(Generator&) {
         {"only rays that pass the sphere are wrong: the square root's argument is negative there", [](const Row& in) {
              return std::isnan(crossings(argument<0, Sphere, Ray>(in), argument<1, Sphere, Ray>(in))[0]);
          }}};
-    const auto unclipped = rows_of(96, [](Generator& random) { return ordinary(random, false); });
-    const auto clipped = rows_of(96, [](Generator& random) { return ordinary(random, true); });
+    const auto unclipped = rows_of(96, [](Generator& draw) { return ordinary(draw, false); });
+    const auto clipped = rows_of(96, [](Generator& draw) { return ordinary(draw, true); });
     return {probe_check("nearest_crossing", "hit_sphere", {}, unclipped, {formula("W1", "distance, off by", right, 1e-3, suspects, circumstances)}),
-            probe_check("interval", "hit_sphere", {}, clipped, {formula("W1", "distance within the interval, off by", right, 1e-3, suspects, circumstances)})};
+            probe_check("interval", "hit_sphere", {}, clipped, {formula("W1", "distance within the interval, off by", right, 1e-3, suspects, circumstances)}),
+            silhouette(random)};
 }
 
 }  // namespace grade

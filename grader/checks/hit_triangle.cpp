@@ -2,6 +2,7 @@
 #include <array>
 #include <utility>
 
+#include "checks/figures.h"
 #include "checks/fragment_checks.h"
 #include "checks/hit_flat.h"
 #include "checks/probe_check.h"
@@ -42,7 +43,7 @@ Row ordinary(Generator& random, bool clipped) {
 
 }  // namespace
 
-Checks check_hit_triangle(Generator&) {
+Checks check_hit_triangle(Generator& random) {
     const auto at = [](const Triangle& t, const Ray& ray) { return plane_crossing(ray, t.a, normal_of(t)); };
     const auto inside = [](const Triangle& t, const Ray& ray) {
         const auto [a, b, c] = shares(t, ray);
@@ -68,17 +69,18 @@ Checks check_hit_triangle(Generator&) {
                 return in && where > ray.near && where < ray.far ? where : rt::inf;
             })});
     const std::vector<Circumstance> circumstances = flat_circumstances<Triangle>([](const Triangle& t) { return glm::length(t.b - t.a) + glm::length(t.c - t.a); });
-    const auto unclipped = rows_of(96, [](Generator& random) { return ordinary(random, false); });
-    const auto clipped = rows_of(96, [](Generator& random) { return ordinary(random, true); });
-    const auto nothing = rows_of(24, [](Generator& random) {
-        const vec3 a = box(random, -1, 1), b = box(random, -1, 1), origin = box(random, 3, 4);
-        const Triangle thin = chance(random, 0.5) ? Triangle{a, a, b} : Triangle{a, b, a};
-        return row(thin, Ray{origin, rt::unit(a + between(random, 0, 1) * (b - a) - origin), 0, rt::inf});
+    const auto unclipped = rows_of(96, [](Generator& draw) { return ordinary(draw, false); });
+    const auto clipped = rows_of(96, [](Generator& draw) { return ordinary(draw, true); });
+    const auto nothing = rows_of(24, [](Generator& draw) {
+        const vec3 a = box(draw, -1, 1), b = box(draw, -1, 1), origin = box(draw, 3, 4);
+        const Triangle thin = chance(draw, 0.5) ? Triangle{a, a, b} : Triangle{a, b, a};
+        return row(thin, Ray{origin, rt::unit(a + between(draw, 0, 1) * (b - a) - origin), 0, rt::inf});
     });
     return {probe_check("inside", "hit_triangle", {}, unclipped, {formula("W1", "distance, off by", right, 1e-3, suspects, circumstances)}),
             probe_check("interval", "hit_triangle", {}, clipped, {formula("W1", "distance within the interval, off by", right, 1e-3, suspects, circumstances)}),
             probe_check("no_area", "hit_triangle", {}, nothing, {property("W1", "a triangle without area is hit",
-                [](const Row&, const Row& out) { return out[0] == rt::inf ? 0.0 : 1.0; }, 0, "a triangle whose corners coincide must give inf, not nan or a hit")})};
+                [](const Row&, const Row& out) { return out[0] == rt::inf ? 0.0 : 1.0; }, 0, "a triangle whose corners coincide must give inf, not nan or a hit")}),
+            two_triangles(random)};
 }
 
 }  // namespace grade

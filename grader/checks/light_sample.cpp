@@ -1,5 +1,6 @@
 #include "checks/fragment_checks.h"
 #include "checks/probe_check.h"
+#include "checks/shadow_scene.h"
 #include "checks/warp.h"
 #include "statistics/regression.h"
 
@@ -221,6 +222,17 @@ Check dark_side() {
 Checks check_light_sample(Generator& random) {
     Checks checks = {layouts(), flat_light(random, Emitter::Kind::quad, "quad_light", {}),
                      flat_light(random, Emitter::Kind::disc, "disc_light", {"uniform_disk"}), sphere_light(random), dark_side()};
+    struct Shadow {
+        const char* name;
+        Emitter::Kind kind;
+        std::vector<std::string> needs;
+    };
+    for (const Shadow& s : {Shadow{"quad_penumbra", Emitter::Kind::quad, {}}, Shadow{"disc_penumbra", Emitter::Kind::disc, {"uniform_disk"}},
+                            Shadow{"sphere_penumbra", Emitter::Kind::sphere, {"sphere_cone", "hit_sphere"}}}) {
+        std::vector<std::string> needs = {"hit_quad", "shadow_ray", "direct_light"};
+        needs.insert(needs.end(), s.needs.begin(), s.needs.end());
+        checks.push_back(shadow_check(random, s.name, "light_sample", needs, any_shadow(random, s.kind)));
+    }
     return checks;
 }
 

@@ -1,4 +1,5 @@
 #include "checks/draw.h"
+#include "checks/figures.h"
 #include "checks/formula.h"
 #include "checks/fragment_checks.h"
 #include "checks/probe_check.h"
@@ -19,10 +20,10 @@ RowFunction parts(double along_normal, double along_surface) {
 
 }  // namespace
 
-Checks check_mirror_direction(Generator&) {
-    const auto inputs = rows_of(64, [](Generator& random) {
-        const vec3 n = direction(random);
-        return row(log_between(random, 0.1, 10) * direction(random), n);
+Checks check_mirror_direction(Generator& random) {
+    const auto inputs = rows_of(64, [](Generator& draw) {
+        const vec3 n = direction(draw);
+        return row(log_between(draw, 0.1, 10) * direction(draw), n);
     });
     Statistic s = formula("W2", "mirrored direction, off by", parts(-1, 1), 1e-4,
                           {{"the direction is turned round: r has the wrong sign, it must leave the surface", parts(1, -1)},
@@ -39,7 +40,7 @@ Checks check_mirror_direction(Generator&) {
                            {"the normal is turned towards the viewer with the wrong sign", of<vec3, vec3>([](vec3 d, vec3 n) {
                                 return vec3(d - 2 * std::abs(rt::dot(d, n)) * n);
                             })}});
-    return {probe_check("mirrored", "mirror_direction", {}, inputs, {s})};
+    return {probe_check("mirrored", "mirror_direction", {}, inputs, {s}), mirror_image(random)};
 }
 
 }  // namespace grade

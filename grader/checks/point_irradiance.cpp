@@ -2,6 +2,7 @@
 #include "checks/formula.h"
 #include "checks/fragment_checks.h"
 #include "checks/probe_check.h"
+#include "checks/shadow_scene.h"
 
 namespace grade {
 
@@ -20,14 +21,14 @@ RowFunction law(double distance_power, std::function<double(double)> of_cosine) 
 
 }  // namespace
 
-Checks check_point_irradiance(Generator&) {
+Checks check_point_irradiance(Generator& random) {
     const auto clamped = [](double c) { return std::max(0.0, c); };
     const auto inputs = [](bool directional) {
-        return rows_of(64, [=](Generator& random) {
-            const vec3 p = box(random, -3, 3), n = direction(random);
-            const vec3 d = tilted(random, n, between(random, 0, chance(random, 0.75) ? 1.45 : 3));
-            const double r = log_between(random, 0.3, 10);
-            return row(PointLight{directional ? d : p + r * d, box(random, 0.5, 20), directional}, p, n);
+        return rows_of(64, [=](Generator& draw) {
+            const vec3 p = box(draw, -3, 3), n = direction(draw);
+            const vec3 d = tilted(draw, n, between(draw, 0, chance(draw, 0.75) ? 1.45 : 3));
+            const double r = log_between(draw, 0.3, 10);
+            return row(PointLight{directional ? d : p + r * d, box(draw, 0.5, 20), directional}, p, n);
         });
     };
     const std::vector<Suspect> suspects = {
@@ -47,7 +48,8 @@ Checks check_point_irradiance(Generator&) {
          })}};
     const RowFunction right = law(2, clamped);
     return {probe_check("point_light", "point_irradiance", {}, inputs(false), {formula("L2", "irradiance, off by", right, 1e-4, suspects)}),
-            probe_check("directional_light", "point_irradiance", {}, inputs(true), {formula("L2", "irradiance, off by", right, 1e-4, suspects)})};
+            probe_check("directional_light", "point_irradiance", {}, inputs(true), {formula("L2", "irradiance, off by", right, 1e-4, suspects)}),
+            shadow_check(random, "lit_floor", "point_irradiance", {"hit_quad", "shadow_ray", "phong"}, any_shadow(random, std::nullopt))};
 }
 
 }  // namespace grade

@@ -1,4 +1,5 @@
 #include "checks/draw.h"
+#include "checks/figures.h"
 #include "checks/formula.h"
 #include "checks/fragment_checks.h"
 #include "checks/probe_check.h"
@@ -31,7 +32,7 @@ Row ordinary(Generator& random, bool total) {
 
 }  // namespace
 
-Checks check_refracted_direction(Generator&) {
+Checks check_refracted_direction(Generator& random) {
     const auto zero = [](vec3, vec3) { return vec3(0); };
     const auto mirror = [](vec3 d, vec3 n) { return vec3(d - 2 * rt::dot(d, n) * n); };
     const auto on = [](vec3 d, vec3) { return d; };
@@ -50,10 +51,11 @@ Checks check_refracted_direction(Generator&) {
         {"a ray that leaves the denser side is not bent", of<vec3, vec3, double, double>([=](vec3 d, vec3 n, double from, double to) {
              return from > to ? d : from_row<vec3>(right(row(d, n, from, to)));
          })}};
-    const auto crossing = rows_of(64, [](Generator& random) { return ordinary(random, false); });
-    const auto total = rows_of(32, [](Generator& random) { return ordinary(random, true); });
+    const auto crossing = rows_of(64, [](Generator& draw) { return ordinary(draw, false); });
+    const auto total = rows_of(32, [](Generator& draw) { return ordinary(draw, true); });
     return {probe_check("snell", "refracted_direction", {}, crossing, {formula("F4", "refracted direction, off by", right, 1e-3, suspects)}),
-            probe_check("total_reflection", "refracted_direction", {}, total, {formula("F3", "direction at total internal reflection, off by", right, 1e-6, suspects)})};
+            probe_check("total_reflection", "refracted_direction", {}, total, {formula("F3", "direction at total internal reflection, off by", right, 1e-6, suspects)}),
+            through_a_slab(random)};
 }
 
 }  // namespace grade

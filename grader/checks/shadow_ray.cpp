@@ -2,6 +2,7 @@
 #include "checks/formula.h"
 #include "checks/fragment_checks.h"
 #include "checks/probe_check.h"
+#include "checks/shadow_scene.h"
 
 namespace grade {
 
@@ -34,11 +35,11 @@ Statistic about_ray(std::string what, std::function<double(const Arguments&, con
 
 }  // namespace
 
-Checks check_shadow_ray(Generator&) {
-    const auto inputs = rows_of(64, [](Generator& random) {
-        const vec3 point = box(random, -5, 5), n = direction(random);
-        const double distance = chance(random, 0.2) ? rt::inf : log_between(random, 0.5, 50);
-        return row(Hit{point, n, 1e-14 * (1 + rt::largest(point))}, tilted(random, n, between(random, 0, 1.4)), distance);
+Checks check_shadow_ray(Generator& random) {
+    const auto inputs = rows_of(64, [](Generator& draw) {
+        const vec3 point = box(draw, -5, 5), n = direction(draw);
+        const double distance = chance(draw, 0.2) ? rt::inf : log_between(draw, 0.5, 50);
+        return row(Hit{point, n, 1e-14 * (1 + rt::largest(point))}, tilted(draw, n, between(draw, 0, 1.4)), distance);
     });
     // ordinary scenes are some metres wide: plain code with an epsilon of a millimetre passes
     const double small = 2e-3;
@@ -69,7 +70,8 @@ Checks check_shadow_ray(Generator&) {
             return std::max(0.0, 1 - along(a, r, r.far) / a.distance);
         },
         2 * small, "the ray ends too far before the light: what is near the light casts no shadow; is its far end in units of its direction?");
-    return {probe_check("from_surface_to_light", "shadow_ray", {}, inputs, {aim, inside, clear, start, before, beyond})};
+    return {probe_check("from_surface_to_light", "shadow_ray", {}, inputs, {aim, inside, clear, start, before, beyond}),
+            shadow_check(random, "hard_shadow", "shadow_ray", {"hit_quad", "point_irradiance", "phong"}, any_shadow(random, std::nullopt))};
 }
 
 }  // namespace grade

@@ -1,5 +1,6 @@
 #include "checks/fragment_checks.h"
 #include "checks/probe_check.h"
+#include "checks/shadow_scene.h"
 #include "checks/warp.h"
 
 namespace grade {
@@ -29,6 +30,8 @@ Checks check_sphere_cone(Generator& random) {
         name_half_circles(spread, cell);
         checks.push_back(probe_check(name, "sphere_cone", {}, inputs, {unit_length(), inside, height, density, spread, purity()}));
     }
+    checks.push_back(shadow_check(random, "sphere_penumbra", "sphere_cone", {"hit_quad", "hit_sphere", "shadow_ray", "direct_light", "light_sample"},
+                                  any_shadow(random, rt::Emitter::Kind::sphere)));
     return checks;
 }
 

@@ -1,12 +1,13 @@
 #include "checks/fragment_checks.h"
 #include "checks/probe_check.h"
+#include "checks/shadow_scene.h"
 #include "checks/warp.h"
 
 namespace grade {
 
-Checks check_uniform_disk(Generator&) {
-    const auto inputs = [](Generator& random) {
-        return repeat(rows_of(1024, [](Generator& draw) { return row(square(draw)); })(random));
+Checks check_uniform_disk(Generator& random) {
+    const auto inputs = [](Generator& draws) {
+        return repeat(rows_of(1024, [](Generator& draw) { return row(square(draw)); })(draws));
     };
     const auto square_of_radius = [](const Row&, const Row& out) { return out[0] * out[0] + out[1] * out[1]; };
     Statistic inside = property("D2", "distance beyond the rim",
@@ -21,7 +22,8 @@ Checks check_uniform_disk(Generator&) {
     Statistic even = uniform_in_square("D2", "chi-squared of equal areas", cell, 8, 8,
         always("equal areas of the disk do not get equally many points: do radius and angle each use a number of their own?"));
     name_half_circles(even, cell);
-    return {probe_check("even_on_the_disk", "uniform_disk", {}, inputs, {inside, density, radius, even, purity()})};
+    return {probe_check("even_on_the_disk", "uniform_disk", {}, inputs, {inside, density, radius, even, purity()}),
+            shadow_check(random, "disc_penumbra", "uniform_disk", {"hit_quad", "shadow_ray", "direct_light", "light_sample"}, any_shadow(random, rt::Emitter::Kind::disc))};
 }
 
 }  // namespace grade

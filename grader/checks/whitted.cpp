@@ -1,4 +1,5 @@
 #include "checks/draw.h"
+#include "checks/figures.h"
 #include "checks/formula.h"
 #include "checks/fragment_checks.h"
 #include "checks/probe_check.h"
@@ -15,19 +16,19 @@ RowFunction weights(std::function<Outgoing(const Material&, double fresnel, bool
 
 }  // namespace
 
-Checks check_whitted(Generator&) {
-    const auto inputs = rows_of(64, [](Generator& random) {
+Checks check_whitted(Generator& random) {
+    const auto inputs = rows_of(64, [](Generator& draw) {
         Material m;
-        m.albedo = box(random, 0, 1);
-        m.ior = between(random, 1.1, 2);
-        if (chance(random, 0.7)) m.reflectance = box(random, 0.2, 0.9);
-        if (chance(random, 0.6)) {
-            m.transmittance = box(random, 0.2, 0.9);
+        m.albedo = box(draw, 0, 1);
+        m.ior = between(draw, 1.1, 2);
+        if (chance(draw, 0.7)) m.reflectance = box(draw, 0.2, 0.9);
+        if (chance(draw, 0.6)) {
+            m.transmittance = box(draw, 0.2, 0.9);
             // glass of one colour alone is still glass
-            const int one = whole_between(random, 0, 2);
-            if (chance(random, 0.4)) m.transmittance[(one + 1) % 3] = m.transmittance[(one + 2) % 3] = 0;
+            const int one = whole_between(draw, 0, 2);
+            if (chance(draw, 0.4)) m.transmittance[(one + 1) % 3] = m.transmittance[(one + 2) % 3] = 0;
         }
-        return row(m, between(random, 0.05, 0.95));
+        return row(m, between(draw, 0.05, 0.95));
     });
     const auto right = weights([](const Material& m, double fresnel, bool glass) {
         return glass ? Outgoing{Color(1), fresnel * m.reflectance, (1 - fresnel) * m.transmittance} : Outgoing{Color(1), m.reflectance, Color(0)};
@@ -76,7 +77,7 @@ Checks check_whitted(Generator&) {
         {"there is no refracted ray", weights([](const Material& m, double f, bool glass) {
              return Outgoing{Color(1), (glass ? f : 1) * m.reflectance, Color(0)};
          })}};
-    return {probe_check("weights", "whitted", {}, inputs, {formula("W3", "weights, off by", right, 1e-4, suspects)})};
+    return {probe_check("weights", "whitted", {}, inputs, {formula("W3", "weights, off by", right, 1e-4, suspects)}), invisible_glass(random)};
 }
 
 }  // namespace grade
