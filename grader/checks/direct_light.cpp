@@ -1,6 +1,7 @@
 #include "checks/draw.h"
 #include "checks/formula.h"
 #include "checks/fragment_checks.h"
+#include "checks/pictures.h"
 #include "checks/probe_check.h"
 #include "checks/reflection_model.h"
 
@@ -19,7 +20,7 @@ RowFunction estimate(Model model, std::function<Color(Color, const LightSample&)
 
 }  // namespace
 
-Checks check_direct_light(Generator&) {
+Checks check_direct_light(Generator& random) {
     const auto inputs = rows_of(96, [](Generator& random) {
         Material m;
         m.albedo = box(random, 0.1, 0.9);
@@ -45,7 +46,8 @@ Checks check_direct_light(Generator&) {
          })}};
     for (const Mistake& mistake : reflection_mistakes())
         if (mistake.model.ambient) suspects.push_back({mistake.words, estimate(mistake.model)});
-    return {probe_check("one_sample", "direct_light", {}, inputs, {formula("L1", "radiance, off by", estimate({}), 1e-4, suspects)})};
+    return {probe_check("one_sample", "direct_light", {}, inputs, {formula("L1", "radiance, off by", estimate({}), 1e-4, suspects)}),
+            lit_floor(random), lamp_highlight(random)};
 }
 
 }  // namespace grade

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "checks/fragment_checks.h"
+#include "checks/pictures.h"
 #include "checks/probe_check.h"
 #include "checks/warp.h"
 #include "statistics/moments.h"
@@ -118,7 +119,8 @@ Checks check_film_sample(Generator& random) {
     };
     return {probe_check("in_the_pixel", "film_sample", {"stratified_2d"}, inputs, {inside}),
             probe_check("stratified", "film_sample", {"stratified_2d"}, repeats, {cell, strata}),
-            probe_check("even_in_the_pixel", "film_sample", {"stratified_2d"}, inputs, {weight, x, y, spread_x, spread_y, even, purity()})};
+            probe_check("even_in_the_pixel", "film_sample", {"stratified_2d"}, inputs, {weight, x, y, spread_x, spread_y, even, purity()}),
+            slanted_edges(random)};
 }
 
 }  // namespace grade

@@ -27,7 +27,7 @@ double lobe_light(const Lobe& lobe, const rt::Sphere& lamp, rt::vec3 p) {
 
 namespace {
 
-rt::Image due_picture(const LobeSurface& surface, const rt::Sphere& lamp, double exponent) {
+Blob due_moments(const LobeSurface& surface, const rt::Sphere& lamp, double exponent) {
     rt::Image image(surface.camera.size.x, surface.camera.size.y);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
@@ -35,15 +35,17 @@ rt::Image due_picture(const LobeSurface& surface, const rt::Sphere& lamp, double
             const Lobe lobe = surface.lobe(view_direction(surface.camera, film), exponent);
             image.at(x, y) = rt::Color(lobe_light(lobe, lamp, seen_on_plane(surface.camera, film, surface.point, surface.normal)));
         }
-    return image;
+    Blob blob = blob_moments(image, whole(image));
+    blob.radial_square += 1.0 / 6;  // a pixel is the mean over its area, not its centre's value
+    return blob;
 }
 
 }  // namespace
 
 std::vector<Statistic> blurred_lamp(const LobeSurface& surface, const rt::Sphere& lamp, double exponent, const std::string& lobe_about) {
     const auto moments = [](const rt::Image& image) { return blob_moments(image, whole(image)); };
-    const Blob due = moments(due_picture(surface, lamp, exponent));
-    const auto width_of = [&](double wrong) { return moments(due_picture(surface, lamp, wrong)).radial_square / due.radial_square; };
+    const Blob due = due_moments(surface, lamp, exponent);
+    const auto width_of = [&](double wrong) { return due_moments(surface, lamp, wrong).radial_square / due.radial_square; };
     const double n = exponent;
 
     Statistic light = of_picture("P2", "light of the blurred lamp, over what must be",

@@ -1,6 +1,7 @@
 #include "checks/draw.h"
 #include "checks/formula.h"
 #include "checks/fragment_checks.h"
+#include "checks/pictures.h"
 #include "checks/probe_check.h"
 
 namespace grade {
@@ -24,7 +25,7 @@ Color quantised(Color c) { return glm::floor(glm::min(c, Color(1)) * 255.0) / 25
 
 }  // namespace
 
-Checks check_pixel_mean(Generator&) {
+Checks check_pixel_mean(Generator& random) {
     const auto inputs = rows_of(64, [](Generator& random) {
         const int n = chance(random, 0.1) ? 1 : whole_between(random, 2, 30);
         Colors radiance;
@@ -68,7 +69,8 @@ Checks check_pixel_mean(Generator&) {
         {"the channels are exchanged", mean(weighted, [=](Color sum, const Weights& w) { const Color c = over_n(sum, w); return Color(c.z, c.x, c.y); })},
         {"only the first sample counts", of<Colors, Weights>([](const Colors& c, const Weights&) { return c[0]; })},
         {"only the last sample counts", of<Colors, Weights>([](const Colors& c, const Weights&) { return c.back(); })}};
-    return {probe_check("linear_mean", "pixel_mean", {}, inputs, {formula("G4", "mean, off by", mean(weighted, over_n), 1e-4, suspects)})};
+    return {probe_check("linear_mean", "pixel_mean", {}, inputs, {formula("G4", "mean, off by", mean(weighted, over_n), 1e-4, suspects)}),
+            lamp_steps(random), thin_lamps(random)};
 }
 
 }  // namespace grade
