@@ -240,7 +240,6 @@ void Grading::link_each() {
 
 /// Student, and the submission's own picture: one program with all that is there.
 void Grading::link_together() {
-    if (built_.empty() && settings_.own_scene.empty()) return;
     own_program_ = folder("programs/own") / "child";
     if (link_child(chain_, objects("", true), own_program_).empty()) return;
 
@@ -365,6 +364,12 @@ void Grading::draw() {
     record_.own_picture_exposure = scene.exposure;
 
     tell("drawing the submission's own picture", 0);
+    for (const FragmentRecord& fragment : record_.fragments)
+        if (fragment.verdict == Verdict::crashed || fragment.verdict == Verdict::timed_out) {
+            built_.erase(fragment.name);
+            record_.left_out.push_back(fragment.name);
+        }
+    link_together();
     Runner runner(own_program_, sandbox_, settings_.own_scene.parent_path(), 3 * settings_.time_limit);
     constexpr int most_samples = 16;  // a pixel: seconds, not minutes
     auto outcome = runner.render({*text, std::min(scene.samples, most_samples), "sobol"}, settings_.seed);
@@ -376,9 +381,12 @@ Record Grading::run() {
     compile();
     if (settings_.partial) settings_.partial(record_);
     if (!settings_.student) link_each();
-    if (settings_.student || !settings_.own_scene.empty()) link_together();
-    if (settings_.student) judge_in_order();
-    else judge_all();
+    if (settings_.student) {
+        link_together();
+        judge_in_order();
+    } else {
+        judge_all();
+    }
     draw();
     record_.wall_seconds = std::chrono::duration<double>(Clock::now() - start_).count();
     return record_;

@@ -21,14 +21,19 @@ std::string figure(const std::string& source, const std::string& alt, const std:
     return fmt::format("<figure><img loading=\"lazy\" src=\"{}\" alt=\"{}\"><figcaption>{}</figcaption></figure>\n", source, html(alt), caption);
 }
 
-std::string number(std::optional<double> x) { return x && std::isfinite(*x) ? fmt::format("{:.4g}", *x) : "none"; }
+std::string number(std::optional<double> x) {
+    if (!x) return "unknown";
+    return std::isfinite(*x) ? fmt::format("{:.4g}", *x) : std::isnan(*x) ? "no number" : "infinite";
+}
 
 std::string pictures(const CheckRecord& check, bool student) {
     if (check.picture.pixels.empty()) return {};
+    // both alike, so that most of what is right can be seen
+    const double exposure = preview_exposure(check.solution_picture.pixels.empty() ? check.picture : check.solution_picture);
     std::string text = "<div class=\"pictures\">\n";
-    text += figure(data_uri(check.picture, check.exposure), "the submission's picture for " + check.name, student ? "yours" : "submission");
+    text += figure(data_uri(check.picture, exposure), "the submission's picture for " + check.name, student ? "yours" : "submission");
     if (!check.solution_picture.pixels.empty()) {
-        text += figure(data_uri(check.solution_picture, check.exposure), "the solution's picture for " + check.name, "solution");
+        text += figure(data_uri(check.solution_picture, exposure), "the solution's picture for " + check.name, "solution");
         const Difference map = difference(check.picture, check.solution_picture);
         text += figure(data_uri(map.image, 1), "where the submission's picture for " + check.name + " is darker or brighter than the solution's",
                        fmt::format("difference: darker <span class=\"scale\" role=\"img\" aria-label=\"blue over white to orange\"></span> brighter; full colour "
@@ -100,8 +105,9 @@ std::string own_picture(const Record& record) {
         return fmt::format("<h2>The submission's own picture</h2><section class=\"card\"><p class=\"hint crashed\">No picture: {}</p></section>\n", html(record.own_picture_fault));
     if (record.own_picture.pixels.empty()) return {};
     return fmt::format("<h2>The submission's own picture</h2><section class=\"card own\"><img src=\"{}\" alt=\"{} as drawn with all of the submission's fragments\">"
-                       "<p class=\"soft\">{}, with all fragments of the submission; blanks where one is missing or does not build.</p></section>\n",
-                       data_uri(record.own_picture, record.own_picture_exposure), html(record.own_picture_scene), html(record.own_picture_scene));
+                       "<p class=\"soft\">{}, with all fragments of the submission; blanks where one is missing, does not build{}.</p></section>\n",
+                       data_uri(record.own_picture, record.own_picture_exposure), html(record.own_picture_scene), html(record.own_picture_scene),
+                       record.left_out.empty() ? "" : html(fmt::format(", crashes or does not end ({})", fmt::join(record.left_out, ", "))));
 }
 
 }  // namespace

@@ -43,6 +43,11 @@ std::string data_uri(const rt::Image& image, double exposure) {
     return "data:image/png;base64," + base64(rt::png_bytes(image, exposure));
 }
 
+double preview_exposure(const rt::Image& image) {
+    const double level = bright(image);
+    return level > 0 && std::isfinite(level) ? 0.6 / level : 1;
+}
+
 Difference difference(const rt::Image& picture, const rt::Image& truth) {
     const rt::Color blue = linear(0, 90, 181), white(1), orange = linear(220, 95, 0);
     const double level = std::max(bright(truth), bright(picture) / 16);

@@ -9,6 +9,9 @@ namespace grade {
 /// The preview of a picture as the source of an <img>: "data:image/png;base64,...".
 std::string data_uri(const rt::Image& image, double exposure);
 
+/// The exposure that shows most of a picture, none of it too dark.
+double preview_exposure(const rt::Image& image);
+
 /// Where one picture is brighter (orange) or darker (blue) than another, white where they agree; colours that colour-blind
 /// eyes tell apart too.
 struct Difference {

@@ -36,7 +36,6 @@ struct CheckRecord {
 
     // for the page only
     rt::Image picture, solution_picture;
-    double exposure = 1;
 };
 
 struct FragmentRecord {
@@ -61,6 +60,7 @@ struct Record {
     // the whole picture that the submission draws, for the page only
     rt::Image own_picture;
     std::string own_picture_scene, own_picture_fault;
+    std::vector<std::string> left_out;  // fragments that crash or do not end: their blanks stand in
     double own_picture_exposure = 1;
 
     double score() const;

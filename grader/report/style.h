@@ -23,7 +23,7 @@ header { display: flex; gap: 28px; align-items: center; justify-content: space-b
 .hint.failed, .hint.crashed, .hint.timed_out, .hint.not_an_image { color: inherit; }
 pre { background: #f6f7f9; border: 1px solid var(--line); border-radius: 6px; padding: 10px 12px; overflow-x: auto; font: 12.5px/1.45 ui-monospace, "DejaVu Sans Mono", monospace; margin: 8px 0; }
 table { border-collapse: collapse; width: 100%; } td, th { text-align: left; padding: 5px 10px 5px 0; border-top: 1px solid var(--line); vertical-align: middle; font-variant-numeric: tabular-nums; }
-th { font-size: 12.5px; color: var(--soft); font-weight: 600; border-top: 0; } td.number, th.number { text-align: right; }
+th { font-size: 12.5px; color: var(--soft); font-weight: 600; border-top: 0; } td.number, th.number { text-align: right; white-space: nowrap; }
 .overview td:first-child { font-family: ui-monospace, "DejaVu Sans Mono", monospace; font-size: 13.5px; white-space: nowrap; } .overview a { text-decoration: none; }
 .overview .part td { background: #eef2f7; font-weight: 600; font-family: inherit; font-size: 14px; padding-left: 8px; }
 .meter { height: 8px; border-radius: 4px; background: #e3e8ef; overflow: hidden; margin-top: 8px; } .meter i { display: block; height: 100%; background: var(--good); }
