@@ -26,7 +26,7 @@ bool matches(const Observation& seen, const RowFunction& right, const Suspect& s
     std::size_t same = 0, telling = 0, wrong = 0;
     for (std::size_t k = 0; k < seen.inputs.size(); ++k) {
         const Row expected = right(seen.inputs[k]), suspected = suspect.outputs(seen.inputs[k]);
-        const bool as_suspected = !(deviation(seen.outputs[k], suspected) > tolerance);
+        const bool as_suspected = deviation(seen.outputs[k], suspected) <= tolerance;
         const bool is_wrong = !(deviation(seen.outputs[k], expected) <= tolerance);
         same += as_suspected;
         wrong += is_wrong;

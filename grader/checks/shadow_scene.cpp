@@ -39,13 +39,14 @@ std::string text(Generator& random, const ShadowScene& s, double camera_height) 
 
 /// The mean of each column of the picture that must come out.
 std::vector<double> expected_profile(const ShadowScene& s, const rt::Camera& camera, double camera_height, bool blocked) {
+    constexpr int across = 4, along = 2;  // points of a pixel's width, and of the column
     const double metre = 2 * camera_height * camera.tan_half_fov / size.y;  // a pixel on the floor
     std::vector<double> profile(size.x, 0);
     for (int column = 0; column < size.x; ++column)
-        for (int i = 0; i < 8; ++i)
-            for (int j = 0; j < 4; ++j) {
-                const double x = (column + (i + 0.5) / 8 - 0.5 * size.x) * metre, y = ((j + 0.5) / 4 - 0.5) * size.y * metre;
-                profile[column] += floor_radiance(s, x, y, blocked) / 32;
+        for (int i = 0; i < across; ++i)
+            for (int j = 0; j < along; ++j) {
+                const double x = (column + (i + 0.5) / across - 0.5 * size.x) * metre, y = ((j + 0.5) / along - 0.5) * size.y * metre;
+                profile[column] += floor_radiance(s, x, y, blocked) / (across * along);
             }
     return profile;
 }

@@ -1,0 +1,115 @@
+#include <map>
+#include <set>
+
+#include "assignment.h"
+#include "catch.h"
+#include "checks/check.h"
+#include "checks/estimate.h"
+#include "checks/formula.h"
+#include "rt/scene_reader.h"
+#include "statistics/moments.h"
+
+using namespace grade;
+
+TEST_CASE("every fragment of the assignment has checks, in its order, and no other has") {
+    std::vector<std::string> checked;
+    for (const Check& check : all_checks(1))
+        if (checked.empty() || checked.back() != check.fragment) checked.push_back(check.fragment);
+    CHECK(checked == read_assignment("assignment.toml").names());
+}
+
+TEST_CASE("a check's name is its own within the fragment, it needs fragments that exist, and not itself") {
+    std::set<std::string> fragments;
+    const auto checks = all_checks(2);
+    for (const Check& check : checks) fragments.insert(check.fragment);
+    std::set<std::string> names;
+    for (const Check& check : checks) {
+        CAPTURE(check.fragment, check.name);
+        CHECK(names.insert(check.fragment + "/" + check.name).second);
+        CHECK(!check.statistics.empty());
+        for (const std::string& need : check.needs) {
+            CAPTURE(need);
+            CHECK(fragments.count(need) == 1);
+            CHECK(need != check.fragment);
+        }
+        for (const Statistic& statistic : check.statistics) {
+            CHECK(statistic.hint);
+            if (!statistic.exact) CHECK(statistic.delta > statistic.delta0);
+        }
+    }
+}
+
+TEST_CASE("the scenes of ten grading seeds can be read, and another seed draws other scenes") {
+    std::map<std::string, std::set<std::string>> scenes;
+    for (std::uint64_t seed = 1; seed <= 10; ++seed)
+        for (const Check& check : all_checks(seed))
+            if (const auto* render = std::get_if<Render>(&check.experiment)) {
+                CAPTURE(seed, check.fragment, check.name);
+                CHECK_NOTHROW(rt::parse_scene(render->scene, check.name));
+                scenes[check.fragment + "/" + check.name].insert(render->scene);
+            }
+    for (const auto& [name, drawn] : scenes) {
+        CAPTURE(name);
+        CHECK(drawn.size() == 10);
+    }
+}
+
+TEST_CASE("one seed gives one set of checks") {
+    const auto a = all_checks(7), b = all_checks(7);
+    REQUIRE(a.size() == b.size());
+    for (std::size_t k = 0; k < a.size(); ++k) {
+        if (const auto* render = std::get_if<Render>(&a[k].experiment)) CHECK(render->scene == std::get<Render>(b[k].experiment).scene);
+        for (std::size_t i = 0; i < a[k].statistics.size(); ++i) CHECK(a[k].statistics[i].truth == b[k].statistics[i].truth);
+    }
+}
+
+namespace {
+
+/// Observations of a fragment that doubles its argument, or does something else.
+Observation observe(double (*fragment)(double)) {
+    Observation seen;
+    for (int k = -20; k < 20; ++k) {
+        seen.inputs.push_back({double(k)});
+        seen.outputs.push_back({fragment(k)});
+    }
+    return seen;
+}
+
+Statistic doubling() {
+    return formula("X", "off by", of<double>([](double x) { return 2 * x; }), 1e-6,
+                   {{"the factor is 3", of<double>([](double x) { return 3 * x; })}, {"the result is nan", of<double>([](double) { return NAN; })}},
+                   {{"negative numbers alone are wrong", [](const Row& in) { return in[0] < 0; }}});
+}
+
+}  // namespace
+
+TEST_CASE("a formula is measured by its worst row, and its cause is the suspect or the circumstance that fits") {
+    const Statistic s = doubling();
+    CHECK(s.measure(observe([](double x) { return x + x; })) == 0);
+    CHECK(s.measure(observe([](double x) { return 3 * x; })) == Approx(0.5));
+    CHECK(s.cause(observe([](double x) { return 3 * x; })) == "the factor is 3");
+    CHECK(std::isnan(s.measure(observe([](double) { return double(NAN); }))));
+    CHECK(s.cause(observe([](double) { return double(NAN); })) == "the result is nan");
+    CHECK(s.cause(observe([](double x) { return x < 0 ? 5 : 2 * x; })).find("negative numbers alone are wrong") == 0);
+    CHECK(s.cause(observe([](double x) { return x * x + 2; })).find("40 of 40 calls are wrong") == 0);
+}
+
+TEST_CASE("chi-squared of even points is 1 on average, and large where a part gets nothing") {
+    Generator random(3);
+    std::uniform_real_distribution<double> u(0, 1);
+    const Statistic s = uniform_in_square("X", "", [](const Row&, const Row& out) { return rt::vec2(out[0], out[1]); }, 4, 4, always(""));
+    const auto seen = [&](double width) {
+        Observation o;
+        for (int k = 0; k < 500; ++k) {
+            const double x = u(random), y = u(random);
+            o.inputs.push_back({});
+            o.outputs.push_back({width * x, y});
+        }
+        return o;
+    };
+    Moments even;
+    for (int k = 0; k < 400; ++k) even.add(s.measure(seen(1)));
+    CHECK(even.mean == Approx(1).margin(4 * even.standard_error()));
+    CHECK(s.measure(seen(0.5)) > 10);
+    CHECK(s.measure(seen(1.5)) > 10);
+}
