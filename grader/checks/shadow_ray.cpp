@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "checks/draw.h"
 #include "checks/formula.h"
 #include "checks/fragment_checks.h"
@@ -61,7 +63,7 @@ Checks check_shadow_ray(Generator& random) {
     Statistic beyond = about_ray("end of the ray, beyond the light by [share of the distance]",
         [](const Arguments& a, const Ray& r) {
             if (std::isinf(a.distance)) return 0.0;
-            return std::max(0.0, along(a, r, r.far) / a.distance - (1 - 1e-12));
+            return std::clamp(along(a, r, r.far) / a.distance - (1 - 1e-12), 0.0, 1.0);
         },
         0, "the ray is not bounded by the light: what is behind the light, or the light itself, casts a shadow");
     Statistic before = about_ray("end of the ray, short of the light by [share of the distance]",
