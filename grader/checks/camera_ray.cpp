@@ -110,7 +110,7 @@ Checks check_camera_ray(Generator& random) {
     };
     film.delta = 0.01;
     film.hint = [](double value, double) { return fmt::format("the ray misses its film point by up to {:.3g} pixels", value); };
-    return {probe_check("film_point", "camera_ray", {}, inputs, {film, origin, length, range}), slanted_quad(random)};
+    return {probe_check("film_point", "camera_ray", {}, inputs, {film, origin, length, range}), slanted_quad(random, "camera_ray", {"hit_quad"})};
 }
 
 }  // namespace grade

@@ -1,12 +1,13 @@
+#include "checks/figures.h"
 #include "checks/fragment_checks.h"
 #include "checks/probe_check.h"
 #include "checks/warp.h"
 
 namespace grade {
 
-Checks check_cosine_hemisphere(Generator&) {
-    const auto inputs = [](Generator& random) {
-        return repeat(rows_of(1024, [](Generator& draw) { return row(square(draw)); })(random));
+Checks check_cosine_hemisphere(Generator& random) {
+    const auto inputs = [](Generator& draws) {
+        return repeat(rows_of(1024, [](Generator& draw) { return row(square(draw)); })(draws));
     };
     Statistic above = property("V3", "directions below the surface", [](const Row&, const Row& out) { return std::max(0.0, -out[2]); }, 1e-6,
                                "directions with z < 0 leave the hemisphere");
@@ -20,7 +21,7 @@ Checks check_cosine_hemisphere(Generator&) {
     Statistic spread = uniform_in_square("V3", "chi-squared of directions", cell, 8, 8,
         always("the directions are not distributed as cos(theta)/pi: do height and angle each use a number of their own?"));
     name_half_circles(spread, cell);
-    return {probe_check("cosine_law", "cosine_hemisphere", {}, inputs, {unit_length(), above, cosine, density, spread, purity()})};
+    return {probe_check("cosine_law", "cosine_hemisphere", {}, inputs, {unit_length(), above, cosine, density, spread, purity()}), open_sky(random)};
 }
 
 }  // namespace grade

@@ -4,6 +4,7 @@
 
 #include "checks/draw.h"
 #include "checks/outline.h"
+#include "rt/scene_reader.h"
 #include "statistics/projection.h"
 
 namespace grade {
@@ -34,10 +35,10 @@ std::string triangle(const std::string& material, vec3 a, vec3 b, vec3 c) {
 
 }  // namespace
 
-Check slanted_quad(Generator& random) {
+Check slanted_quad(Generator& random, const std::string& fragment, std::vector<std::string> needs) {
     const Place place = any_place(random);
     const Quad q = any_quad(random, place, 0, 1);
-    return figure_check("slanted_quad", "camera_ray", {"hit_quad"}, toml(view_down(place, 5, between(random, 32, 45))) + lamp + shape("lamp", q), "quad",
+    return figure_check("slanted_quad", fragment, std::move(needs), toml(view_down(place, 5, between(random, 32, 45))) + lamp + shape("lamp", q), "quad",
                         [q](const rt::Camera& camera) -> Sight {
                             return [=](vec2 film) { return on_quad(q, camera.eye, view_direction(camera, film)) ? 1.0 : 0.0; };
                         });
@@ -142,6 +143,60 @@ Check invisible_glass(Generator& random) {
                                                         "surroundings: are reflected and refracted shares fresnel and 1 - fresnel?", value);
                                  });
     return render_check("invisible_glass", "whitted", {"hit_sphere", "mirror_direction", "refracted_direction", "fresnel_dielectric"}, {scene, 4, "sobol"}, {light});
+}
+
+/// Noise of N samples at the edges of a bright quad, over that of independent ones: N (L - p)^2 / (p (1 - p)), p the share
+/// of the pixel that the quad covers.
+Check edge_noise(Generator& random) {
+    constexpr int samples = 16;
+    const Place place = any_place(random);
+    const Quad q = any_quad(random, place, 0, 1);
+    const std::string scene = toml(view_down(place, 5, 40)) + lamp + shape("lamp", q);
+    const rt::Camera camera = rt::parse_scene(scene, "edge_noise").camera;
+    struct Edge {
+        int x, y;
+        double covered;
+    };
+    std::vector<Edge> edges;
+    for (int y = 0; y < camera.size.y; ++y)
+        for (int x = 0; x < camera.size.x; ++x) {
+            double covered = 0;
+            for (int part = 0; part < 16; ++part)
+                covered += over_pixel(0, 0, [&](vec2 share) {
+                    const vec2 film = vec2(x, y) + (vec2(part % 4, part / 4) + share) / 4.0;
+                    return on_quad(q, camera.eye, view_direction(camera, film)) ? 1.0 : 0.0;
+                }) / 16;
+            if (covered > 0.15 && covered < 0.85) edges.push_back({x, y, covered});
+        }
+    Statistic noise = of_picture("G2", "noise at edges, over that of independent samples", [edges](const rt::Image& image) {
+        double sum = 0;
+        for (const Edge& e : edges) sum += samples * rt::sqr(image.at(e.x, e.y).x - e.covered) / (e.covered * (1 - e.covered));
+        return sum / double(edges.size());
+    }, 0.2, 0.25, [](double value, double) {
+        return fmt::format("the noise at edges is {:.2g} of that of independent samples; cells leave about 0.2 with 16 samples: does each sample fall in a cell of "
+                           "its own, anywhere in it?", value);
+    });
+    noise.delta0 = 0.1;
+    return render_check("edge_noise", "stratified_2d", {"hit_quad"}, {scene, samples, "stratified"}, {noise});
+}
+
+/// A matt floor under a sky of radiance 1 has its albedo's radiance, whatever direction is drawn: no noise (V1).
+Check open_sky(Generator& random) {
+    const Place place = any_place(random);
+    const double albedo = between(random, 0.3, 0.9);
+    const std::string scene = "environment = 1\n\n" + toml(View{place({2, 1, 3}), place({0, 0, 0}), place.axes.z, 30, {24, 24}}) +
+                              fmt::format("[materials.floor]\nalbedo = {}\n\n", toml(albedo)) +
+                              quad("floor", place({0, 0, 0}), 50.0 * place.axes.x, 50.0 * place.axes.y);
+    Statistic light = of_picture("F1", "radiance of the floor, over its albedo", [=](const rt::Image& image) { return brightness(region_mean(image, whole(image))) / albedo; }, 1,
+                                 0.01, by_ratio("the light of a floor under an even sky", {{0.5, "is the density twice too large?"}, {2, "is the density twice too small?"}},
+                                                "the density is cos(theta)/pi of the direction that is returned"));
+    Statistic noise = of_picture("V1", "largest deviation of a pixel from the albedo", [=](const rt::Image& image) {
+        double most = 0;
+        for (const rt::Color& c : image.pixels) most = std::max(most, std::abs(c.x / albedo - 1));
+        return most;
+    }, 0, 2e-3, always("directions drawn as the cosine leave no noise under an even sky: is the density that of the direction?"));
+    noise.exact = true;
+    return render_check("open_sky", "cosine_hemisphere", {"hit_quad", "shadow_ray"}, {scene, 4, "random"}, {light, noise});
 }
 
 }  // namespace grade

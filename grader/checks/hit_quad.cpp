@@ -1,5 +1,6 @@
 #include <array>
 
+#include "checks/figures.h"
 #include "checks/fragment_checks.h"
 #include "checks/hit_flat.h"
 #include "checks/probe_check.h"
@@ -31,7 +32,7 @@ Row ordinary(Generator& random, bool clipped) {
 
 }  // namespace
 
-Checks check_hit_quad(Generator&) {
+Checks check_hit_quad(Generator& random) {
     const auto at = [](const Quad& q, const Ray& ray) { return plane_crossing(ray, q.center, normal_of(q)); };
     const auto within = [](double low, double high) {
         return [=](const Quad& q, const Ray& ray) {
@@ -54,10 +55,11 @@ Checks check_hit_quad(Generator&) {
     for (Suspect& s : flat_suspects<Quad>(at, within(-1, 1), normal_of)) suspects.push_back(std::move(s));
     const RowFunction right = hit(within(-1, 1));
     const std::vector<Circumstance> circumstances = flat_circumstances<Quad>([](const Quad& q) { return glm::length(q.u) + glm::length(q.v); });
-    const auto unclipped = rows_of(96, [](Generator& random) { return ordinary(random, false); });
-    const auto clipped = rows_of(96, [](Generator& random) { return ordinary(random, true); });
+    const auto unclipped = rows_of(96, [](Generator& draw) { return ordinary(draw, false); });
+    const auto clipped = rows_of(96, [](Generator& draw) { return ordinary(draw, true); });
     return {probe_check("inside", "hit_quad", {}, unclipped, {formula("W1", "distance, off by", right, 1e-3, suspects, circumstances)}),
-            probe_check("interval", "hit_quad", {}, clipped, {formula("W1", "distance within the interval, off by", right, 1e-3, suspects, circumstances)})};
+            probe_check("interval", "hit_quad", {}, clipped, {formula("W1", "distance within the interval, off by", right, 1e-3, suspects, circumstances)}),
+            slanted_quad(random, "hit_quad", {})};
 }
 
 }  // namespace grade

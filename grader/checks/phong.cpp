@@ -3,6 +3,7 @@
 #include "checks/fragment_checks.h"
 #include "checks/probe_check.h"
 #include "checks/reflection_model.h"
+#include "checks/shadow_scene.h"
 
 namespace grade {
 
@@ -18,20 +19,21 @@ RowFunction modelled(Model model) {
 
 }  // namespace
 
-Checks check_phong(Generator&) {
-    const auto inputs = rows_of(96, [](Generator& random) {
+Checks check_phong(Generator& random) {
+    const auto inputs = rows_of(96, [](Generator& draw) {
         Material m;
-        m.ambient = box(random, 0.1, 0.5), m.albedo = box(random, 0.1, 0.9), m.specular = box(random, 0.1, 0.9);
-        m.shininess = log_between(random, 2, 60);
-        const Color ambient = box(random, 0, 1), irradiance = box(random, 1, 5);
-        const vec3 n = direction(random), d = tilted(random, n, light_angle(random));
+        m.ambient = box(draw, 0.1, 0.5), m.albedo = box(draw, 0.1, 0.9), m.specular = box(draw, 0.1, 0.9);
+        m.shininess = log_between(draw, 2, 60);
+        const Color ambient = box(draw, 0, 1), irradiance = box(draw, 1, 5);
+        const vec3 n = direction(draw), d = tilted(draw, n, light_angle(draw));
         // the viewer near the mirrored light, or anywhere above the surface
-        const vec3 c = viewer(random, n, d);
+        const vec3 c = viewer(draw, n, d);
         return row(m, ambient, irradiance, n, d, c);
     });
     std::vector<Suspect> suspects;
     for (const Mistake& mistake : reflection_mistakes()) suspects.push_back({mistake.words, modelled(mistake.model)});
-    return {probe_check("reflected_radiance", "phong", {}, inputs, {formula("P4", "radiance, off by", modelled({}), 1e-4, suspects)})};
+    return {probe_check("reflected_radiance", "phong", {}, inputs, {formula("P4", "radiance, off by", modelled({}), 1e-4, suspects)}),
+            shadow_check(random, "lit_floor", "phong", {"hit_quad", "shadow_ray", "point_irradiance"}, any_shadow(random, std::nullopt))};
 }
 
 }  // namespace grade

@@ -1,5 +1,6 @@
 #include <array>
 
+#include "checks/figures.h"
 #include "checks/fragment_checks.h"
 #include "checks/probe_check.h"
 #include "checks/warp.h"
@@ -91,6 +92,7 @@ Checks check_stratified_2d(Generator& random) {
         even.delta = 1.5;
         checks.push_back(probe_check(n == odd ? "any_number_of_cells" : "grid_of_cells", "stratified_2d", {}, inputs, {inside, area, overlap, shape, even, purity()}));
     }
+    checks.push_back(edge_noise(random));
     return checks;
 }
 
