@@ -78,6 +78,8 @@ GradingSettings settings_of(const Arguments& arguments, const Assignment& assign
     settings.trusted = arguments.trusted;
     settings.keep = arguments.keep;
     settings.pictures = !arguments.html.empty();
+    const fs::path folder = fs::path(arguments.json).parent_path();
+    if (!folder.empty() && !fs::is_directory(folder)) throw UsageError(fmt::format("--json {}: there is no folder {}", arguments.json, folder.string()));
     const fs::path gallery = chain.source / "scenes/gallery/everything.toml";
     if (!arguments.own_scene.empty()) rt::read_scene(arguments.own_scene);  // says what is wrong with it, before all the work
     if (settings.pictures) settings.own_scene = !arguments.own_scene.empty() ? fs::path(arguments.own_scene) : fs::exists(gallery) ? gallery : fs::path();

@@ -99,14 +99,14 @@ Outcome<std::vector<double>> Runner::ask(const std::string& request, int kind, s
     return numbers_of(answer.payload);
 }
 
-Outcome<rt::Image> Runner::render(const Render& experiment, std::uint64_t seed) {
+Outcome<rt::Image> Runner::render(const Render& experiment, std::uint64_t seed, double seconds) {
     if (experiment.scene != scene_) {
         const rt::Scene scene = rt::parse_scene(experiment.scene, (meshes_ / "check.toml").string());
         width_ = scene.camera.size.x, height_ = scene.camera.size.y;
         if (const auto fault = tell(frame(FrameKind::scene, experiment.scene))) return *fault;
         scene_ = experiment.scene;
     }
-    const RenderRequest request{seed, experiment.samples, sampler_of(experiment.sampler)};
+    const RenderRequest request{seed, experiment.samples, sampler_of(experiment.sampler), seconds};
     const std::size_t pixels = std::size_t(width_) * std::size_t(height_);
     auto outcome = ask(frame(FrameKind::render, bytes_of<RenderRequest>({&request, 1})), int(FrameKind::image), 3 + 3 * pixels);
     if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;

@@ -31,8 +31,9 @@ public:
     /// seconds  CPU time for one answer
     Runner(const fs::path& program, const Sandbox& sandbox, const fs::path& meshes, double seconds);
 
+    /// seconds  above 0: passes of so many samples follow each other until then
     /// Throws rt::InputError for a scene that is none.
-    Outcome<rt::Image> render(const Render& experiment, std::uint64_t seed);
+    Outcome<rt::Image> render(const Render& experiment, std::uint64_t seed, double seconds = 0);
     Outcome<Rows> probe(const std::string& fragment, const Rows& rows);
 
     /// CPU time of the last answer, by the child's own account.

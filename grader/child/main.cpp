@@ -66,6 +66,7 @@ std::string render(const rt::Scene& scene, const std::string& payload) {
     settings.sampler = rt::Sampler(request.sampler);
     settings.threads = 1;
     settings.estimate_error = false;
+    if (request.seconds > 0) settings.time_limit = request.seconds;
     const double start = cpu_seconds();
     const rt::Rendering rendering = rt::render(scene, settings);
     std::vector<double> numbers{double(rendering.image.width), double(rendering.image.height), cpu_seconds() - start};

@@ -26,6 +26,7 @@ struct FrameHeader {
 struct RenderRequest {
     std::uint64_t seed;
     std::int32_t samples, sampler;
+    double seconds;  // above 0: passes of so many samples follow each other until then
 };
 
 inline std::string frame(FrameKind kind, std::string_view payload) {
