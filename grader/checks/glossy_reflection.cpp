@@ -88,7 +88,8 @@ Checks check_glossy_reflection(Generator& random) {
             return repeat(rows_of(1024, [=](Generator& draw) { return row(d, normal, n, square(draw)); })(draws));
         };
         checks.push_back(probe_check(name, "glossy_reflection", {"phong_lobe", "mirror_direction"}, inputs,
-                                     lobe_statistics({axis, normal, n, "the mirror direction"})));
+                                     lobe_statistics({axis, normal, n, "the mirror direction",
+                                                      {lobe_about("the lobe is about the normal; expected about the mirror direction", normal, normal, n, (n + 2) / (n + 1))}})));
     }
     checks.push_back(ball(random));
     checks.push_back(lamp(random));

@@ -106,7 +106,15 @@ Checks check_translucency(Generator& random) {
         const auto inputs = [=](Generator& draws) {
             return repeat(rows_of(1024, [=](Generator& draw) { return row(d, normal, c.from, c.to, n, square(draw)); })(draws));
         };
-        checks.push_back(probe_check(c.name, "translucency", needs, inputs, lobe_statistics({axis, -normal, n, "the refracted direction"})));
+        // where the wrong refraction is total, nothing passes
+        const double weight = (n + 2) / (n + 1), swapped = std::sin(c.angle) * c.to / c.from;
+        const vec3 wrong_axis = swapped < 1 ? swapped * frame.x - std::sqrt(1 - swapped * swapped) * normal : -normal;
+        const std::vector<LobeSuspect> suspects = {
+            lobe_about("the lobe is about the direction of travel; expected about the refracted direction", d, -normal, n, weight),
+            lobe_about("the two indices of refraction are swapped", wrong_axis, -normal, n, swapped < 1 ? weight : 0),
+            lobe_about("the lobe is about the normal; expected about the refracted direction", -normal, -normal, n, weight)};
+        checks.push_back(probe_check(c.name, "translucency", needs, inputs,
+                                     lobe_statistics({axis, -normal, n, "the refracted direction", suspects})));
     }
 
     const auto total = rows_of(64, [=](Generator& draw) {
