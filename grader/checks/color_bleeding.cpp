@@ -74,6 +74,19 @@ Check estimates(Generator& random) {
                                              {2, "is the density half of what it must be? Of uniform directions it is 1/(2 pi)"},
                                              {0.5, "is the density twice what it must be? Of uniform directions it is 1/(2 pi)"}};
     Statistic light = mean_of("F1", "mean weight over the albedo", estimate([](vec3) { return 1.0; }), 1, 1, by_ratio("the mean weight", factors));
+    // a path that is ended at random must carry more where it goes on
+    light.cause = [](const Observation& seen) -> std::string {
+        double ended = 0, same = 0;
+        for (std::size_t k = 0; k < seen.inputs.size(); ++k) {
+            const Color weight = scattered(seen.outputs[k]).weight, off = weight - albedo_of(seen.inputs[k]);
+            ended += weight == Color(0);
+            same += rt::largest(off) < 1e-4;
+        }
+        const double rows = double(seen.inputs.size());
+        if (ended < 0.02 * rows || ended + same < 0.98 * rows) return "";
+        return fmt::format("{:.0f} % of the paths end here, and the others do not carry more for it: roulette divides the weight by the probability to go on",
+                           100 * ended / rows);
+    };
     Statistic upwards = mean_of("V3", "mean of weight x cosine over the albedo", estimate([=](vec3 d) { return rt::dot(d, n); }), 2.0 / 3, 2.0 / 3,
                                 by_ratio("the mean of weight x cosine", {{0.75, "are directions uniform, but weighted as if their density were cos/pi?"}},
                                          "directions and weights do not go together"));

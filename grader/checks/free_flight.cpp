@@ -21,6 +21,8 @@ Check distances(Generator& random) {
         [](const Row& in, const Row& out) { return out[0] * extinction_of(in); }, 1, 1,
         by_ratio("the mean distance", {{extinction * extinction, "is -log(1 - u) multiplied by the extinction? It must be divided by it"},
                                        {extinction, "is the extinction used?"},
+                                       {1 / std::log(2), "is the logarithm of base 2? Expected the natural one"},
+                                       {1 / std::log(10), "is the logarithm of base 10? Expected the natural one"},
                                        {0.5, "are distances uniform? -log(1 - u) is not"}}));
     mean.delta = 0.08;
     Statistic spread = uniform_in_square(

@@ -125,7 +125,8 @@ Check rays(Generator& random) {
             const double turn = std::atan2(p.y, p.x) / (2 * rt::pi);
             return vec2(p.x * p.x + p.y * p.y, turn < 0 ? turn + 1 : turn);
         },
-        8, 8, always("the points are not uniform on the lens, the disc about camera.eye with the axes right and up"));
+        8, 8, always("the points are not spread evenly over the lens, the disc about camera.eye along right and up: both coordinates of u are needed, "
+                     "independent of each other"));
     std::vector<Statistic> all = ray_properties();
     all.insert(all.end(), {size, spread});
     return probe_check("lens", "lens_ray", {"uniform_disk"}, inputs, all);

@@ -29,6 +29,8 @@ Check points() {
              {"the point moves backwards", at([](vec3 p, vec3 v, double t) { return p - t * v; })},
              {"only the way is returned; expected the point after it", at([](vec3, vec3 v, double t) { return t * v; })},
              {"the speed is not used, the direction of the velocity alone", at([](vec3 p, vec3 v, double t) { return p + t * rt::unit(v); })},
+             {"only the x component moves", at([](vec3 p, vec3 v, double t) { return p + t * vec3(v.x, 0, 0); })},
+             {"the z component does not move", at([](vec3 p, vec3 v, double t) { return p + t * vec3(v.x, v.y, 0); })},
              {"times before 0 are clamped: a point moves then too", at([](vec3 p, vec3 v, double t) { return p + std::max(t, 0.0) * v; })},
              {"the way grows with the square of the time", at([](vec3 p, vec3 v, double t) { return p + t * t * v; })},
              {"half of the way is gone", at([](vec3 p, vec3 v, double t) { return p + 0.5 * t * v; })},

@@ -60,11 +60,12 @@ Check render_check(std::string name, std::string fragment, std::vector<std::stri
 Statistic of_picture(std::string id, std::string what, std::function<double(const rt::Image&)> number, double truth, double delta,
                      Hint hint);
 
-/// A hint for a statistic that has known wrong values: the words of the one that is nearest, where it is near.
+/// A hint for a statistic that has known wrong values: the words of the one that is nearest, where it is near, or else
+/// `else_words`.
 struct KnownValue {
     double value;
     std::string words;
 };
-Hint by_value(std::string what, std::vector<KnownValue> known, double near);
+Hint by_value(std::string what, std::vector<KnownValue> known, double near, std::string else_words = "");
 
 }  // namespace grade

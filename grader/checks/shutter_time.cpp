@@ -27,7 +27,8 @@ Check times(Generator& random) {
     const auto inputs = rows_of(1024, [=](Generator& draw) { return shutter_row(open, open + length, between(draw, 0, 1)); });
     Statistic mean = mean_of("M1", "mean time, as a share of the exposure", share, 0.5, 1,
                              by_value("the mean time, as a share of the exposure,",
-                                      {{0, "does the shutter close as soon as it opens?"}, {1, "does the shutter open only when it closes?"}}, 0.05));
+                                      {{0, "does the shutter close as soon as it opens?"}, {1, "does the shutter open only when it closes?"}}, 0.05,
+                                      "expected times that are uniform between opening and closing"));
     Statistic spread = uniform_in_square("V3", "chi squared of the times per degree of freedom",
         [](const Row& in, const Row& out) { return vec2(share(in, out), 0.5); }, 16, 1,
         by_ratio("the chi squared of the times", {}, "they must be uniform between opening and closing"));

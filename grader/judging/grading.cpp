@@ -371,7 +371,7 @@ void Grading::draw() {
         }
     link_together();
     Runner runner(own_program_, sandbox_, settings_.own_scene.parent_path(), 3 * settings_.time_limit);
-    constexpr double seconds = 4;
+    constexpr double seconds = 6;
     auto outcome = runner.render({*text, 1, "sobol"}, settings_.seed, seconds);
     if (const Fault* fault = std::get_if<Fault>(&outcome)) record_.own_picture_fault = fault->message;
     else record_.own_picture = std::move(std::get<rt::Image>(outcome));

@@ -105,9 +105,9 @@ std::string own_picture(const Record& record) {
         return fmt::format("<h2>The submission's own picture</h2><section class=\"card\"><p class=\"hint crashed\">No picture: {}</p></section>\n", html(record.own_picture_fault));
     if (record.own_picture.pixels.empty()) return {};
     return fmt::format("<h2>The submission's own picture</h2><section class=\"card own\"><img src=\"{}\" alt=\"{} as drawn with all of the submission's fragments\">"
-                       "<p class=\"soft\">{}, with all fragments of the submission; blanks where one is missing, does not build{}.</p></section>\n",
+                       "<p class=\"soft\">{}, with all fragments of the submission; blanks stand in for those that are missing or do not build{}.</p></section>\n",
                        data_uri(record.own_picture, record.own_picture_exposure), html(record.own_picture_scene), html(record.own_picture_scene),
-                       record.left_out.empty() ? "" : html(fmt::format(", crashes or does not end ({})", fmt::join(record.left_out, ", "))));
+                       record.left_out.empty() ? "" : html(fmt::format(", and for {}, which crashed or did not end", fmt::join(record.left_out, ", "))));
 }
 
 }  // namespace

@@ -5,7 +5,7 @@ Each scene is rendered by both, 16 times with other seeds. The means of the pict
 and of each colour are compared by Welch's t, turned into standard errors of a normal distribution. A scene agrees if
 none of them is so far off that it happens in one of 100 runs over all scenes by chance (Bonferroni), which is some four
 standard errors; how many are beyond three is printed beside how many chance puts there. "finds" is how much brighter
-the 16 parts would have to be to fail, in the median; a scene too noisy to find 2 % fails as well.
+the 16 parts would have to be to fail, in the median; a scene too noisy to find 3 % fails as well.
 
 Exit status: 0 all agree, 1 some do not, 77 no Mitsuba here.
 """
@@ -22,9 +22,9 @@ PARTS = (1, 4, 8)  # along each side of the picture
 MIDDLE = slice(1, 17)  # the 16 parts, of which relative differences are told
 REPLICATES = 16
 FALSE_ALARMS = 0.01  # chance that one of all comparisons of all scenes fails though both are right
-SHARPNESS = 0.02  # a relative difference everywhere that must be found
-ROUNDING = 1e-5  # Mitsuba computes in single precision
-OUR_SAMPLES = 8  # times Mitsuba's
+SHARPNESS = 0.03  # a relative difference everywhere that must be found
+NEGLIGIBLE = 1e-4  # of the whole picture's mean: single precision, and light so rare that no sample may have met it
+OUR_SAMPLES = 4  # times Mitsuba's
 
 HERE = pathlib.Path(__file__).resolve().parent
 NORMAL = statistics.NormalDist()
@@ -73,14 +73,11 @@ def standard_errors(a, b):
     """
     va, vb = a.var(axis=0, ddof=1) / len(a), b.var(axis=0, ddof=1) / len(b)
     mean_a, mean_b = a.mean(axis=0), b.mean(axis=0)
-    rounding = (ROUNDING * np.maximum(mean_a, mean_b)) ** 2
-    variance = va + vb + rounding
-    black = variance == 0
-    variance[black] = 1
+    variance = va + vb + (NEGLIGIBLE * mean_b[0].mean()) ** 2
     degrees = 1 / np.maximum((va**2 + vb**2) / (len(a) - 1) / variance**2, 1e-4)
     t = (mean_a - mean_b) / np.sqrt(variance)
     z = np.sign(t) * (8 * degrees + 1) / (8 * degrees + 3) * np.sqrt(degrees * np.log1p(t * t / degrees))
-    return z, np.where(black, 0, np.sqrt(variance))
+    return z, np.sqrt(variance)
 
 
 def compare(scene, options, folder, scenes):
@@ -107,8 +104,8 @@ def compare(scene, options, folder, scenes):
     middle = mean[MIDDLE]
     bright = middle > 0.01 * mean[0].mean()
     deviation = np.abs(a.mean(axis=0)[MIDDLE][bright] / middle[bright] - 1).max()
-    noise = (error[MIDDLE] / np.maximum(middle, 1e-300))[bright]
-    finds = np.median(bound * noise[noise > 2 * ROUNDING]) if (noise > 2 * ROUNDING).any() else 0
+    noise = (error[MIDDLE] / np.maximum(middle, 1e-300))[bright & (error[MIDDLE] > 2 * NEGLIGIBLE * mean[0].mean())]
+    finds = np.median(bound * noise) if noise.size else 0
     verdict = "DIFFERS" if not furthest < bound else "TOO NOISY" if finds > SHARPNESS else "agrees"
     print(f"{scene.stem:24} {z.size:5} {furthest:7.2f} {bound:6.2f} {beyond:7} {100 * deviation:9.3f} % {100 * finds:7.3f} % "
           f"{time.time() - start:6.1f} s  {verdict}", flush=True)

@@ -44,11 +44,13 @@ class Lobe(mi.BSDF):
 
     def eval_pdf(self, ctx, si, wo, active=True):
         mirror, mirror_color, glass, glass_color = self.axes(si.wi)
-        chance = self.chance(mirror_color, glass_color)
         same_side = si.wi.z * wo.z > 0
-        value = dr.select(same_side, mirror_color * self.lobe(mirror, wo, False), glass_color * self.lobe(glass, wo, False))
-        density = chance * self.lobe(mirror, wo, True) + (1 - chance) * self.lobe(glass, wo, True)
-        return dr.select(active, value * dr.abs(wo.z), mi.Color3f(0)), dr.select(active, density, 0)
+        value, density = dr.select(same_side, mirror_color, 0) * self.lobe(mirror, wo, False), self.lobe(mirror, wo, True)
+        if not self.opaque:
+            chance = self.chance(mirror_color, glass_color)
+            value += dr.select(same_side, 0, glass_color) * self.lobe(glass, wo, False)
+            density = chance * density + (1 - chance) * self.lobe(glass, wo, True)
+        return dr.select(active, value * dr.abs(wo.z), 0), dr.select(active, density, 0)
 
     def eval(self, ctx, si, wo, active=True):
         return self.eval_pdf(ctx, si, wo, active)[0]
@@ -69,7 +71,7 @@ class Lobe(mi.BSDF):
         reflected = si.wi.z * wo.z > 0
         sample.sampled_type = dr.select(reflected, mi.UInt32(+mi.BSDFFlags.GlossyReflection), mi.UInt32(+mi.BSDFFlags.GlossyTransmission))
         sample.sampled_component = dr.select(reflected, mi.UInt32(0), mi.UInt32(len(self.m_components) - 1))
-        return sample, dr.select(density > 0, value / dr.maximum(density, 1e-30), mi.Color3f(0))
+        return sample, dr.select(density > 0, value / dr.maximum(density, 1e-30), 0)
 
     def to_string(self):
         return f"Lobe[exponent={self.exponent}]"
