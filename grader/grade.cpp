@@ -10,6 +10,7 @@
 
 #include "assignment.h"
 #include "build/files.h"
+#include "build/hand_out.h"
 #include "build/submission.h"
 #include "build/toolchain.h"
 #include "checks/check.h"
@@ -33,7 +34,7 @@ struct UsageError : std::runtime_error {
 };
 
 struct Arguments {
-    std::string submission, mode, json, html, keep, toolchain = GRADE_TOOLCHAIN, own_scene, handout;
+    std::string submission, mode, json, html, keep, toolchain = GRADE_TOOLCHAIN, own_scene, handout, folder;
     std::vector<std::string> only;
     std::optional<std::uint64_t> seed;
     std::optional<double> required;
@@ -144,6 +145,14 @@ int describe(const Arguments& arguments) {
     return graded;
 }
 
+int hand_out_starter(const Arguments& arguments) {
+    const Toolchain chain = read_toolchain(arguments.toolchain);
+    if (!chain.has_solution()) throw UsageError("the blanks are made from the folder solution/, which is not here");
+    hand_out(chain.source, read_assignment((chain.source / "assignment.toml").string()), arguments.folder);
+    fmt::print("{}\n", arguments.folder);
+    return graded;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -169,6 +178,10 @@ int main(int argc, char** argv) {
     references->add_option("--jobs", arguments.jobs, "how many programs run at a time")->check(CLI::Range(1, 1024));
     references->fallthrough();
 
+    CLI::App* starter = app.add_subcommand("hand-out", "write what students get into a new folder");
+    starter->add_option("FOLDER", arguments.folder, "is not there yet, or empty")->required();
+    starter->fallthrough();
+
     CLI::App* tables = app.add_subcommand("describe", "print the handout's tables of points and checks");
     tables->add_option("--update", arguments.handout, "make them anew in this file")->type_name("FILE");
     tables->fallthrough();
@@ -181,6 +194,7 @@ int main(int argc, char** argv) {
     try {
         if (references->parsed()) return store_references(arguments);
         if (tables->parsed()) return describe(arguments);
+        if (starter->parsed()) return hand_out_starter(arguments);
         return grade_one(arguments, command_of(argc, argv));
     } catch (const UsageError& error) {
         fmt::print(stderr, "{}\n", error.what());

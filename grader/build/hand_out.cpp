@@ -16,10 +16,10 @@ namespace {
 constexpr std::array entries = {".ci/prepare.sh", "CMakeLists.txt", "CMakePresets.json", "LICENSE", "assignment.toml", "grade",
                                 "grader",         "handout.md",     "scenes",            "starter", "vcpkg.json"};
 
-/// Hidden files and what builds leave behind stay here.
+/// Hidden files, what builds leave behind, and what needs the solution stay here.
 bool is_left_out(const fs::path& path) {
     const std::string name = path.filename().string();
-    return name.starts_with(".") || name.starts_with("build") || name.starts_with("__");
+    return name.starts_with(".") || name.starts_with("build") || name.starts_with("__") || name == "render_pictures";
 }
 
 void copy_folder(const fs::path& from, const fs::path& to) {
