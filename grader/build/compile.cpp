@@ -35,7 +35,7 @@ std::string first_errors(const std::string& output, const std::string& path, con
 Limits compiler_limits() {
     Limits limits;
     limits.cpu_seconds = limits.most_cpu_seconds = 30;
-    limits.wall_seconds = 90;
+    limits.wall_seconds = 600;  // on a busy machine a second of work takes many
     limits.memory = 3ull << 30;
     limits.file_size = 32u << 20;
     return limits;
