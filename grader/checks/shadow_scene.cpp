@@ -17,7 +17,7 @@ namespace {
 
 using rt::vec3;
 using Kind = rt::Emitter::Kind;
-constexpr rt::ivec2 size{48, 8};
+constexpr rt::ivec2 size{48, 12};
 
 std::string text(Generator& random, const ShadowScene& s, double camera_height) {
     const Place place = any_place(random);
@@ -51,10 +51,18 @@ std::vector<double> expected_profile(const ShadowScene& s, const rt::Camera& cam
     return profile;
 }
 
-/// The line spread of the penumbra: of the share of the light that is let through.
-Spread penumbra(const std::vector<double>& profile, const std::vector<double>& unblocked) {
+/// The line spread of the penumbra: of the share of the light that is let through. Columns far from the edge only add
+/// noise: beyond `reach` from the middle they count as dark and as fully lit.
+Spread penumbra(const std::vector<double>& profile, const std::vector<double>& unblocked, double reach) {
     std::vector<double> share;
+    double lit = 0, count = 0;
     for (std::size_t k = 0; k < profile.size(); ++k) share.push_back(profile[k] / unblocked[k]);
+    for (std::size_t k = 0; k < share.size(); ++k)
+        if (double(k) > 0.5 * size.x + reach) lit += share[k], ++count;
+    for (std::size_t k = 0; k < share.size(); ++k) {
+        if (double(k) + 1 < 0.5 * size.x - reach) share[k] = 0;
+        if (double(k) > 0.5 * size.x + reach) share[k] = lit / count;
+    }
     return edge_spread(share);
 }
 
@@ -121,7 +129,9 @@ Check shadow_check(Generator& random, const std::string& name, const std::string
     const rt::Camera camera = rt::parse_scene(scene, name).camera;
     const std::vector<double> expected = expected_profile(s, camera, camera_height, true);
     const std::vector<double> unblocked = expected_profile(s, camera, camera_height, false);
-    const Spread due = penumbra(expected, unblocked);
+    // twice the penumbra: one that is twice too wide is still measured
+    const double metre = 2 * camera_height * camera.tan_half_fov / size.y, reach = 1.05 * penumbra_of(s) / metre;
+    const Spread due = penumbra(expected, unblocked, reach);
 
     // columns that are dark or lit throughout, and one column away from the others
     int dark = 0, lit = size.x;
@@ -145,15 +155,15 @@ Check shadow_check(Generator& random, const std::string& name, const std::string
                                                  {2, "is a factor 2 in the density?"}, {0.5, "is a factor 1/2 in the density?"}},
                  "is the density per solid angle that of the sample?"));
     Statistic place = of_picture("L3", "place of the shadow's edge, off by [pixel]",
-        [=](const rt::Image& image) { return penumbra(column_profile(image, whole(image)), unblocked).mean - due.mean; }, 0, 0.6,
+        [=](const rt::Image& image) { return penumbra(column_profile(image, whole(image)), unblocked, reach).mean - due.mean; }, 0, 0.6,
         always("the shadow's edge is shifted: the light is sampled more on one side, or the ray starts too far from the floor"));
-    if (!s.kind) return render_check(name, fragment, std::move(needs), {scene, 16, "sobol"}, {darkness, brightness_of_lit, place});
+    if (!s.kind) return render_check(name, fragment, std::move(needs), {scene, 32, "sobol"}, {darkness, brightness_of_lit, place});
     Statistic width = of_picture("L3", "width of the penumbra, over what must be",
-        [=](const rt::Image& image) { return std::sqrt(std::max(0.0, penumbra(column_profile(image, whole(image)), unblocked).variance) / due.variance); }, 1, 0.05,
+        [=](const rt::Image& image) { return std::sqrt(std::max(0.0, penumbra(column_profile(image, whole(image)), unblocked, reach).variance) / due.variance); }, 1, 0.05,
         by_ratio("the width of the penumbra", {{2, "is a half width or a radius used as the whole?"}, {0.5, "is the light's half-width used as its width, or its diameter as its radius?"},
                                                {0.816, "samples crowd in the middle of the light"}},
                  "are samples spread evenly over the light?"));
-    return render_check(name, fragment, std::move(needs), {scene, 16, "sobol"}, {darkness, brightness_of_lit, width, place});
+    return render_check(name, fragment, std::move(needs), {scene, 32, "sobol"}, {darkness, brightness_of_lit, width, place});
 }
 
 }  // namespace grade
