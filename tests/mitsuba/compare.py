@@ -11,6 +11,7 @@ Exit status: 0 all agree, 1 some do not, 77 no Mitsuba here.
 """
 
 import argparse
+import os
 import pathlib
 import statistics
 import subprocess
@@ -28,11 +29,6 @@ OUR_SAMPLES = 4  # times Mitsuba's
 
 HERE = pathlib.Path(__file__).resolve().parent
 NORMAL = statistics.NormalDist()
-
-
-def skip(why):
-    print(f"skipped: {why}")
-    sys.exit(77)
 
 
 def parts_of(image):
@@ -140,11 +136,20 @@ def main():
     return 0 if agree else 1
 
 
+def without_mitsuba(why):
+    """Starts again with the Python that has it, if there is one."""
+    python = HERE.parent.parent / "build" / "mitsuba" / "bin" / "python3"
+    if python.exists() and pathlib.Path(sys.prefix) != python.parent.parent:
+        os.execv(python, [str(python)] + sys.argv)
+    print(f"skipped: {why}. To install it: python3 -m venv build/mitsuba && build/mitsuba/bin/pip install mitsuba numpy")
+    sys.exit(77)
+
+
 try:
     import mitsuba as mi
     import numpy as np
 except ImportError as missing:
-    skip(f"{missing}; python3 -m venv build/mitsuba && build/mitsuba/bin/pip install mitsuba numpy")
+    without_mitsuba(missing)
 
 mi.set_variant("scalar_rgb")  # needs no LLVM
 mi.set_log_level(mi.LogLevel.Error)
