@@ -50,7 +50,8 @@ double off_light(const Row& in, const Row& out) {
     if (!(s.density > 0)) return s.density == 0 ? 0 : rt::inf;
     if (std::abs(glm::length(s.direction) - 1) > 1e-4) return rt::inf;
     const vec3 q = p + s.distance * s.direction - center_of(light);
-    if (light.kind == Emitter::Kind::sphere) {
+    const bool round = light.kind == Emitter::Kind::sphere;
+    if (round) {
         const double off = std::abs(glm::length(q) / light.sphere.radius - 1);
         return rt::dot(q, s.direction) > 1e-3 * light.sphere.radius ? rt::inf : off;  // the near side alone is seen
     }

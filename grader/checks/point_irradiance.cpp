@@ -13,9 +13,9 @@ using rt::Color, rt::PointLight, rt::vec3;
 /// intensity cosine^c / distance^r, of a point light; a directional one has no distance.
 RowFunction law(double distance_power, std::function<double(double)> of_cosine) {
     return of<PointLight, vec3, vec3>([=](const PointLight& light, vec3 p, vec3 n) {
-        const vec3 to_light = light.directional ? light.position : light.position - p;
-        const double r = light.directional ? 1 : glm::length(to_light);
-        return Color(light.intensity * of_cosine(rt::dot(n, rt::unit(to_light))) * std::pow(r, -distance_power));
+        const vec3 way = light.directional ? light.position : light.position - p;
+        const double r = light.directional ? 1 : glm::length(way);
+        return Color(light.intensity * of_cosine(rt::dot(n, rt::unit(way))) * std::pow(r, -distance_power));
     });
 }
 

@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# grader_command_test.sh BUILD: exit codes and files of the program grade: 0 graded, 1 below --require, 2 usage, 3 the
+# machine.
+set -uo pipefail
+grade=$1/grader/grade
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failures=0
+
+# expect CODE WORDS COMMAND...: the exit code, and words that the output must hold
+expect() {
+    local code=$1 words=$2
+    shift 2
+    local output
+    output=$("$@" 2>&1)
+    local got=$?
+    if [ "$got" != "$code" ] || [[ $output != *"$words"* ]]; then
+        printf 'FAILED: %s\n  exit %s, expected %s with "%s"; it said:\n%s\n' "$*" "$got" "$code" "$words" "$output"
+        failures=$((failures + 1))
+    fi
+}
+
+expect 0 "2 of 2" "$grade" solution --only moved --seed 5 --json "$work/a.json" --html "$work/page"
+expect 0 '"schema": "penumbra/result/v1"' cat "$work/a.json"
+expect 0 "data:image/png;base64," cat "$work/page/index.html"
+expect 0 "not started" "$grade" starter --only moved
+expect 1 "0 of 2" "$grade" starter --only moved --require 0.5
+expect 0 "2 of 2" "$grade" solution --only moved --require 2
+
+tar -C solution -czf "$work/s.tar.gz" moved.cpp
+expect 0 "2 of 2" "$grade" "$work/s.tar.gz" --only moved
+printf 'no archive' >"$work/s.zip"
+expect 2 "s.zip: cannot be unpacked" "$grade" "$work/s.zip"
+expect 2 "not there" "$grade" "$work/none"
+expect 2 "holds no fragment" "$grade" "$work"
+expect 2 "no fragment has this name" "$grade" solution --only mooved
+expect 2 "--jobs" "$grade" solution --jobs none
+expect 2 "there is no folder" "$grade" solution --json "$work/none/a.json"
+expect 2 "in student mode the seed is 1" "$grade" solution --mode student --seed 3
+expect 2 "none.toml" "$grade" solution --only moved --html "$work/page" --picture "$work/none.toml"
+expect 3 "the grader failed" "$grade" solution --only moved --toolchain "$work/none.toml"
+
+# the same seed gives the same record, but for the times
+"$grade" solution --only moved --seed 5 --json "$work/b.json" --html "$work/page" >/dev/null 2>&1
+timeless() { grep -v '_seconds"\|"command"' "$1"; }
+expect 0 "" diff <(timeless "$work/a.json") <(timeless "$work/b.json")
+
+# a sandbox is stated, and so is its absence
+expect 0 "the submission is trusted" "$grade" solution --only moved --trusted
+
+[ $failures = 0 ] && echo "all as expected"
+exit $((failures > 0))
