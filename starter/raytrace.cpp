@@ -176,7 +176,7 @@ int run(const Options& o) {
 
     const bool bar = !o.quiet && isatty(STDERR_FILENO);
     if (bar) settings.progress = show_progress;
-    // The first Ctrl-C ends after this pass, the second at once.
+    // The first Ctrl-C ends soon and writes what is there, the second ends at once.
     settings.stop = [] { return interrupted.load(); };
     struct sigaction action {};
     action.sa_handler = [](int) { interrupted = true; };
@@ -187,6 +187,7 @@ int run(const Options& o) {
     if (bar) fmt::print(stderr, "\r\033[K");
     rt::write_exr(o.out, rendering.image);
     rt::write_png(std::filesystem::path(o.out).replace_extension(".png").string(), rendering.image, scene.exposure);
+    if (interrupted) fmt::print(stderr, "{}: interrupted; what was not rendered yet is black\n", o.out);
     if (!o.quiet) report(o.out, rendering);
     if (rendering.fault.empty()) return ok;
     report_fault(o, settings, scene, rendering.fault);

@@ -5,6 +5,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
+#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -40,6 +41,7 @@ struct Pass {
     RayCounts rays{};
     std::string fault;
     std::atomic<std::size_t> done{0};
+    std::atomic<bool> stopped{false};
 
     void run(std::uint64_t seed, const std::vector<std::size_t>& pixels, std::vector<Color>& means,
              const std::function<void(std::size_t)>& progress) {
@@ -49,6 +51,8 @@ struct Pass {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chunks), [&](const auto& range) {
             Worker& worker = workers.local();
             for (std::size_t c = range.begin(); c < range.end(); ++c) {
+                if (settings.stop && settings.stop()) stopped = true;
+                if (stopped) return;
                 const std::size_t first = c * std::size_t(chunk), last = std::min(pixels.size(), first + std::size_t(chunk));
                 std::vector<PixelWork> work;
                 for (std::size_t k = first; k < last; ++k) {
@@ -95,8 +99,11 @@ Rendering render(const Scene& scene, const RenderSettings& settings) {
     result.image = Image(crop.width, crop.height);
     result.rmse = std::numeric_limits<Real>::quiet_NaN();
     const bool limited = settings.time_limit < inf || settings.target_error > 0;
+    // More threads than cores only where they are asked for.
+    std::optional<tbb::global_control> most;
+    if (settings.threads > 0) most.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(settings.threads));
     tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
-    Pass pass{world, settings, crop, {}, {}, {}, {}};
+    Pass pass{world, settings, crop, {}, {}, {}, {}, {}};
     std::vector<Color> means(all.size()), first(control.size()), again(control.size());
     Real of_one_pass = 0;
     int passes = 0;
@@ -111,16 +118,17 @@ Rendering render(const Scene& scene, const RenderSettings& settings) {
         arena.execute([&] {
             pass.run(combine(settings.seed, Bits(passes)), all, means, settings.progress ? progress : std::function<void(std::size_t)>{});
         });
+        // Of the first pass, what is there is better than nothing; of a later one, half a pass would be uneven.
+        if (pass.stopped && passes > 0) break;
         for (std::size_t i = 0; i < all.size(); ++i) result.image.pixels[i] += (means[i] - result.image.pixels[i]) / Real(passes + 1);
-        if (passes == 0 && settings.estimate_error) {
+        if (passes == 0 && settings.estimate_error && !pass.stopped) {
             for (std::size_t i = 0; i < control.size(); ++i) first[i] = means[control[i]];
             arena.execute([&] { pass.run(combine(~settings.seed, 0), control, again, {}); });
             of_one_pass = variance(first, again);
         }
         ++passes;
-        if (settings.estimate_error) result.rmse = std::sqrt(of_one_pass / passes);
-    } while (limited && seconds_since(start) < settings.time_limit && !(result.rmse <= settings.target_error) &&
-             !(settings.stop && settings.stop()));
+        if (settings.estimate_error && !pass.stopped) result.rmse = std::sqrt(of_one_pass / passes);
+    } while (limited && seconds_since(start) < settings.time_limit && !(result.rmse <= settings.target_error) && !pass.stopped);
 
     result.samples = std::uint64_t(settings.samples) * std::uint64_t(passes);
     result.rays = pass.rays;

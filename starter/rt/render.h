@@ -32,7 +32,7 @@ struct RenderSettings {
     Real time_limit = inf;      // [s]; passes of `samples` samples follow each other until then
     Real target_error = 0;      // RMSE; passes follow each other until it is reached. With neither limit: one pass
     std::function<void(Real done, Real seconds_left)> progress;  // done: share of the work, 0 to 1
-    std::function<bool()> stop;  // asked now and then; true: end after this pass, keep what is there
+    std::function<bool()> stop;  // asked by any thread now and then; true: end soon, and keep what is there
 };
 
 struct Rendering {
