@@ -87,12 +87,16 @@ GradingSettings settings_of(const Arguments& arguments, const Assignment& assign
     return settings;
 }
 
-int grade_one(const Arguments& arguments, std::string command) {
+int grade_one(Arguments arguments, std::string command) {
     const Toolchain chain = read_toolchain(arguments.toolchain);
+    if (arguments.submission.empty()) arguments.submission = (chain.source / "starter").string();
+    // Whoever edits the starter always gets the pictures as well.
+    std::error_code missing;
+    if (arguments.html.empty() && arguments.only.empty() && fs::equivalent(arguments.submission, chain.source / "starter", missing))
+        arguments.html = (fs::path(arguments.toolchain).parent_path() / "report").string();
     const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
     GradingSettings settings = settings_of(arguments, assignment, chain);
-    const Submission submission =
-        read_submission(arguments.submission.empty() ? chain.source / "starter" : fs::path(arguments.submission), assignment.names());
+    const Submission submission = read_submission(arguments.submission, assignment.names());
     const std::vector<Check> checks = all_checks(settings.seed);
 
     if (!arguments.seed && !settings.student) command += fmt::format(" --seed {}", settings.seed);
@@ -164,7 +168,7 @@ int main(int argc, char** argv) {
     app.add_option("--mode", arguments.mode, "instructor: each fragment with the solution's others; student: with the submission's own")
         ->check(CLI::IsMember({"instructor", "student"}));
     app.add_option("--json", arguments.json, "write the record of the grading")->type_name("FILE");
-    app.add_option("--html", arguments.html, "write a page with all pictures into this folder")->type_name("DIR");
+    app.add_option("--html", arguments.html, "write a page with all pictures into this folder; a whole starter always gets one")->type_name("DIR");
     app.add_option("--require", arguments.required, "exit with 1 below so many points")->type_name("POINTS");
     app.add_option("--jobs", arguments.jobs, "how many programs run at a time; default: one for each core")->check(CLI::Range(1, 1024));
     app.add_option("--time-limit", arguments.time_limit, "CPU seconds for one answer of a fragment")->capture_default_str()->check(CLI::Range(1.0, 600.0));
