@@ -45,6 +45,18 @@ Check times(Generator& random) {
         if (all_within(open, open + 1)) return "up to a second is added to open, whatever close is; expected a share of (close - open)";
         return "";
     };
+    mean.cause = spread.cause = [](const Observation& seen) -> std::string {
+        double at_ends = 0, as_first = 0;
+        for (std::size_t k = 0; k < seen.inputs.size(); ++k) {
+            const double s = share(seen.inputs[k], seen.outputs[k]);
+            at_ends += std::abs(s) < 1e-6 || std::abs(s - 1) < 1e-6;
+            as_first += seen.outputs[k] == seen.outputs[0];
+        }
+        const double rows = double(seen.inputs.size());
+        if (as_first == rows) return "there is one time for all samples, the same for every u: each sample has a time of its own";
+        if (at_ends > 0.95 * rows) return "only the two end times occur, open and close: expected every time between them";
+        return "";
+    };
     return probe_check("times", "shutter_time", {}, inputs, {inside, mean, spread});
 }
 
