@@ -213,7 +213,7 @@ Check dark_side() {
         const vec3 p = center_of(light) - between(random, 1, 3) * tilted(random, normal_of(light), between(random, 0, 1));
         return row(light, p, square(random));
     });
-    return probe_check("dark_side", "light_sample", {}, inputs,
+    return probe_check("dark_side", "light_sample", {"uniform_disk"}, inputs,
         {property("L4", "density behind the light", [](const Row&, const Row& out) { return std::abs(out.back()); }, 0,
                   "the light shines backwards: behind a quad or a disc the density is 0")});
 }
