@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 #include "checks/draw.h"
 #include "checks/formula.h"
@@ -33,13 +32,6 @@ Check times(Generator& random) {
     Statistic spread = uniform_in_square("V3", "chi squared of the times per degree of freedom",
         [](const Row& in, const Row& out) { return vec2(share(in, out), 0.5); }, 16, 1,
         by_ratio("the chi squared of the times", {}, "they must be uniform between opening and closing"));
-    mean.cause = spread.cause = [](const Observation& seen) -> std::string {
-        std::set<double> times;
-        for (const Row& out : seen.outputs) times.insert(out[0]);
-        if (times.size() == 1) return fmt::format("all times are one, {:.4g} s: is u used, and drawn anew for each ray?", *times.begin());
-        if (times.size() == 2) return "there are two times only, as if light were gathered at the two end times alone";
-        return "";
-    };
     Statistic inside = property("M1", "times outside the exposure",
         [](const Row& in, const Row& out) { return share(in, out) >= -1e-5 && share(in, out) <= 1 + 1e-5 ? 0.0 : 1.0; }, 0,
         "a time is before the shutter opens or after it closes");
