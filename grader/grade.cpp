@@ -13,6 +13,7 @@
 #include "build/hand_out.h"
 #include "build/submission.h"
 #include "build/toolchain.h"
+#include "calibration/command.h"
 #include "checks/check.h"
 #include "judging/grading.h"
 #include "judging/judge_check.h"
@@ -186,6 +187,20 @@ int main(int argc, char** argv) {
     starter->add_option("FOLDER", arguments.folder, "is not there yet, or empty")->required();
     starter->fallthrough();
 
+    CalibrateArguments calibration;
+    CLI::App* trust = app.add_subcommand("calibrate", "grade known wrong and right fragments: how far can verdicts be trusted?");
+    trust->add_option("NAME", calibration.names, "only variants or fragments with such a name");
+    trust->add_flag("--fast", calibration.fast, "one wrong variant of each fragment and all right ones, once; exit with 1 where one is off");
+    trust->add_flag("--report", calibration.report, "run nothing: report on what is there");
+    trust->add_option("--shard", calibration.shard, "do the second of four parts of the work: 2/4")->type_name("PART/PARTS");
+    trust->add_option("--folder", calibration.results, "where results are kept, and work goes on after an interruption")->type_name("DIR");
+    trust->add_option("--out", calibration.out, "where the report goes; default: to the results")->type_name("DIR");
+    trust->add_option("--replicates", calibration.amount.replicates, "of each check of each variant")->capture_default_str()->check(CLI::Range(64, 1000000));
+    trust->add_option("--gradings", calibration.amount.gradings, "of whole right submissions")->capture_default_str()->check(CLI::Range(1, 1000000));
+    trust->add_option("--draws", calibration.amount.draws, "replayed gradings of the solution")->capture_default_str()->check(CLI::Range(1000, 1000000000));
+    trust->add_option("--jobs", calibration.jobs, "how many programs run at a time")->check(CLI::Range(1, 1024));
+    trust->fallthrough();
+
     CLI::App* tables = app.add_subcommand("describe", "print the handout's tables of points and checks");
     tables->add_option("--update", arguments.handout, "make them anew in this file")->type_name("FILE");
     tables->fallthrough();
@@ -197,10 +212,18 @@ int main(int argc, char** argv) {
     }
     try {
         if (references->parsed()) return store_references(arguments);
+        if (trust->parsed()) {
+            calibration.toolchain = arguments.toolchain;
+            calibration.command = command_of(argc, argv);
+            return calibrate(calibration) ? graded : below_required;
+        }
         if (tables->parsed()) return describe(arguments);
         if (starter->parsed()) return hand_out_starter(arguments);
         return grade_one(arguments, command_of(argc, argv));
     } catch (const UsageError& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return usage;
+    } catch (const std::invalid_argument& error) {
         fmt::print(stderr, "{}\n", error.what());
         return usage;
     } catch (const SubmissionError& error) {

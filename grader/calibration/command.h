@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "calibration/workshop.h"
+
+namespace grade {
+
+struct CalibrateArguments {
+    std::string toolchain;
+    std::string results;              // folder; empty: calibration/ in the build's folder
+    std::string out;                  // folder of the report; empty: that of the results
+    std::string shard = "1/1";
+    bool fast = false, report = false;
+    Amount amount;
+    int jobs = 0;
+    std::vector<std::string> names;   // of variants or fragments; empty: all
+    std::string command;              // as it was typed
+};
+
+/// grade calibrate: grades fragments that are known to be wrong or right, and reports how often the verdict is so.
+///
+/// Returns whether nothing is off: with `fast`, each wrong variant fails and each right one passes; else, that the work
+/// is done. Throws std::invalid_argument for a shard that is none.
+bool calibrate(const CalibrateArguments& arguments);
+
+}  // namespace grade
