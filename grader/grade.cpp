@@ -20,6 +20,7 @@
 #include "report/page.h"
 #include "report/terminal.h"
 #include "rt/scene_reader.h"
+#include "stress/command.h"
 
 /// grade SUBMISSION: the command line. Each subcommand is a function that returns the exit code.
 namespace {
@@ -186,6 +187,9 @@ int main(int argc, char** argv) {
     starter->add_option("FOLDER", arguments.folder, "is not there yet, or empty")->required();
     starter->fallthrough();
 
+    StressArguments stress_arguments;
+    CLI::App* stress = add_stress_command(app, stress_arguments);
+
     CLI::App* tables = app.add_subcommand("describe", "print the handout's tables of points and checks");
     tables->add_option("--update", arguments.handout, "make them anew in this file")->type_name("FILE");
     tables->fallthrough();
@@ -199,6 +203,7 @@ int main(int argc, char** argv) {
         if (references->parsed()) return store_references(arguments);
         if (tables->parsed()) return describe(arguments);
         if (starter->parsed()) return hand_out_starter(arguments);
+        if (stress->parsed()) return run_stress(stress_arguments, command_of(argc, argv));
         return grade_one(arguments, command_of(argc, argv));
     } catch (const UsageError& error) {
         fmt::print(stderr, "{}\n", error.what());
