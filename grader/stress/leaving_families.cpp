@@ -24,7 +24,7 @@ struct Wall {
 Wall wall(Surface kind, double size, Generator& random) {
     const vec3 center = size * box(random, -2, 2);
     const rt::Frame frame = rt::frame_about(direction(random));
-    const double radius = size * log_between(random, 0.1, 2);
+    const double radius = size * log_between(random, 0.5, 2);
     const rt::Quad quad{center, radius * frame.x, radius * frame.y};
     return {kind, {center, radius}, quad, {center - quad.u - quad.v, center + quad.u - quad.v, center + 2.0 * quad.v},
             rt::largest(center) + 3 * radius};
@@ -112,9 +112,9 @@ double shadow_end(double x, Generator& random, const Asker& ask) {
 
 std::vector<Family> leaving_families() {
     return {
-        {"self_hit_sphere", {"shadow_ray", "hit_sphere"}, "size of the scene [m]", "share of rays that meet the surface they leave", 0, 0, sweep(-60, 60, 3), {-3, 3}, self_hit(Surface::sphere)},
-        {"self_hit_quad", {"shadow_ray", "hit_quad"}, "size of the scene [m]", "share of rays that meet the surface they leave", 0, 0, sweep(-60, 60, 3), {-3, 3}, self_hit(Surface::quad)},
-        {"self_hit_triangle", {"shadow_ray", "hit_triangle"}, "size of the scene [m]", "share of rays that meet the surface they leave", 0, 0, sweep(-60, 60, 3), {-3, 3}, self_hit(Surface::triangle)},
+        {"self_hit_sphere", {"shadow_ray", "hit_sphere"}, "size of the scene [m]", "share of rays that meet the surface they leave", 0.01, 0, sweep(-60, 60, 3), {-3, 3}, self_hit(Surface::sphere)},
+        {"self_hit_quad", {"shadow_ray", "hit_quad"}, "size of the scene [m]", "share of rays that meet the surface they leave", 0.01, 0, sweep(-60, 60, 3), {-3, 3}, self_hit(Surface::quad)},
+        {"self_hit_triangle", {"shadow_ray", "hit_triangle"}, "size of the scene [m]", "share of rays that meet the surface they leave", 0.01, 0, sweep(-60, 60, 3), {-3, 3}, self_hit(Surface::triangle)},
         {"shadow_offset", {"shadow_ray"}, "size of the scene [m]", "gap between surface and ray / size", 5e-3, 1e-9, sweep(-60, 60, 3), {-3, 3}, shadow_offset},
         {"shadow_end", {"shadow_ray"}, "distance of the light [m]", "gap between ray and light / distance", 5e-3, 1e-6, sweep(-60, 60, 3), {-3, 3}, shadow_end},
     };

@@ -8,12 +8,12 @@ namespace grade {
 
 std::string table(const StressRecord& record, bool color) {
     const auto paint = [&](const char* code, const std::string& text) { return color ? code + text + "\033[0m" : text; };
-    std::string text = paint("\033[1m", fmt::format("{:<22}{:<46}{:<13}{:<17}{}\n", "family", "swept", "scored tier", "passes", "solution"));
+    std::string text = paint("\033[1m", fmt::format("{:<27}{:<47}{:<13}{:<17}{}\n", "family", "swept", "scored tier", "passes", "solution"));
     for (const FamilyRecord& f : record.families) {
         const std::string solution = f.solution ? in_words(*f.solution) : "unknown";
         const std::string scored = !f.is_scored() ? "" : f.scored_passed() ? "passed" : f.started ? "failed" : "-";
         const char* code = !f.is_scored() || !f.started ? "\033[2m" : f.scored_passed() ? "\033[32m" : "\033[31m";
-        text += fmt::format("{:<22}{:<46}{}{:<17}{}\n", f.family->name, f.family->swept, paint(code, fmt::format("{:<13}", scored)),
+        text += fmt::format("{:<27}{:<47}{}{:<17}{}\n", f.family->name, f.family->swept, paint(code, fmt::format("{:<13}", scored)),
                             f.started ? in_words(f.reach) : "-", solution);
         if (!f.started) text += fmt::format("    {}: {}\n", f.family->fragments.front(), printable(f.message.substr(0, f.message.find('\n')), 90));
         for (const DecadeRecord& d : f.decades)
