@@ -16,6 +16,9 @@ namespace rt {
 /// returns    radiance [W/(sr m2)]
 /// blank      0
 ///
+/// A large a magnifies the rounding of r . c, which is close to 1 in the highlight. 1 - r . c = |r - c|^2/2 has all its digits:
+/// (r . c)^a = exp(a log1p(-|r - c|^2/2)).
+///
 /// Source: Shirley and Wang, "Monte Carlo Techniques for Direct Lighting Calculations", ACM TOG 15(1), 1996.
 Color direct_light(const Material& material, Color radiance, const LightSample& light, vec3 n, vec3 to_viewer) {
     // BEGIN SOLUTION
@@ -24,8 +27,9 @@ Color direct_light(const Material& material, Color radiance, const LightSample& 
     if (!(light.density > 0)) return Color(0);
     Color reflected = cosine / pi * material.albedo;
     if (material.specular != Color(0)) {
-        const Real along = dot(2 * cosine * n - light.direction, to_viewer);
-        if (along > 0) reflected += std::pow(along, material.shininess) * material.specular;
+        const vec3 apart = 2 * cosine * n - light.direction - to_viewer;
+        const Real off = dot(apart, apart) / 2;  // 1 - r . c
+        if (off < 1) reflected += std::exp(material.shininess * std::log1p(-off)) * material.specular;
     }
     return reflected * radiance / light.density;
     // END SOLUTION: return not_started(Color(0));

@@ -13,14 +13,17 @@ namespace rt {
 /// returns   F, 0 to 1; 1 at total internal reflection; 0 for equal indices
 /// blank     0
 ///
+/// Near the critical angle and at grazing incidence 1 - c1^2 loses the digits that matter: take
+/// (e2 c2)^2 = (e2 - e1)(e2 + e1) + (e1 c1)^2.
+///
 /// Source: Born and Wolf, "Principles of Optics", section 1.5.
 Real fresnel_dielectric(Real cosine, Real ior_from, Real ior_to) {
     // BEGIN SOLUTION
-    const Real ratio = ior_from / ior_to;
-    const Real squared = 1 - ratio * ratio * (1 - cosine * cosine);
+    const Real along = ior_from * cosine;
+    const Real squared = (ior_to - ior_from) * (ior_to + ior_from) + along * along;
     if (squared < 0) return 1;
     if (ior_from == ior_to) return 0;
-    const Real other = std::sqrt(squared);
+    const Real other = std::sqrt(squared) / ior_to;
     const Real s = (ior_from * cosine - ior_to * other) / (ior_from * cosine + ior_to * other);
     const Real p = (ior_to * cosine - ior_from * other) / (ior_to * cosine + ior_from * other);
     return (s * s + p * p) / 2;

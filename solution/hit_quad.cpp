@@ -11,12 +11,16 @@ namespace rt {
 /// returns  t in units of |d|, near < t < far; else inf, also for a ray in the plane of the quad
 /// blank    inf
 ///
+/// Far from the world's origin o + t d would be rounded to the large numbers there: p comes from the difference o - center,
+/// which is small where the quad is near. No test for a ray in the plane: t is then inf or NaN, and every comparison with it says no.
+///
 /// Source: Ericson, "Real-Time Collision Detection", section 5.3.
 Real hit_quad(const Quad& quad, const Ray& ray) {
     // BEGIN SOLUTION
     const vec3 n = cross(quad.u, quad.v);
-    const Real t = dot(quad.center - ray.origin, n) / dot(ray.direction, n);
-    const vec3 p = ray.origin + t * ray.direction - quad.center;
+    const vec3 to_center = quad.center - ray.origin;
+    const Real t = dot(to_center, n) / dot(ray.direction, n);
+    const vec3 p = t * ray.direction - to_center;
     if (std::abs(dot(p, quad.u)) > dot(quad.u, quad.u)) return inf;
     if (std::abs(dot(p, quad.v)) > dot(quad.v, quad.v)) return inf;
     return t > ray.near && t < ray.far ? t : inf;

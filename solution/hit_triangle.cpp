@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "rt/fragments.h"
 
 namespace rt {
@@ -13,7 +15,12 @@ namespace rt {
 ///
 /// Two triangles that share an edge must leave no gap between them. Turn and shear space so that the ray starts at 0 and
 /// runs along z: then u, v and w are the signs of three edge functions p.x q.y - p.y q.x, and a shared edge gives both of its
-/// triangles the same number with opposite signs.
+/// triangles the same number with opposite signs, bit by bit. A product's rounding never swaps which of two is larger, so
+/// the sign is right or the number is 0, and 0 counts for both triangles.
+///
+/// For a needle u, v and w have few digits left, so t comes from the plane, o + t d on (b - a) x (c - a): that is as good for
+/// a needle as for any other, and a ray that leaves the triangle meets it behind. Seen edge-on the plane is no help; but a
+/// hit is never nearer than the nearest corner, nor farther than the farthest.
 ///
 /// Source: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
 Real hit_triangle(const Triangle& triangle, const Ray& ray) {
@@ -37,9 +44,14 @@ Real hit_triangle(const Triangle& triangle, const Ray& ray) {
     // Inside, all three edge functions have one sign.
     const Real u = cx * by - cy * bx, v = ax * cy - ay * cx, w = bx * ay - by * ax;
     if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return inf;
-    const Real sum = u + v + w;
-    if (sum == 0) return inf;
-    const Real t = (u * a.z + v * b.z + w * c.z) / (sum * to.z);
+    const vec3 n = cross(triangle.b - triangle.a, triangle.c - triangle.a);
+    if (u + v + w == 0 || n == vec3(0)) return inf;
+
+    // How far: to the plane, between the corners also where that is 0/0.
+    const Real ta = a.z / to.z, tb = b.z / to.z, tc = c.z / to.z;
+    const Real low = std::min(ta, std::min(tb, tc)), high = std::max(ta, std::max(tb, tc));
+    const Real plane = dot(triangle.a - ray.origin, n) / dot(d, n);
+    const Real t = plane >= low ? std::min(plane, high) : low;
     return t > ray.near && t < ray.far ? t : inf;
     // END SOLUTION: return not_started(inf);
 }

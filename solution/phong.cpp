@@ -17,6 +17,9 @@ namespace rt {
 /// returns     radiance [W/(sr m2)]
 /// blank       irradiance x albedo / pi: as if each surface faced the light
 ///
+/// A large a magnifies the rounding of r . c, which is close to 1 in the highlight. 1 - r . c = |r - c|^2/2 has all its digits:
+/// (r . c)^a = exp(a log1p(-|r - c|^2/2)).
+///
 /// Source: Phong, "Illumination for Computer Generated Pictures", CACM 18(6), 1975.
 Color phong(const Material& material, Color ambient, Color irradiance, vec3 n, vec3 to_light, vec3 to_viewer) {
     // BEGIN SOLUTION
@@ -24,8 +27,9 @@ Color phong(const Material& material, Color ambient, Color irradiance, vec3 n, v
     const Real cosine = dot(n, to_light);
     if (!(cosine > 0)) return glow;
     const vec3 mirrored = 2 * cosine * n - to_light;
-    const Real along = dot(mirrored, to_viewer);
-    const Real highlight = along > 0 ? std::pow(along, material.shininess) : 0;
+    const vec3 apart = mirrored - to_viewer;
+    const Real off = dot(apart, apart) / 2;  // 1 - r . c
+    const Real highlight = off < 1 ? std::exp(material.shininess * std::log1p(-off)) : 0;
     return glow + irradiance * (cosine / pi * material.albedo + highlight * material.specular);
     // END SOLUTION: return not_started(irradiance * material.albedo / pi);
 }

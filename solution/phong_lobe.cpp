@@ -12,7 +12,7 @@ namespace rt {
 /// blank     the z axis
 ///
 /// For a large n the sine drowns in 1 - cos^2: with l = log(u.x)/(n + 1) the cosine is exp(l) and the squared sine
-/// -expm1(2 l).
+/// -expm1(2 l). cos^n is cos^(n+1)/cos = u.x/cos.
 ///
 /// Source: Lafortune and Willems, "Using the Modified Phong Reflectance Model", TR CW197, 1994.
 DirectionSample phong_lobe(Real exponent, vec2 u) {
@@ -20,7 +20,8 @@ DirectionSample phong_lobe(Real exponent, vec2 u) {
     const Real l = std::log(u.x) / (exponent + 1);
     const Real cosine = std::exp(l), sine = safe_sqrt(-std::expm1(2 * l));
     const vec2 circle = unit_circle(u.y);
-    const Real density = (exponent + 1) / (2 * pi) * (exponent > 0 ? std::exp(exponent * l) : 1);  // u.x may be 0
+    const Real to_the_n = u.x > 0 ? u.x / cosine : exponent > 0 ? 0 : 1;
+    const Real density = (exponent + 1) / (2 * pi) * to_the_n;
     return {{sine * circle.x, sine * circle.y, cosine}, density};
     // END SOLUTION: return not_started(DirectionSample{{0, 0, 1}, 1 / pi});
 }

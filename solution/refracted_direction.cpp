@@ -13,14 +13,16 @@ namespace rt {
 /// returns   unit direction [world]; the zero vector at total internal reflection
 /// blank     d
 ///
+/// At grazing incidence 1 - c^2 forgets c, and with almost equal indices 1 - e^2 forgets their difference. With a = ior_from c
+/// and b = sqrt((ior_to - ior_from)(ior_to + ior_from) + a^2), t = (ior_from d + (a - b) n)/ior_to forgets neither.
+///
 /// Source: Heckbert, "Writing a Ray Tracer", An Introduction to Ray Tracing, chapter 7.
 vec3 refracted_direction(vec3 d, vec3 n, Real ior_from, Real ior_to) {
     // BEGIN SOLUTION
-    const Real ratio = ior_from / ior_to;
-    const Real cosine = -dot(d, n);
-    const Real squared = 1 - ratio * ratio * (1 - cosine * cosine);
+    const Real along = -ior_from * dot(d, n);
+    const Real squared = (ior_to - ior_from) * (ior_to + ior_from) + along * along;
     if (squared < 0) return vec3(0);
-    return ratio * d + (ratio * cosine - std::sqrt(squared)) * n;
+    return (ior_from * d + (along - std::sqrt(squared)) * n) / ior_to;
     // END SOLUTION: return not_started(d);
 }
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "rt/fragments.h"
 
 namespace rt {
@@ -13,13 +15,16 @@ namespace rt {
 /// returns  point of the unit square, 0 <= x < 1 in each coordinate; no two cells overlap
 /// blank    u: independent samples
 ///
+/// The sum i + u may be rounded up to i + 1, hence to 1 in the last cell: never return more than below_one.
+///
 /// Source: Cook, Porter, Carpenter, "Distributed Ray Tracing", SIGGRAPH 1984.
 vec2 stratified_2d(int i, int n, vec2 u) {
     // BEGIN SOLUTION
     const Real columns = std::floor(std::sqrt(Real(n)));
     const Real column = std::floor(i * columns / n);
     const Real first = std::ceil(column * n / columns), next = std::ceil((column + 1) * n / columns);
-    return {(first + u.x * (next - first)) / n, (i - first + u.y) / (next - first)};
+    const Real x = (first + u.x * (next - first)) / n, y = (i - first + u.y) / (next - first);
+    return {std::min(x, below_one), std::min(y, below_one)};
     // END SOLUTION: return not_started(u);
 }
 

@@ -13,6 +13,9 @@ namespace rt {
 /// returns   F, 0 to 1; 1 at total internal reflection; 0 for equal indices
 /// blank     0
 ///
+/// Near the critical angle and at grazing incidence 1 - c1^2 loses the digits that matter: take
+/// (e2 c2)^2 = (e2 - e1)(e2 + e1) + (e1 c1)^2.
+///
 /// Source: Born and Wolf, "Principles of Optics", section 1.5.
 Real fresnel_dielectric(Real cosine, Real ior_from, Real ior_to) {
     // YOUR CODE HERE

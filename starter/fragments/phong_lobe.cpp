@@ -12,7 +12,7 @@ namespace rt {
 /// blank     the z axis
 ///
 /// For a large n the sine drowns in 1 - cos^2: with l = log(u.x)/(n + 1) the cosine is exp(l) and the squared sine
-/// -expm1(2 l).
+/// -expm1(2 l). cos^n is cos^(n+1)/cos = u.x/cos.
 ///
 /// Source: Lafortune and Willems, "Using the Modified Phong Reflectance Model", TR CW197, 1994.
 DirectionSample phong_lobe(Real exponent, vec2 u) {

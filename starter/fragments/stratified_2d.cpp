@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "rt/fragments.h"
 
 namespace rt {
@@ -12,6 +14,8 @@ namespace rt {
 /// u        random point of the unit square, 0 <= u < 1: where in the cell
 /// returns  point of the unit square, 0 <= x < 1 in each coordinate; no two cells overlap
 /// blank    u: independent samples
+///
+/// The sum i + u may be rounded up to i + 1, hence to 1 in the last cell: never return more than below_one.
 ///
 /// Source: Cook, Porter, Carpenter, "Distributed Ray Tracing", SIGGRAPH 1984.
 vec2 stratified_2d(int i, int n, vec2 u) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -43,13 +44,19 @@ Bvh build_bvh(const std::vector<Box>& boxes);
 
 /// Calls leaf(item, far) for each item whose box the ray may meet before far, near boxes first. leaf returns the new far;
 /// the search ends when it is not above ray.near.
+///
+/// All boxes are widened by a few roundings of the largest numbers that take part in finding a hit, so that none is missed
+/// that the leaf finds; and a NaN (0/0: the ray runs in a face) leaves the interval as it is.
+///
+/// Source: Kay and Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986; Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013.
 template <class Leaf>
 void traverse(const Bvh& bvh, const Ray& ray, Leaf leaf) {
     if (bvh.nodes.empty()) return;
     const vec3 over = 1.0 / ray.direction;
     const bool backward[3] = {over.x < 0, over.y < 0, over.z < 0};
-    // The slabs' distances are off by a few roundings: widen, so that no box is missed.
-    constexpr Real widened = 1 + 8 * roundoff;
+    const Box& whole = bvh.nodes[0].box;
+    const Real margin = 32 * roundoff * (largest(ray.origin) + std::max(largest(whole.low), largest(whole.high)));
+    const vec3 to_low = ray.origin + margin, to_high = ray.origin - margin;
     Real far = ray.far;
     std::uint32_t stack[128];
     int depth = 0;
@@ -58,9 +65,8 @@ void traverse(const Bvh& bvh, const Ray& ray, Leaf leaf) {
         const Bvh::Node& node = bvh.nodes[at];
         Real t0 = ray.near, t1 = far;
         for (int a = 0; a < 3; ++a) {
-            const Real low = (node.box.low[a] - ray.origin[a]) * over[a], high = (node.box.high[a] - ray.origin[a]) * over[a];
-            const Real enter = backward[a] ? high : low, leave = (backward[a] ? low : high) * widened;
-            // In this order a NaN (0/0: the ray runs in a face) leaves the interval as it is.
+            const Real low = (node.box.low[a] - to_low[a]) * over[a], high = (node.box.high[a] - to_high[a]) * over[a];
+            const Real enter = backward[a] ? high : low, leave = backward[a] ? low : high;
             t0 = enter > t0 ? enter : t0;
             t1 = leave < t1 ? leave : t1;
         }

@@ -26,6 +26,9 @@ constexpr Real pi = std::numbers::pi;
 /// Unit roundoff of a Real, 2^-53: the relative error of one operation.
 constexpr Real roundoff = std::numeric_limits<Real>::epsilon() / 2;
 
+/// The greatest number below 1.
+constexpr Real below_one = 1 - roundoff;
+
 /// sqrt(max(x, 0)): for an x that only rounding can have made negative.
 inline Real safe_sqrt(Real x) { return std::sqrt(x > 0 ? x : 0); }
 

@@ -105,6 +105,7 @@ Rendering render(const Scene& scene, const RenderSettings& settings) {
     tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
     Pass pass{world, settings, crop, {}, {}, {}, {}, {}};
     std::vector<Color> means(all.size()), first(control.size()), again(control.size());
+    std::vector<Sum> sums(limited ? 3 * all.size() : 0);  // of the passes, channel by channel
     Real of_one_pass = 0;
     int passes = 0;
     const auto progress = [&](std::size_t done) {
@@ -120,7 +121,11 @@ Rendering render(const Scene& scene, const RenderSettings& settings) {
         });
         // Of the first pass, what is there is better than nothing; of a later one, half a pass would be uneven.
         if (pass.stopped && passes > 0) break;
-        for (std::size_t i = 0; i < all.size(); ++i) result.image.pixels[i] += (means[i] - result.image.pixels[i]) / Real(passes + 1);
+        if (!limited) result.image.pixels = means;
+        for (std::size_t i = 0; i < sums.size(); ++i) {
+            sums[i].add(means[i / 3][int(i % 3)]);
+            result.image.pixels[i / 3][int(i % 3)] = sums[i].value() / Real(passes + 1);
+        }
         if (passes == 0 && settings.estimate_error && !pass.stopped) {
             for (std::size_t i = 0; i < control.size(); ++i) first[i] = means[control[i]];
             arena.execute([&] { pass.run(combine(~settings.seed, 0), control, again, {}); });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 
@@ -119,7 +120,7 @@ Real pattern_1d(Bits key, int i, int n, Bits dimension) {
     if constexpr (sampler == Sampler::random) return random_1d(key, Bits(i), dimension);
     if constexpr (sampler == Sampler::sobol) return sobol_2d(key, std::uint32_t(i), dimension).x;
     if constexpr (sampler == Sampler::stratified)
-        return (permuted(i, n, combine(~key, dimension)) + random_1d(key, Bits(i), dimension)) / n;
+        return std::min((permuted(i, n, combine(~key, dimension)) + random_1d(key, Bits(i), dimension)) / n, below_one);
     return (permuted(i, n, combine(0, dimension)) + 0.5) / n;
 }
 

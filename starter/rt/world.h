@@ -18,8 +18,8 @@ struct Numbered {
 
 /// What the surface stage must know of a shape, found by its number.
 struct SurfaceRecord {
-    vec3 center{0};      // of a sphere
-    Real over_radius = 0;  // of a sphere; 0: flat
+    vec3 center{0};      // of a sphere; a point of a flat shape
+    Real radius = 0;     // of a sphere; 0: flat
     vec3 normal{0};      // of a flat shape, unit, on its front side
     Real reach = 0;      // largest coordinate: what its rounding errors are measured by [world]
     vec3 velocity{0};

@@ -5,8 +5,9 @@ namespace {
 
 /// Where a ray meets a disc, from either side: t with near < t < far, else inf.
 inline Real hit_disc(const Disc& disc, const Ray& ray) {
-    const Real t = dot(disc.center - ray.origin, disc.normal) / dot(ray.direction, disc.normal);
-    const vec3 p = ray.origin + t * ray.direction - disc.center;
+    const vec3 middle = disc.center - ray.origin;
+    const Real t = dot(middle, disc.normal) / dot(ray.direction, disc.normal);
+    const vec3 p = t * ray.direction - middle;
     if (!(dot(p, p) <= disc.radius * disc.radius)) return inf;
     return ray.near < t && t < ray.far ? t : inf;
 }

@@ -3,6 +3,12 @@
 namespace rt {
 namespace {
 
+/// How far a point is from its surface, and how far above it a ray must start so that no rounding brings it back: roundings
+/// of the largest number that takes part.
+///
+/// Source: Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed., section 6.8.
+constexpr Real surface_error = 32 * roundoff;
+
 /// The normal of a mesh between its corners, by the hit's areas.
 vec3 smooth_normal(const SmoothTriangle& s, vec3 p) {
     const Triangle& t = s.triangle;
@@ -20,21 +26,23 @@ void find_surfaces(const World& world, const Batch& b, Surfaces& s) {
         const SurfaceRecord& record = records[hit ? b.shape[i] : 0];
         const vec3 origin{b.ox[i], b.oy[i], b.oz[i]}, direction{b.dx[i], b.dy[i], b.dz[i]};
         const Real t = hit ? b.far[i] : 0;
-        const vec3 p = origin + t * direction;
+        const vec3 reached = origin + t * direction;
         const vec3 center = time ? moved(record.center, record.velocity, b.time[i]) : record.center;
-        const vec3 round = (p - center) * record.over_radius;
-        const Real length = std::sqrt(dot(round, round));
-        const bool flat = record.over_radius == 0;
+        const vec3 from_center = reached - center;
+        const Real length = std::sqrt(dot(from_center, from_center));
+        const bool flat = record.radius == 0;
         const Real scale = flat ? 1 : 1 / length;
-        const vec3 n{scale * (flat ? record.normal.x : round.x), scale * (flat ? record.normal.y : round.y),
-                     scale * (flat ? record.normal.z : round.z)};
+        const vec3 n{scale * (flat ? record.normal.x : from_center.x), scale * (flat ? record.normal.y : from_center.y),
+                     scale * (flat ? record.normal.z : from_center.z)};
+        // Back onto the surface: the distance that the ray came is no longer part of the error.
+        const Real above = flat ? dot(from_center, n) : length - record.radius;
+        const vec3 p = reached - above * n;
         const bool behind = dot(direction, n) > 0;
         const Real side = behind ? -1.0 : 1.0;
         s.px[i] = p.x, s.py[i] = p.y, s.pz[i] = p.z;
         s.gx[i] = side * n.x, s.gy[i] = side * n.y, s.gz[i] = side * n.z;
         s.nx[i] = side * n.x, s.ny[i] = side * n.y, s.nz[i] = side * n.z;
-        // A few roundings of the terms from which the hit was computed.
-        s.error[i] = 16 * roundoff * (largest(origin) + largest(p) + record.reach);
+        s.error[i] = surface_error * (largest(p) + record.reach);
         s.material[i] = hit ? record.material : nothing;
         s.behind[i] = behind ? 1 : 0;
     }
