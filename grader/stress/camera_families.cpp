@@ -49,13 +49,17 @@ double lens(const Camera& camera, Generator& random, const Asker& ask) {
         pinholes.push_back({vec3(0), tilted(random, -camera.back, between(random, 0, 0.6)), 0, rt::inf});
         rows.push_back(row(camera, pinholes.back(), square(random)));
     }
-    return worst_of(ask, "lens_ray", rows, [&](std::size_t i, const Row& out) {
+    double squares = 0;
+    const double worst = worst_of(ask, "lens_ray", rows, [&](std::size_t i, const Row& out) {
         const Ray ray = from_row<Ray>(out);
+        squares += dot(ray.origin, ray.origin) / rt::sqr(camera.lens_radius) / double(rows.size());
         if (!(glm::length(ray.origin) <= camera.lens_radius * 1.000001)) return rt::inf;
         Exact3 truth(pinholes[i].direction);
         if (std::isfinite(camera.focus)) truth = Exact(camera.focus) / -dot(truth, Exact3(camera.back)) * truth - Exact3(ray.origin);
         return apart(unit(truth), ray.direction);
     });
+    // the lens is used as a whole
+    return std::abs(squares - 0.5) < 0.15 ? worst : rt::inf;
 }
 
 double focus(double x, Generator& random, const Asker& ask) {

@@ -10,6 +10,7 @@
 #include "build/files.h"
 #include "report/terminal.h"
 #include "rt/scene_reader.h"
+#include "stress/page.h"
 #include "stress/run.h"
 #include "stress/table.h"
 
@@ -80,7 +81,12 @@ int run_stress(const StressArguments& arguments, const std::string& command) {
         write_solution_reach((chain.source / "scenes/reference/stress.json").string(), record);
         for (FamilyRecord& family : record.families) family.solution = family.reach;
     }
+    if (!arguments.html.empty()) {
+        fs::create_directories(arguments.html);
+        write_text(fs::path(arguments.html) / "stress.html", page(record, assignment.title));
+    }
     fmt::print("{}{} mode; {}\n", table(record, isatty(STDOUT_FILENO)), record.student_mode ? "student" : "instructor", record.sandbox);
+    if (!arguments.html.empty()) fmt::print("page: {}\n", (fs::path(arguments.html) / "stress.html").string());
     return arguments.require && record.scored() < record.most_scored() ? 1 : 0;
 }
 

@@ -63,6 +63,15 @@ double refracted_grazing(double x, Generator& random, const Asker& ask) {
     return measure(bends, 1, ask);
 }
 
+double refracted_normal(double x, Generator& random, const Asker& ask) {
+    std::vector<Bend> bends;
+    for (int i = 0; i < 200; ++i) {
+        const vec3 n = direction(random);
+        bends.push_back({i < 20 && x < 1e-3 ? -n : -tilted(random, n, x), n, between(random, 1, 1.5), between(random, 1, 1.5)});
+    }
+    return measure(bends, 1, ask);
+}
+
 double refracted_even(double x, Generator& random, const Asker& ask) {
     std::vector<Bend> bends;
     for (int i = 0; i < 200; ++i) {
@@ -104,6 +113,7 @@ double fresnel_grazing(double x, Generator& random, const Asker& ask) {
 double fresnel_even(double x, Generator& random, const Asker& ask) {
     std::vector<Boundary> boundaries;
     for (int i = 0; i < 200; ++i) boundaries.push_back({between(random, 0.3, 1), 1, chance(random, 0.5) ? 1 + x : 1 - x});
+    for (const double other : {1.0, 1.5, 1 + x}) boundaries.push_back({1, 1, other});
     if (x < 1e-3)
         for (const double even : {1.0, 1.5}) boundaries.push_back({0, even, even}), boundaries.push_back({1e-200, even, even});
     return measure(boundaries, 1, ask);
@@ -148,6 +158,7 @@ std::vector<Family> glass_families() {
         {"mirror_length", {"mirror_direction"}, "length of the direction", "error / length", 1e-5, 16 * u, sweep(-60, 60, 3), {-3, 3}, mirror_length},
         {"refracted_critical", {"refracted_direction"}, "distance from the critical angle", "error x root of x", 1e-5, 32 * u, sweep(-13, -1), {-3, -1}, refracted_critical},
         {"refracted_grazing", {"refracted_direction"}, "cosine of the incoming ray", "error", 1e-5, 16 * u, sweep(-15, -1), {-3, -1}, refracted_grazing},
+        {"refracted_normal", {"refracted_direction"}, "angle between ray and normal", "error", 1e-5, 16 * u, sweep(-16, -1), {-3, -1}, refracted_normal},
         {"refracted_even", {"refracted_direction"}, "difference of the indices", "error", 1e-5, 16 * u, sweep(-17, -1), {-3, -1}, refracted_even},
         {"fresnel_critical", {"fresnel_dielectric"}, "distance from the critical angle", "error x root of x", 1e-5, 64 * u, sweep(-13, -1), {-3, -1}, fresnel_critical},
         {"fresnel_grazing", {"fresnel_dielectric"}, "cosine of the incoming ray", "error", 1e-5, 16 * u, sweep(-15, -1), {-3, -1}, fresnel_grazing},

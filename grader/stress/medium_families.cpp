@@ -53,6 +53,27 @@ double forward(double x, Generator& random, const Asker& ask) {
     });
 }
 
+/// Scattering that is all but even, g = x: densities at their angles, and the spread of the cosine.
+double even(double x, Generator&, const Asker& ask) {
+    double worst = 0;
+    for (const double g : {x, -x, 0.0}) {
+        if (g == 0 && x >= 1e-3) continue;
+        Rows rows;
+        for (const vec2 u : grid(16)) rows.push_back(row(vec3(0, 0, 1), g, u));
+        const Rows out = ask.probe("scatter_direction", rows);
+        double squares = 0;
+        for (const Row& each : out) {
+            const auto [d, density] = from_row<DirectionSample>(each);
+            const double base = 1 + g * g - 2 * g * d.z;
+            worst = worse_error(worst, std::abs(density * 4 * rt::pi * base * std::sqrt(base) / (1 - g * g) - 1));
+            worst = worse_error(worst, std::abs(glm::length(d) - 1));
+            squares += d.z * d.z / double(out.size());
+        }
+        if (!(std::abs(squares / ((1 + 2 * g * g) / 3) - 1) < 0.03)) return rt::inf;
+    }
+    return worst;
+}
+
 /// Scattering with 1 - g = x: the mean of 1 - cos is x.
 double forward_mean(double x, Generator&, const Asker& ask) {
     const double g = 1 - x;
@@ -90,6 +111,7 @@ std::vector<Family> medium_families() {
     return {
         {"extinction", {"free_flight"}, "extinction [1/m]", "error of the mean distance", 1e-2, 1e-2, sweep(-60, 60, 3), {-3, 3}, extinction},
         {"short_flight", {"free_flight"}, "random number, from 0 and from 1", "relative error", 1e-5, 16 * u, sweep(-16, -1), {-3, -1}, short_flight},
+        {"even_scattering", {"scatter_direction"}, "g", "error of density or length", 1e-5, 32 * u, sweep(-17, -1), {-3, -1}, even},
         {"forward_density", {"scatter_direction"}, "1 - g", "relative error of the density", 1e-4, 1e-8, sweep(-15, -1), {-2, -1}, forward},
         {"forward_width", {"scatter_direction"}, "1 - g", "relative error of the mean angle", 0.05, 0.05, sweep(-15, -1), {-2, -1}, forward_width},
     };

@@ -60,6 +60,20 @@ auto exponent(bool direct) {
     };
 }
 
+/// A sample of a light with density x.
+double density(double x, Generator& random, const Asker& ask) {
+    Material m;
+    m.albedo = Color(0.5);
+    Rows rows;
+    std::vector<Exact> truths;
+    for (int i = 0; i < 60; ++i) {
+        const Sight s = sight(random, 0.3);
+        rows.push_back(row(m, Color(1), LightSample{s.to_light, 1, x}, s.n, s.to_viewer));
+        truths.push_back(Exact(0.5) / rt::pi * dot(Exact3(s.n), Exact3(s.to_light)) / x);
+    }
+    return worst_of(ask, "direct_light", rows, [&](std::size_t i, const Row& out) { return relative(out, truths[i]); });
+}
+
 /// Light x times as strong gives x times as much; against what light 1 gives.
 auto intensity(const std::string& fragment) {
     return [=](double x, Generator& random, const Asker& ask) {
@@ -90,6 +104,7 @@ std::vector<Family> shading_families() {
         {"phong_exponent", {"phong"}, "exponent of a highlight", "relative error", 2e-2, 1e-10, sweep(0, 14), {0, 4}, exponent(false)},
         {"phong_intensity", {"phong"}, "irradiance", "relative error", 1e-5, 16 * u, wide, {-3, 3}, intensity("phong")},
         {"direct_exponent", {"direct_light"}, "exponent of a highlight", "relative error", 2e-2, 1e-10, sweep(0, 14), {0, 4}, exponent(true)},
+        {"direct_density", {"direct_light"}, "density of a light's sample [1/sr]", "relative error", 1e-5, 32 * u, wide, {-3, 3}, density},
         {"direct_intensity", {"direct_light"}, "radiance of a light", "relative error", 1e-5, 16 * u, wide, {-3, 3}, intensity("direct_light")},
     };
 }

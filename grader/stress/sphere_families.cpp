@@ -89,6 +89,21 @@ double sphere_direction(double x, Generator& random, const Asker& ask) {
     return measure(ask, shots, 5);
 }
 
+/// Sphere and ray so far from the world's origin.
+double sphere_offset(double x, Generator& random, const Asker& ask) {
+    std::vector<std::pair<Sphere, Ray>> shots;
+    for (int i = 0; i < 200; ++i) {
+        Shot s = shot(random, between(random, 2, 5));
+        const vec3 offset = x * vec3(0.6, -0.7, 0.3);
+        shots.push_back({{s.sphere.center + offset, s.sphere.radius}, {s.ray.origin + offset, s.ray.direction, 0, rt::inf}});
+        // as rounding has moved both, some rays pass nearer to the rim
+        const Exact3 f = Exact3(shots.back().second.origin) - Exact3(shots.back().first.center), d(s.ray.direction);
+        const double passing = double(length(f - dot(f, d) / dot(d, d) * d)) / s.sphere.radius;
+        if (std::abs(passing - 1) < 0.05) shots.pop_back();
+    }
+    return measure(ask, shots, 5);
+}
+
 /// Rays that miss the rim by so little, outside or inside.
 double sphere_rim(double x, Generator& random, const Asker& ask) {
     Rows rows;
@@ -114,6 +129,7 @@ std::vector<Family> sphere_families() {
         {"ground_sphere", {"hit_sphere"}, "radius of the ground [10 m]", "error of the hit / radius", 1e-7, 16 * u, sweep(0, 12), {0, 2}, ground_sphere},
         {"sphere_scale", {"hit_sphere"}, "size of sphere and ray [m]", "error of the hit / size", 1e-7, 64 * u, sweep(-60, 60, 3), {-3, 3}, sphere_scale},
         {"sphere_direction", {"hit_sphere"}, "length of the direction", "error of the hit", 1e-7, 64 * u, sweep(-12, 12), {-3, 3}, sphere_direction},
+        {"sphere_offset", {"hit_sphere"}, "distance from the world's origin [m]", "error of the hit", 1e-7, 64 * u, sweep(0, 12), {0, 3}, sphere_offset},
         {"sphere_rim", {"hit_sphere"}, "distance of a ray from the rim / radius", "wrong verdicts", 0, 0, sweep(-13, -1), {-3, -1}, sphere_rim},
     };
 }

@@ -8,15 +8,22 @@ using rt::Color;
 
 Integrand constant(double value) { return {Integrand::Kind::polynomial, {value}}; }
 
-/// x terms of 0.1, whose plain sum drifts.
+/// The integral of 0.1 + x over [0, 1], whose plain sum drifts; the midpoints of any number of intervals give it exactly.
 double uniform_count(double x, Generator&, const Asker& ask) {
-    return worst_of(ask, "integrate_uniform", {row(constant(0.1), 0.0, 1.0, int(x))}, [](std::size_t, const Row& out) { return std::abs(out.at(0) / 0.1 - 1); });
+    return worst_of(ask, "integrate_uniform", {row(Integrand{Integrand::Kind::polynomial, {0.1, 1}}, 0.0, 1.0, int(x))},
+                    [](std::size_t, const Row& out) { return std::abs(out.at(0) / 0.6 - 1); });
 }
 
 double monte_carlo_count(double x, Generator& random, const Asker& ask) {
     std::vector<double> points(static_cast<std::size_t>(x));
     for (double& point : points) point = between(random, 0, 1);
     return worst_of(ask, "integrate_monte_carlo", {row(constant(0.1), constant(1), points)}, [](std::size_t, const Row& out) { return std::abs(out.at(0) / 0.1 - 1); });
+}
+
+/// Points with a density of x.
+double density(double x, Generator&, const Asker& ask) {
+    const std::vector<double> points{0.1 / x, 0.3 / x, 0.8 / x};
+    return worst_of(ask, "integrate_monte_carlo", {row(constant(1), constant(x), points)}, [&](std::size_t, const Row& out) { return std::abs(out.at(0) * x - 1); });
 }
 
 /// x strata of one number each.
@@ -26,7 +33,7 @@ double stratified_count(double x, Generator& random, const Asker& ask) {
     return worst_of(ask, "integrate_stratified", {row(constant(0.1), strata)}, [&](std::size_t, const Row& out) { return std::abs(out.at(0) / (0.1 * x) - 1); });
 }
 
-/// x samples, of which every other one is dim.
+/// x samples, of which one channel is dim.
 double mean_count(double x, Generator&, const Asker& ask) {
     const auto n = static_cast<std::size_t>(x);
     std::vector<Color> colors(n, Color(0.1, 0.7, 1e-30));
@@ -68,6 +75,7 @@ std::vector<Family> sum_families() {
         {"uniform_count", {"integrate_uniform"}, "number of points", "relative error", 1e-5, 1e-13, sweep(0, 7), {0, 4}, uniform_count},
         {"uniform_interval", {"integrate_uniform"}, "length of an interval at 1", "relative error", 1e-5, 1e-13, sweep(-15, 12), {-3, 3}, narrow_interval},
         {"monte_carlo_count", {"integrate_monte_carlo"}, "number of points", "relative error", 1e-5, 1e-13, sweep(0, 6), {0, 4}, monte_carlo_count},
+        {"monte_carlo_density", {"integrate_monte_carlo"}, "density of the points", "relative error", 1e-5, 16 * u, wide, {-3, 3}, density},
         {"stratified_count", {"integrate_stratified"}, "number of strata", "relative error", 1e-5, 1e-13, sweep(0, 6), {0, 4}, stratified_count},
         {"mean_count", {"pixel_mean"}, "number of samples", "relative error", 1e-5, 1e-13, sweep(0, 6), {0, 4}, mean_count},
     };
