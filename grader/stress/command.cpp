@@ -72,7 +72,7 @@ int run_stress(const StressArguments& arguments, const std::string& command) {
 
     ProgressLine line;
     settings.progress = [&](int done, int all, const std::string& doing) { line.show(done, all, doing); };
-    StressRecord record = stress_submission(submission, chain, settings);
+    StressRecord record = stress_submission(submission, assignment, chain, settings);
     record.command = command;
     line.clear();
 

@@ -44,13 +44,13 @@ double height_of(const Family& family, const DecadeRecord& d) {
 }  // namespace
 
 std::string reach_bar(const FamilyRecord& f) {
-    constexpr double width = 300, height = 30;
+    constexpr double width = 280, height = 30;
     const auto& decades = f.family->decades;
     const Places at{decades, 34, width - 34};
     std::string svg = fmt::format("<svg class=\"reach\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" role=\"img\" aria-label=\"{2}: passes {3}\">", width, height,
                                   html(f.family->swept), html(in_words(f.reach)));
-    svg += at.rect("tried", {decades.front(), decades.back()}, 8, 12) + at.rect("ordinary", f.family->scored, 4, 20);
-    svg += at.rect(f.is_scored() && !f.scored_passed() ? "passes bad" : "passes good", f.reach, 8, 12);
+    svg += at.rect("tried", {decades.front(), decades.back()}, 9, 10) + at.rect("ordinary", f.family->scored, 2, 24);
+    svg += at.rect(f.is_scored() && !f.scored_passed() ? "passes bad" : "passes good", f.reach, 9, 10);
     if (f.solution) svg += at.rect("solution", *f.solution, 22, 3);
     return svg + label(30, 18, "end", power(decades.front())) + label(width - 30, 18, "start", power(decades.back())) + "</svg>";
 }

@@ -78,7 +78,7 @@ void sweep_family(FamilyRecord& record, const Programs& programs, const fs::path
 
 }  // namespace
 
-StressRecord stress_submission(const Submission& submission, const Toolchain& chain, const StressSettings& settings) {
+StressRecord stress_submission(const Submission& submission, const Assignment& assignment, const Toolchain& chain, const StressSettings& settings) {
     const Sandbox sandbox = find_sandbox(settings.trusted);
     StressRecord record;
     record.submission = submission.name;
@@ -98,6 +98,7 @@ StressRecord stress_submission(const Submission& submission, const Toolchain& ch
         record.families.push_back(std::move(one));
         fragments.insert(family.fragments.begin(), family.fragments.end());
     }
+    std::ranges::stable_sort(record.families, {}, [&](const FamilyRecord& one) { return assignment.place(one.family->fragments.front()); });
     Programs programs(submission, chain, sandbox, settings.student);
     if (settings.progress) settings.progress(0, int(record.families.size()), "compiling");
     programs.compile(fragments, settings.jobs);

@@ -53,15 +53,15 @@ double film_position(double x, Generator& random, const Asker& ask) {
         const vec2 low(std::floor(x * between(random, 1, 2)), std::floor(x * between(random, 1, 2)));
         Rows rows;
         for (int i = 0; i < 16; ++i)
-            for (const double u : {0.0, 0.5, almost_one}) rows.push_back(row(Extent{low, low + 1.0}, i, 16, vec2(u)));
+            for (const double u : {0.0, 0.3123, 0.6877, almost_one}) rows.push_back(row(Extent{low, low + 1.0}, i, 16, vec2(u)));
         const Rows out = ask.probe("film_sample", rows);
         vec2 sum(0);
         for (std::size_t k = 0; k < out.size(); ++k) {
             const auto [p, weight] = from_row<FilmSample>(out[k]);
             if (!(p.x >= low.x && p.y >= low.y && p.x <= low.x + 1 && p.y <= low.y + 1)) return rt::inf;
-            if (k % 3 == 1) sum += p;
+            if (k % 4 == 1 || k % 4 == 2) sum += p;
         }
-        worst = worse_error(worst, rt::largest(vec3(sum / 16.0 - low - 0.5, 0)) / rt::largest(vec3(low, 1)));
+        worst = worse_error(worst, rt::largest(vec3(sum / 32.0 - low - 0.5, 0)) / rt::largest(vec3(low, 1)));
     }
     return worst;
 }
@@ -73,6 +73,7 @@ std::vector<vec2> borders(double x) {
     std::vector<vec2> points;
     for (const double a : places)
         for (const double b : places) points.push_back({std::min(a, almost_one), std::min(b, almost_one)});
+    for (int turn = 0; turn < 64; ++turn) points.push_back({std::min(1 - x, almost_one), (turn + 0.37) / 64});
     return points;
 }
 
