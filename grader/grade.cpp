@@ -21,6 +21,7 @@
 #include "report/page.h"
 #include "report/terminal.h"
 #include "rt/scene_reader.h"
+#include "stress/command.h"
 
 /// grade SUBMISSION: the command line. Each subcommand is a function that returns the exit code.
 namespace {
@@ -188,18 +189,10 @@ int main(int argc, char** argv) {
     starter->fallthrough();
 
     CalibrateArguments calibration;
-    CLI::App* trust = app.add_subcommand("calibrate", "grade known wrong and right fragments: how far can verdicts be trusted?");
-    trust->add_option("NAME", calibration.names, "only variants or fragments with such a name");
-    trust->add_flag("--fast", calibration.fast, "one wrong variant of each fragment and all right ones, once; exit with 1 where one is off");
-    trust->add_flag("--report", calibration.report, "run nothing: report on what is there");
-    trust->add_option("--shard", calibration.shard, "do the second of four parts of the work: 2/4")->type_name("PART/PARTS");
-    trust->add_option("--folder", calibration.results, "where results are kept, and work goes on after an interruption")->type_name("DIR");
-    trust->add_option("--out", calibration.out, "where the report goes; default: to the results")->type_name("DIR");
-    trust->add_option("--replicates", calibration.amount.replicates, "of each check of each variant")->capture_default_str()->check(CLI::Range(64, 1000000));
-    trust->add_option("--gradings", calibration.amount.gradings, "of whole right submissions")->capture_default_str()->check(CLI::Range(1, 1000000));
-    trust->add_option("--draws", calibration.amount.draws, "replayed gradings of the solution")->capture_default_str()->check(CLI::Range(1000, 1000000000));
-    trust->add_option("--jobs", calibration.jobs, "how many programs run at a time")->check(CLI::Range(1, 1024));
-    trust->fallthrough();
+    CLI::App* trust = add_calibrate_command(app, calibration);
+
+    StressArguments stress_arguments;
+    CLI::App* stress = add_stress_command(app, stress_arguments);
 
     CLI::App* tables = app.add_subcommand("describe", "print the handout's tables of points and checks");
     tables->add_option("--update", arguments.handout, "make them anew in this file")->type_name("FILE");
@@ -212,13 +205,10 @@ int main(int argc, char** argv) {
     }
     try {
         if (references->parsed()) return store_references(arguments);
-        if (trust->parsed()) {
-            calibration.toolchain = arguments.toolchain;
-            calibration.command = command_of(argc, argv);
-            return calibrate(calibration) ? graded : below_required;
-        }
+        if (trust->parsed()) return calibrate(calibration, arguments.toolchain, command_of(argc, argv)) ? graded : below_required;
         if (tables->parsed()) return describe(arguments);
         if (starter->parsed()) return hand_out_starter(arguments);
+        if (stress->parsed()) return run_stress(stress_arguments, command_of(argc, argv));
         return grade_one(arguments, command_of(argc, argv));
     } catch (const UsageError& error) {
         fmt::print(stderr, "{}\n", error.what());

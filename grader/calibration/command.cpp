@@ -59,10 +59,26 @@ bool fast(const Workshop& workshop, bool by_name, int jobs) {
 
 }  // namespace
 
-bool calibrate(const CalibrateArguments& arguments) {
+CLI::App* add_calibrate_command(CLI::App& app, CalibrateArguments& arguments) {
+    CLI::App* trust = app.add_subcommand("calibrate", "grade known wrong and right fragments: how far can verdicts be trusted?");
+    trust->add_option("NAME", arguments.names, "only variants or fragments with such a name");
+    trust->add_flag("--fast", arguments.fast, "one wrong variant of each fragment and all right ones, once; exit with 1 where one is off");
+    trust->add_flag("--report", arguments.report, "run nothing: report on what is there");
+    trust->add_option("--shard", arguments.shard, "do the second of four parts of the work: 2/4")->type_name("PART/PARTS");
+    trust->add_option("--folder", arguments.results, "where results are kept, and work goes on after an interruption")->type_name("DIR");
+    trust->add_option("--out", arguments.out, "where the report goes; default: to the results")->type_name("DIR");
+    trust->add_option("--replicates", arguments.amount.replicates, "of each check of each variant")->capture_default_str()->check(CLI::Range(64, 1000000));
+    trust->add_option("--gradings", arguments.amount.gradings, "of whole right submissions")->capture_default_str()->check(CLI::Range(1, 1000000));
+    trust->add_option("--draws", arguments.amount.draws, "replayed gradings of the solution")->capture_default_str()->check(CLI::Range(1000, 1000000000));
+    trust->add_option("--jobs", arguments.jobs, "how many programs run at a time")->check(CLI::Range(1, 1024));
+    trust->fallthrough();
+    return trust;
+}
+
+bool calibrate(const CalibrateArguments& arguments, const std::string& toolchain, const std::string& command) {
     const auto [shard, shards] = shard_of(arguments.shard);
-    const fs::path results = arguments.results.empty() ? fs::path(arguments.toolchain).parent_path() / "calibration" : fs::path(arguments.results);
-    const Workshop workshop(arguments.toolchain, results, arguments.amount, arguments.names);
+    const fs::path results = arguments.results.empty() ? fs::path(toolchain).parent_path() / "calibration" : fs::path(arguments.results);
+    const Workshop workshop(toolchain, results, arguments.amount, arguments.names);
     if (workshop.variants().empty()) throw std::invalid_argument("no variant and no fragment has such a name; tests/variants holds them");
     if (arguments.fast) return fast(workshop, !arguments.names.empty(), arguments.jobs);
 
@@ -78,7 +94,7 @@ bool calibrate(const CalibrateArguments& arguments) {
     line.clear();
     const fs::path out = arguments.out.empty() ? workshop.results() : fs::path(arguments.out);
     fs::create_directories(out);
-    const std::string text = calibration_report(summary, arguments.command, "calibration.svg");
+    const std::string text = calibration_report(summary, command, "calibration.svg");
     write_text(out / "calibration.md", text);
     write_text(out / "calibration.svg", log_log(budget_plot(summary, int(workshop.assignment().fragments.size()))));
     fmt::print("{}\n{}\n", text.substr(0, text.find("\n## Sizes of a bias")), (out / "calibration.md").string());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
@@ -8,7 +9,6 @@
 namespace grade {
 
 struct CalibrateArguments {
-    std::string toolchain;
     std::string results;              // folder; empty: calibration/ in the build's folder
     std::string out;                  // folder of the report; empty: that of the results
     std::string shard = "1/1";
@@ -16,13 +16,15 @@ struct CalibrateArguments {
     Amount amount;
     int jobs = 0;
     std::vector<std::string> names;   // of variants or fragments; empty: all
-    std::string command;              // as it was typed
 };
+
+CLI::App* add_calibrate_command(CLI::App& app, CalibrateArguments& arguments);
 
 /// grade calibrate: grades fragments that are known to be wrong or right, and reports how often the verdict is so.
 ///
+/// command  as it was typed
 /// Returns whether nothing is off: with `fast`, each wrong variant fails and each right one passes; else, that the work
-/// is done. Throws std::invalid_argument for a shard that is none.
-bool calibrate(const CalibrateArguments& arguments);
+/// is done. Throws std::invalid_argument for what is wrong with the arguments.
+bool calibrate(const CalibrateArguments& arguments, const std::string& toolchain, const std::string& command);
 
 }  // namespace grade

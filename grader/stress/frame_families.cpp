@@ -1,0 +1,63 @@
+#include "stress/family.h"
+
+namespace grade {
+
+namespace {
+
+using rt::vec2, rt::vec3;
+
+/// A fragment that turns a local direction about an axis: its row for an axis, and for which axis that is.
+struct Turning {
+    std::string fragment;
+    Row (*row_about)(vec3 axis, vec2 u);
+};
+
+Row bounce_row(vec3 axis, vec2 u) { return row(axis, rt::Color(0.5), u); }
+Row scatter_row(vec3 axis, vec2 u) { return row(axis, 0.6, u); }
+Row glossy_row(vec3 axis, vec2 u) { return row(-axis, axis, 20.0, u); }
+Row translucent_row(vec3 axis, vec2 u) { return row(axis, -axis, 1.0, 1.5, 20.0, u); }
+Row light_row(vec3 axis, vec2 u) {
+    rt::Emitter light;
+    light.kind = rt::Emitter::Kind::sphere, light.sphere = {3.0 * axis, 1};
+    return row(light, vec3(0), u);
+}
+
+/// Directions about an axis that is x away from a pole of the coordinates, against those about the z axis: as long, and at
+/// the same angles to the axis. Beyond ordinary scenes also about the poles themselves.
+auto poles(const Turning& turning) {
+    return [=](double x, Generator& random, const Asker& ask) {
+        std::vector<vec3> axes;
+        for (int i = 0; i < 24; ++i) {
+            vec3 pole(0);
+            pole[i % 4 < 2 ? 2 : i % 3] = i % 2 ? 1 : -1;
+            axes.push_back(x < 1e-3 && i < 6 ? pole : rt::unit(tilted(random, pole, x)));
+        }
+        Rows rows, straight;
+        std::vector<vec3> about;
+        for (const vec3 axis : axes)
+            for (int k = 0; k < 8; ++k) {
+                const vec2 u = square(random);
+                rows.push_back(turning.row_about(axis, u));
+                straight.push_back(turning.row_about({0, 0, 1}, u));
+                about.push_back(axis);
+            }
+        const Rows base = ask.probe(turning.fragment, straight);
+        return worst_of(ask, turning.fragment, rows, [&](std::size_t i, const Row& out) {
+            const vec3 d{out.at(0), out.at(1), out.at(2)};
+            return worse_error(std::abs(glm::length(d) - 1), std::abs(dot(d, about[i]) - base[i].at(2)));
+        });
+    };
+}
+
+}  // namespace
+
+std::vector<Family> frame_families() {
+    std::vector<Family> all;
+    for (const Turning& turning : {Turning{"color_bleeding", bounce_row}, Turning{"glossy_reflection", glossy_row}, Turning{"translucency", translucent_row},
+                                   Turning{"light_sample", light_row}, Turning{"scatter_direction", scatter_row}})
+        all.push_back({"poles_" + turning.fragment, {turning.fragment}, "angle of the axis from a pole", "error of length and angle", 1e-5, 32 * rt::roundoff,
+                       sweep(-16, -1), {-3, -1}, poles(turning)});
+    return all;
+}
+
+}  // namespace grade

@@ -1,0 +1,85 @@
+#include "stress/page.h"
+
+#include <fmt/format.h>
+
+#include "report/escape.h"
+#include "report/style.h"
+#include "stress/plot.h"
+
+namespace grade {
+
+namespace {
+
+constexpr const char* stress_style = R"css(
+main { max-width: 1200px; }
+svg text { font: 10.5px system-ui, "DejaVu Sans", sans-serif; fill: var(--soft); }
+.tried { fill: #e3e8ef; } .ordinary { fill: #c4e6d6; } .passes.good { fill: var(--good); } .passes.bad { fill: var(--bad); } .solution { fill: #1c2430; }
+svg.reach, svg.errors { display: block; } .plots { display: grid; grid-template-columns: repeat(auto-fill, minmax(330px, 1fr)); gap: 18px 22px; }
+.plots figure { break-inside: avoid; } .plots figcaption { max-width: none; } .plots b { color: var(--ink); font-family: ui-monospace, "DejaVu Sans Mono", monospace; }
+.key { display: inline-block; width: 22px; height: 10px; margin: 0 4px 0 12px; }
+.key.tried { background: #e3e8ef; } .key.ordinary { background: #c4e6d6; } .key.good { background: var(--good); } .key.bad { background: var(--bad); }
+.key.solution { background: #1c2430; height: 3px; vertical-align: middle; }
+.overview td { padding-top: 2px; padding-bottom: 2px; } .overview td:nth-child(n+5) { white-space: nowrap; font-size: 13px; } header p { white-space: nowrap; }
+)css";
+
+std::string badge(const FamilyRecord& f) {
+    if (!f.started) return "<span class=\"badge not_started\">not run</span>";
+    if (!f.is_scored()) return "<span class=\"soft\">bonus only</span>";
+    return f.scored_passed() ? "<span class=\"badge passed\">passed</span>" : "<span class=\"badge failed\">failed</span>";
+}
+
+std::string message_of(const FamilyRecord& f) {
+    if (!f.started) return f.message.substr(0, f.message.find('\n'));
+    for (const DecadeRecord& d : f.decades)
+        if (!d.message.empty()) return fmt::format("at 1e{}: {}", d.decade, d.message);
+    return {};
+}
+
+std::string overview(const StressRecord& record) {
+    std::string text = "<section class=\"card\"><p class=\"soft\">Decades of what is swept, each row on its own scale."
+                       "<span class=\"key ordinary\"></span>ordinary scenes: scored<span class=\"key tried\"></span>tried"
+                       "<span class=\"key passes good\"></span>passes<span class=\"key passes bad\"></span>passes, but not all of what is scored"
+                       "<span class=\"key solution\"></span>the solution</p>\n<table class=\"overview\">\n"
+                       "<tr><th>family</th><th>swept</th><th>scored tier</th><th></th><th>passes</th><th>solution</th></tr>\n";
+    std::string about;
+    for (const FamilyRecord& f : record.families) {
+        if (f.family->fragments.front() != about)
+            text += fmt::format("<tr class=\"part\"><td colspan=\"6\">{}</td></tr>\n", html(about = f.family->fragments.front()));
+        const std::string message = message_of(f);
+        text += fmt::format("<tr><td><a href=\"#{0}\">{0}</a></td><td class=\"soft\">{1}{2}</td><td>{3}</td><td>{4}</td><td>{5}</td><td>{6}</td></tr>\n", html(f.family->name),
+                            html(f.family->swept), message.empty() ? "" : "<br>" + html(message), badge(f), f.started ? reach_bar(f) : "",
+                            f.started ? html(in_words(f.reach)) : "", f.solution ? html(in_words(*f.solution)) : "unknown");
+    }
+    return text + "</table></section>\n";
+}
+
+std::string plots(const StressRecord& record) {
+    std::string text = "<h2>How the errors grow</h2><section class=\"card\"><p class=\"soft\">Each dot is the greatest error at that decade over the one that is allowed there; "
+                       "triangles fail. The foot of a plot is 1e-8 and less, its head a wrong verdict or no number. In the shade, the allowed error is what a picture "
+                       "forgives; outside, what double precision can do.</p><div class=\"plots\">\n";
+    for (const FamilyRecord& f : record.families) {
+        if (!f.started) continue;
+        text += fmt::format("<figure id=\"{0}\"><figcaption><b>{0}</b><br>{1} by {2}</figcaption>{3}</figure>\n", html(f.family->name), html(f.family->error), html(f.family->swept),
+                            error_plot(f));
+    }
+    return text + "</div></section>\n";
+}
+
+}  // namespace
+
+std::string page(const StressRecord& record, const std::string& title) {
+    const double share = record.most_scored() > 0 ? double(record.scored()) / record.most_scored() : 0;
+    std::string text = fmt::format("<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\">"
+                                   "<title>{} of {}: {}</title><style>{}{}</style></head><body><main>\n",
+                                   record.scored(), record.most_scored(), html(record.submission), page_style, stress_style);
+    text += fmt::format("<header><div><h1>{}: stiff and extreme cases</h1><p>{}</p><p class=\"soft\">{} mode</p></div><div class=\"score\"><b>{}</b> <span>of {} families</span>"
+                        "<div class=\"meter\" role=\"img\" aria-label=\"{:.0f} percent\"><i style=\"width:{:.1f}%\"></i></div>"
+                        "<p class=\"soft\">bonus: {} decades beyond ordinary scenes{}</p></div></header>\n",
+                        html(title), html(record.submission), record.student_mode ? "student" : "instructor", record.scored(), record.most_scored(), 100 * share, 100 * share,
+                        record.bonus(), record.most_bonus() > 0 ? fmt::format("; the solution {}", record.most_bonus()) : "");
+    text += overview(record) + plots(record);
+    return text + fmt::format("<h2>About this run</h2><section class=\"card soft\"><p>Again: <code>{}</code></p><p>Toolchain: {}. Grader {}. Sandbox: {}.</p></section>\n</main></body></html>\n",
+                              html(record.command), html(record.toolchain), html(record.version), html(record.sandbox));
+}
+
+}  // namespace grade

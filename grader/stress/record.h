@@ -1,0 +1,63 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "stress/family.h"
+
+/// What a stress run found: the one source of its table, its page and its JSON.
+namespace grade {
+
+struct DecadeRecord {
+    int decade = 0;
+    double error = 0;     // inf: a wrong verdict, a nan, or no answer
+    std::string message;  // why there was no answer
+    bool passed = false;
+};
+
+/// The decades that pass, on from the mildest without a gap. low > high: not even that one.
+using Reach = Decades;
+
+struct FamilyRecord {
+    const Family* family;
+    bool started = false;               // the fragment is there and builds
+    std::string message;                // else: why not
+    std::vector<DecadeRecord> decades;  // as in the family
+    Reach reach;
+    std::optional<Reach> solution;      // none: not stored
+
+    bool is_scored() const { return !family->scored.empty(); }
+    bool scored_passed() const { return is_scored() && !reach.empty() && reach.low <= family->scored.low && reach.high >= family->scored.high; }
+
+    /// Decades beyond those of ordinary scenes that pass.
+    int bonus() const;
+};
+
+struct StressRecord {
+    std::string submission, toolchain, version, command, sandbox;
+    bool student_mode = false;
+    std::vector<FamilyRecord> families;
+    double cpu_seconds = 0;  // of the submission's program
+
+    int scored() const;         // families whose ordinary decades all pass
+    int most_scored() const;
+    int bonus() const;
+    int most_bonus() const;     // of the solution; 0: not stored
+};
+
+/// The decades that pass, on from the mildest of the family.
+Reach reach_of(const Family& family, const std::vector<DecadeRecord>& decades);
+
+/// "1e-3 to 1e12", "1e5", "none".
+std::string in_words(const Reach& reach);
+
+/// penumbra/stress/v1. What depends on time and load is in keys that end in _seconds, nowhere else.
+std::string to_json(const StressRecord& record);
+
+/// The solution's decades by family, as stored; empty where there is no such file. Throws std::runtime_error.
+std::map<std::string, Reach> read_solution_reach(const std::string& path);
+void write_solution_reach(const std::string& path, const StressRecord& of_solution);
+
+}  // namespace grade

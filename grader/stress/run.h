@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+#include <set>
+
+#include "assignment.h"
+#include "build/submission.h"
+#include "build/toolchain.h"
+#include "stress/record.h"
+
+namespace grade {
+
+struct StressSettings {
+    std::set<std::string> only;  // families, or fragments with all of theirs; empty: all
+    bool student = false;
+    bool trusted = false;
+    int jobs = 0;                // at a time; 0: one for each core
+    double time_limit = 10;      // CPU time of one answer [s]
+    std::function<void(int done, int all, const std::string& doing)> progress;  // never called twice at a time
+};
+
+/// Runs families on a submission. Whatever a fragment does costs its families only. Throws std::runtime_error where the
+/// machine fails.
+StressRecord stress_submission(const Submission& submission, const Assignment& assignment, const Toolchain& chain, const StressSettings& settings);
+
+}  // namespace grade

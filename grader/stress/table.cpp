@@ -1,0 +1,30 @@
+#include "stress/table.h"
+
+#include <fmt/format.h>
+
+#include "report/escape.h"
+
+namespace grade {
+
+std::string table(const StressRecord& record, bool color) {
+    const auto paint = [&](const char* code, const std::string& text) { return color ? code + text + "\033[0m" : text; };
+    std::string text = paint("\033[1m", fmt::format("{:<27}{:<47}{:<13}{:<17}{}\n", "family", "swept", "scored tier", "passes", "solution"));
+    for (const FamilyRecord& f : record.families) {
+        const std::string solution = f.solution ? in_words(*f.solution) : "unknown";
+        const std::string scored = !f.is_scored() ? "" : f.scored_passed() ? "passed" : f.started ? "failed" : "-";
+        const char* code = !f.is_scored() || !f.started ? "\033[2m" : f.scored_passed() ? "\033[32m" : "\033[31m";
+        text += fmt::format("{:<27}{:<47}{}{:<17}{}\n", f.family->name, f.family->swept, paint(code, fmt::format("{:<13}", scored)),
+                            f.started ? in_words(f.reach) : "-", solution);
+        if (!f.started) text += fmt::format("    {}: {}\n", f.family->fragments.front(), printable(f.message.substr(0, f.message.find('\n')), 90));
+        for (const DecadeRecord& d : f.decades)
+            if (!d.message.empty() && !d.passed) {
+                text += fmt::format("    at 1e{}: {}\n", d.decade, printable(d.message, 90));
+                break;
+            }
+    }
+    text += fmt::format("\nScored tier (ordinary scenes): {} of {} families. Bonus: {} decades beyond", record.scored(), record.most_scored(), record.bonus());
+    if (record.most_bonus() > 0) text += fmt::format("; the solution {}", record.most_bonus());
+    return text + ".\n";
+}
+
+}  // namespace grade

@@ -1,0 +1,112 @@
+#include "stress/family.h"
+
+namespace grade {
+
+namespace {
+
+using rt::DirectionSample, rt::DiskSample, rt::Extent, rt::FilmSample, rt::vec2, rt::vec3;
+
+/// Cells of x strata: inside the square, of the right area, each its own.
+double strata_count(double x, Generator& random, const Asker& ask) {
+    const int n = int(x);
+    Rows rows;
+    std::vector<int> cells{0, n / 2, std::max(0, n - 2)};
+    for (int i = 0; i < 60; ++i) cells.push_back(whole_between(random, 0, std::max(0, n - 2)));
+    const int next = n > 1 ? 1 : 0;
+    for (const int i : cells) {
+        rows.push_back(row(i, n, vec2(0)));
+        rows.push_back(row(i, n, vec2(almost_one)));
+        rows.push_back(row(i + next, n, vec2(0.5)));
+    }
+    const Rows out = ask.probe("stratified_2d", rows);
+    double worst = 0;
+    for (const Row& point : out)
+        for (const double c : point)
+            if (!(c >= 0 && c <= 1)) return rt::inf;
+    for (std::size_t k = 0; k + 2 < out.size(); k += 3) {
+        const vec2 a = from_row<vec2>(out[k]), b = from_row<vec2>(out[k + 1]), other = from_row<vec2>(out[k + 2]);
+        const vec2 low = glm::min(a, b), high = glm::max(a, b);
+        worst = worse_error(worst, std::abs((high.x - low.x) * (high.y - low.y) * n - 1));
+        // the middle of the next cell is not in this one
+        const bool within = other.x > low.x && other.x < high.x && other.y > low.y && other.y < high.y;
+        if (next && within) return rt::inf;
+    }
+    return worst;
+}
+
+/// The last cells of few strata, with a random number that is so near 1: still below 1.
+double strata_end(double x, Generator&, const Asker& ask) {
+    Rows rows;
+    for (int n = 1; n <= 100; ++n) {
+        const double u = std::min(1 - x, almost_one);
+        rows.push_back(row(n - 1, n, vec2(u))), rows.push_back(row(n / 2, n, vec2(u))), rows.push_back(row(0, n, vec2(u)));
+    }
+    return worst_of(ask, "stratified_2d", rows, [&](std::size_t, const Row& out) {
+        return out.at(0) >= 0 && out[0] < 1 && out.at(1) >= 0 && out[1] < 1 ? 0 : rt::inf;
+    });
+}
+
+/// A pixel so far from the film's corner: all samples are in it, and their mean is its middle.
+double film_position(double x, Generator& random, const Asker& ask) {
+    double worst = 0;
+    for (int pixel = 0; pixel < 20; ++pixel) {
+        const vec2 low(std::floor(x * between(random, 1, 2)), std::floor(x * between(random, 1, 2)));
+        Rows rows;
+        for (int i = 0; i < 16; ++i)
+            for (const double u : {0.0, 0.3123, 0.6877, almost_one}) rows.push_back(row(Extent{low, low + 1.0}, i, 16, vec2(u)));
+        const Rows out = ask.probe("film_sample", rows);
+        vec2 sum(0);
+        for (std::size_t k = 0; k < out.size(); ++k) {
+            const auto [p, weight] = from_row<FilmSample>(out[k]);
+            if (!(p.x >= low.x && p.y >= low.y && p.x <= low.x + 1 && p.y <= low.y + 1)) return rt::inf;
+            if (k % 4 == 1 || k % 4 == 2) sum += p;
+        }
+        worst = worse_error(worst, rt::largest(vec3(sum / 32.0 - low - 0.5, 0)) / rt::largest(vec3(low, 1)));
+    }
+    return worst;
+}
+
+/// Points of the unit square at a distance x from its borders and from its middle, and, in the extreme, on them.
+std::vector<vec2> borders(double x) {
+    std::vector<double> places{x, 1 - x, 0.5 + x, 0.5 - x};
+    if (x < 1e-3) places.insert(places.end(), {0.0, 0.5, almost_one});
+    std::vector<vec2> points;
+    for (const double a : places)
+        for (const double b : places) points.push_back({std::min(a, almost_one), std::min(b, almost_one)});
+    for (int turn = 0; turn < 64; ++turn) points.push_back({std::min(1 - x, almost_one), (turn + 0.37) / 64});
+    return points;
+}
+
+double disk_border(double x, Generator&, const Asker& ask) {
+    Rows rows;
+    for (const vec2 u : borders(x)) rows.push_back(row(u));
+    return worst_of(ask, "uniform_disk", rows, [&](std::size_t, const Row& out) {
+        const auto [p, density] = from_row<DiskSample>(out);
+        return worse_error(std::max(0.0, glm::length(p) - 1) + 0 * p.x, std::abs(density * rt::pi - 1));
+    });
+}
+
+double hemisphere_border(double x, Generator&, const Asker& ask) {
+    Rows rows;
+    for (const vec2 u : borders(x)) rows.push_back(row(u));
+    return worst_of(ask, "cosine_hemisphere", rows, [&](std::size_t, const Row& out) {
+        const auto [d, density] = from_row<DirectionSample>(out);
+        if (!(d.z >= 0)) return rt::inf;
+        return worse_error(std::abs(glm::length(d) - 1), std::abs(density - d.z / rt::pi));
+    });
+}
+
+}  // namespace
+
+std::vector<Family> warp_families() {
+    constexpr double u = rt::roundoff;
+    return {
+        {"strata_count", {"stratified_2d"}, "number of cells", "relative error of a cell's area", 1e-4, 1e-9, sweep(0, 9), {0, 4}, strata_count},
+        {"strata_end", {"stratified_2d"}, "distance of u from 1", "points at 1", 0, 0, sweep(-16, -1), {-3, -1}, strata_end},
+        {"film_position", {"film_sample"}, "place of a pixel on the film", "error of the samples' mean / place", 1e-4, 8 * u, sweep(0, 9), {0, 3}, film_position},
+        {"disk_border", {"uniform_disk"}, "distance of u from a border", "length beyond 1, error of the density", 1e-5, 8 * u, sweep(-16, -1), {-3, -1}, disk_border},
+        {"hemisphere_border", {"cosine_hemisphere"}, "distance of u from a border", "error of length and density", 1e-5, 8 * u, sweep(-16, -1), {-3, -1}, hemisphere_border},
+    };
+}
+
+}  // namespace grade

@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+"""Stresses fragments that are numerically naive, and fragments that are right in another way.
+
+    tests/variants/stress.py [--fast] [--share 0.95] GRADE [NAME...]
+
+`grade stress` must see each naive variant fail earlier than the solution, in the family that its header names, and must
+give each right one its full scored tier. Prints a row for each; exits with 1 where fewer than that share of the naive ones
+are found, or a right one loses its scored tier.
+"""
+import argparse
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+SOLUTION = HERE.parent.parent / "solution"
+
+
+def header(path):
+    lines = [line[2:] for line in path.read_text().splitlines() if line.startswith("# ")]
+    return dict(line.split(": ", 1) for line in lines[1:])
+
+
+def stress(program, patch, fragment, folder):
+    """The record of `grade stress` for the solution with a patch; only the families of the patched fragment are run."""
+    shutil.copytree(SOLUTION, folder / "solution")
+    done = subprocess.run(["patch", "-p1", "--silent", "--no-backup-if-mismatch", "-i", patch], cwd=folder,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    if done.returncode != 0:
+        sys.exit(f"{patch}:1:1: does not apply to solution/{fragment}.cpp any more:\n{done.stdout}")
+    out = folder / "record.json"
+    command = [program, "stress", str(folder / "solution"), "--trusted", "--mode", "instructor", "--only", fragment, "--json", str(out),
+               "--time-limit", "3"]
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(command)}: exit code {done.returncode}:\n{done.stdout}")
+    return json.loads(out.read_text())["families"]
+
+
+def words(reach):
+    return "none" if reach is None else f"1e{reach[0]} to 1e{reach[1]}"
+
+
+def is_short(family):
+    """Whether a family passes fewer decades than it does for the solution."""
+    reach, solution = family["reach"], family["solution_reach"]
+    if not family["started"]:
+        sys.exit(f"{family['name']}: {family['message']}")
+    if solution == "unknown":
+        sys.exit(f"{family['name']}: nothing is stored of the solution; expected: grade stress solution --store")
+    return solution is not None and (reach is None or reach[0] > solution[0] or reach[1] < solution[1])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--fast", action="store_true", help="every eighth variant")
+    parser.add_argument("--share", type=float, default=0.95, help="of the naive variants that must be found")
+    parser.add_argument("program", metavar="GRADE", help="the built grader")
+    parser.add_argument("names", metavar="NAME", nargs="*", help="only variants whose names hold one of these words")
+    asked = parser.parse_args()
+
+    counts = {"naive": [0, 0], "right": [0, 0]}  # found or passed, of all
+    for kind in counts:
+        paths = [p for p in sorted((HERE / kind).glob("*.patch")) if not asked.names or any(n in f"{kind}/{p.stem}" for n in asked.names)]
+        for path in paths[::8] if asked.fast else paths:
+            keys = header(path)
+            with tempfile.TemporaryDirectory() as folder:
+                families = stress(asked.program, path, keys["fragment"], pathlib.Path(folder))
+            counts[kind][1] += 1
+            if kind == "right":
+                lost = [f"{f['name']} passes {words(f['reach'])}" for f in families if f["scored"] is False]
+                good = not lost
+                told = ", ".join(lost) or "scored tier full"
+            else:
+                short = {f["name"]: f for f in families if is_short(f)}
+                good = keys["family"] in short
+                told = f"{keys['family']}: {words(short[keys['family']]['reach'])}" if good else "not found" + (
+                    f"; but {', '.join(short)}" if short else "")
+            counts[kind][0] += good
+            print(f"{'ok ' if good else 'OFF'} {kind}/{path.stem:<36} {keys['fragment']:<22} {told}", flush=True)
+    (found, naive), (passed, right) = counts["naive"], counts["right"]
+    print(f"{found} of {naive} naive variants found, {passed} of {right} right ones with a full scored tier")
+    if naive + right == 0:
+        sys.exit("no variant has such a name")
+    return 0 if found >= asked.share * naive and passed == right else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
