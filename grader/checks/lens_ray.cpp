@@ -3,6 +3,7 @@
 #include "checks/draw.h"
 #include "checks/formula.h"
 #include "checks/fragment_checks.h"
+#include "checks/pictures.h"
 #include "checks/probe_check.h"
 #include "checks/render_check.h"
 #include "rt/scene_reader.h"
@@ -233,6 +234,6 @@ Check corner(Generator& random) {
 
 }  // namespace
 
-Checks check_lens_ray(Generator& random) { return {in_focus(), rays(random), depths(random), corner(random)}; }
+Checks check_lens_ray(Generator& random) { return {in_focus(), rays(random), depths(random), corner(random), two_colors(random), adding_up(random)}; }
 
 }  // namespace grade
