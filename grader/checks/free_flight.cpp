@@ -3,6 +3,7 @@
 #include "checks/draw.h"
 #include "checks/formula.h"
 #include "checks/fragment_checks.h"
+#include "checks/pictures.h"
 #include "checks/probe_check.h"
 #include "checks/render_check.h"
 #include "rt/scene_reader.h"
@@ -87,6 +88,6 @@ Check attenuation(Generator& random) {
 
 }  // namespace
 
-Checks check_free_flight(Generator& random) { return {distances(random), ends(), attenuation(random)}; }
+Checks check_free_flight(Generator& random) { return {distances(random), ends(), attenuation(random), white_medium(random, "free_flight")}; }
 
 }  // namespace grade
