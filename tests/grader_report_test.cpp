@@ -96,6 +96,13 @@ TEST_CASE("of what fails, shared numbers are told first, then what is no image, 
         std::rotate(all.begin(), all.begin() + 1, all.end());  // the last one is told first
         CHECK(diagnose(fragment_with(Verdict::failed, "", all)).words == (std::string(id) == "A1" ? "D1" : id));
     }
+    // what a call shows comes before what a picture shows, but for shared numbers
+    FragmentRecord both = fragment_with(Verdict::failed, "", {failing("A1", "picture")});
+    both.checks[0].scene = "[camera]";
+    both.checks.push_back(fragment_with(Verdict::failed, "", {failing("V3", "call")}).checks[0]);
+    CHECK(diagnose(both).words == "call");
+    both.checks[0].statistics[0].id = "G1";
+    CHECK(diagnose(both).words == "picture");
     // of one family, the first check's
     CHECK(diagnose(fragment_with(Verdict::failed, "", {failing("A1", "first"), failing("D1", "second")})).words == "first");
     // a crash comes before all statistics

@@ -136,16 +136,16 @@ Check bright_slab(Generator& random) { return slab(random, "light_through_a_slab
 /// part of its radius the bubble reflects all light.
 Check invisible_glass(Generator& random, const std::string& fragment) {
     const Place place = any_place(random);
-    const double ior = between(random, 1.3, 1.8);
+    const double ior = between(random, 1.3, 1.8), around = log_between(random, 0.3, 3);
     const auto glass = [](const std::string& name, double index) {
         return fmt::format("[materials.{}]\nreflectance = 1\ntransmittance = 1\nior = {}\n\n", name, toml(index));
     };
     const View view{place({0, 0, 8}), place({0, 0, 0}), place.turned({0, 1, 0}), 2 * std::atan(1.2 / 8) * 180 / rt::pi, {48, 24}};
-    const std::string scene = "environment = 1\n\n" + toml(view) + glass("glass", ior) + glass("air", 1 / ior) +
+    const std::string scene = fmt::format("environment = {}\n\n", toml(around)) + toml(view) + glass("glass", ior) + glass("air", 1 / ior) +
                               sphere("glass", place({-1.2, 0, 0}), 1) + sphere("air", place({1.2, 0, 0}), 1);
-    const auto light = [](const std::string& thing, Region region, const std::string& question) {
-        return of_picture("F3", "radiance of " + thing + " among radiance 1",
-            [=](const rt::Image& image) { return brightness(region_mean(image, region)); }, 1, 0.01, [=](double value, double) {
+    const auto light = [=](const std::string& thing, Region region, const std::string& question) {
+        return of_picture("F3", "radiance of " + thing + ", over that of its surroundings",
+            [=](const rt::Image& image) { return brightness(region_mean(image, region)) / around; }, 1, 0.01, [=](double value, double) {
                 return fmt::format("{} where light comes from everywhere alike must be invisible, but its radiance is {:.3g} times that of its "
                                    "surroundings: {}", thing, value, question);
             });

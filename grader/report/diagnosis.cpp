@@ -13,8 +13,8 @@ namespace grade {
 
 namespace {
 
-/// Of two families the smaller one is told first; of one verdict the smaller one.
-using Rank = std::tuple<int, Family>;
+/// The smaller one is told first: by verdict, by kind of evidence, by family.
+using Rank = std::tuple<int, int, Family>;
 
 int rank_of(Verdict verdict) {
     switch (verdict) {
@@ -29,6 +29,12 @@ int rank_of(Verdict verdict) {
         case Verdict::passed: break;
     }
     return 7;
+}
+
+Rank rank_of(Verdict verdict, const CheckRecord& check, Family family) {
+    const bool is_picture = !check.scene.empty();
+    const int evidence = family <= Family::not_an_image ? 0 : is_picture ? 2 : 1;
+    return {rank_of(verdict), evidence, family};
 }
 
 std::string section_of(const std::string& fragment, Verdict verdict, const std::string& words) {
@@ -53,8 +59,8 @@ Family family_of(std::string_view id) {
         {"A1", Family::geometry},   {"A2", Family::geometry},   {"L3", Family::geometry},     {"D1", Family::geometry},
         {"D2", Family::geometry},   {"D3", Family::geometry},   {"M1", Family::geometry},     {"M3", Family::geometry},
         {"P1", Family::geometry},   {"F4", Family::geometry},   {"W1", Family::geometry},     {"W2", Family::geometry},
-        {"I1", Family::radiometry}, {"L1", Family::radiometry}, {"L2", Family::radiometry},   {"L4", Family::radiometry},
-        {"P2", Family::radiometry}, {"P3", Family::radiometry}, {"P4", Family::radiometry},   {"F1", Family::radiometry},
+        {"I1", Family::radiometry}, {"L1", Family::radiometry}, {"L2", Family::factor},   {"L4", Family::radiometry},
+        {"P2", Family::radiometry}, {"P3", Family::geometry}, {"P4", Family::radiometry},   {"F1", Family::radiometry},
         {"F2", Family::radiometry}, {"F3", Family::radiometry}, {"B1", Family::radiometry},   {"W3", Family::radiometry},
         {"G2", Family::variance},   {"G3", Family::variance},   {"V1", Family::variance},     {"V3", Family::variance},
         {"D4", Family::variance},   {"M4", Family::variance}};
@@ -80,10 +86,10 @@ Diagnosis diagnose(const FragmentRecord& fragment) {
     };
     for (const CheckRecord& check : fragment.checks) {
         if (check.verdict == Verdict::passed) continue;
-        tell({rank_of(check.verdict), Family::not_an_image}, check.message, section_of(check, nullptr));
+        tell(rank_of(check.verdict, check, Family::not_an_image), check.message, section_of(check, nullptr));
         for (const StatisticRecord& statistic : check.statistics)
             if (statistic.verdict != Verdict::passed)
-                tell({rank_of(statistic.verdict), family_of(statistic.id)}, statistic.hint, section_of(check, &statistic));
+                tell(rank_of(statistic.verdict, check, family_of(statistic.id)), statistic.hint, section_of(check, &statistic));
     }
     return first;
 }
