@@ -116,7 +116,8 @@ int grade_one(Arguments arguments, std::string command) {
     if (!arguments.json.empty()) write_text(arguments.json, to_json(record));
     if (!arguments.html.empty()) {
         fs::create_directories(arguments.html);
-        write_text(fs::path(arguments.html) / "index.html", page(record, assignment));
+        const fs::path handout = fs::relative(chain.source / "handout.md", arguments.html);
+        write_text(fs::path(arguments.html) / "index.html", page(record, assignment, handout.generic_string()));
     }
     fmt::print("{}\nseed {}, {} mode; {}\n", table(record, assignment, isatty(STDOUT_FILENO)), record.seed,
                record.student_mode ? "student" : "instructor", record.sandbox);
