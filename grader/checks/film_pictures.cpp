@@ -151,7 +151,7 @@ Check fine_stripes(Generator& random) {
                         across ? vec2(0, 20) : vec2(0, 1.0 / 6));
     }
     return render_check("fine_stripes", "film_sample", {"hit_quad", "emission_counts"}, {scene, 1, "random"},
-                        {own_numbers({0, 0, size.x, size.y}, 1, "position in the pixel")});
+                        {own_numbers({0, 0, size.x, size.y}, 1, "position in the pixel", "the middle")});
 }
 
 /// Lamps of very different brightness, each thinner than the pixels that it crosses: a lamp of 10 that covers 30

@@ -119,9 +119,9 @@ Check flat_light(Generator& random, Emitter::Kind kind, const char* name, std::v
                                : "one side of the light is sampled more than the other");
     };
     Statistic x =
-        mean_of("L1", "mean point on the light, across", moment([=](vec2 q) { return q.x / area; }), 0, 1, corner);
+        mean_of("L3", "mean point on the light, across", moment([=](vec2 q) { return q.x / area; }), 0, 1, corner);
     Statistic y =
-        mean_of("L1", "mean point on the light, along", moment([=](vec2 q) { return q.y / area; }), 0, 1, corner);
+        mean_of("L3", "mean point on the light, along", moment([=](vec2 q) { return q.y / area; }), 0, 1, corner);
     Statistic xy =
         mean_of("L3", "covariance of the point on the light", moment([=](vec2 q) { return q.x * q.y / area; }), 0, 1,
                 always("the two coordinates depend on each other: one needs u.x and the other u.y"));

@@ -116,10 +116,10 @@ Check passing_train(Generator& random) {
                                    : "does each sample have a time of its own, drawn from its u?");
         });
     return render_check("passing_train", "shutter_time", {"hit_quad", "moved", "emission_counts"},
-                        {scene, samples, "random"}, {own_numbers(region, samples, "time"), noise});
+                        {scene, samples, "random"}, {own_numbers(region, samples, "time", "the same"), noise});
 }
 
-Statistic own_numbers(const Region& region, int samples, const std::string& what) {
+Statistic own_numbers(const Region& region, int samples, const std::string& what, const std::string& otherwise) {
     Statistic s = of_picture("G1", "share of the noise that pixels have in common: of the picture, a row, a column",
         [=](const rt::Image& image) { return sharing(image, region, samples).sum(); }, 0, 0.4,
         [=](double value, double) {
@@ -129,7 +129,9 @@ Statistic own_numbers(const Region& region, int samples, const std::string& what
         const Sharing shared = sharing(seen.image, region, samples);
         if (shared.all > 0.7)
             return fmt::format(
-                "all pixels have one {}: it must come from u, which is another for each sample of each pixel", what);
+                "all pixels have one {}: it is drawn once, or is always {}; it must come from u, which is "
+                "another for each sample of each pixel",
+                what, otherwise);
         if (shared.rows > 0.5) return fmt::format("all pixels of a row have one {}: it must come from u alone", what);
         if (shared.columns > 0.5)
             return fmt::format("all pixels of a column have one {}: it must come from u alone", what);
