@@ -27,7 +27,10 @@ inline rt::Color reflected(const rt::Material& material, rt::vec3 n, rt::vec3 d,
     if (model.both_sides) cosine = std::abs(cosine);
     const bool above = cosine > 0;
     rt::Color sum(0);
-    if (model.diffuse && (above || !model.clamp)) sum += material.albedo / rt::pi * (model.diffuse_factor * std::copysign(std::pow(std::abs(cosine), model.cosine_power), model.cosine_power > 0 ? cosine : 1));
+    if (model.diffuse && (above || !model.clamp))
+        sum += material.albedo / rt::pi *
+               (model.diffuse_factor *
+                std::copysign(std::pow(std::abs(cosine), model.cosine_power), model.cosine_power > 0 ? cosine : 1));
     if (model.highlight && (above || model.highlight_below)) {
         const rt::vec3 axis = model.about_normal || model.halfway ? n : 2 * cosine * n - d;
         const double along = rt::dot(axis, model.half_not_unit ? 0.5 * (d + c) : model.halfway ? rt::unit(d + c) : c);
@@ -70,10 +73,13 @@ inline std::vector<Mistake> reflection_mistakes() {
     add("the exponent is a + 1; expected a", [](Model& m) { m.exponent_more = 1; });
     add("the exponent is a - 1; expected a", [](Model& m) { m.exponent_more = -1; });
     add("the exponent is 2a; expected a", [](Model& m) { m.exponent_factor = 2; });
-    add("the exponent is ignored: the highlight is r . c", [](Model& m) { m.exponent_factor = 0, m.exponent_more = 1; });
+    add("the exponent is ignored: the highlight is r . c",
+        [](Model& m) { m.exponent_factor = 0, m.exponent_more = 1; });
     add("the highlight is Blinn's (n . h)^a; expected Phong's (r . c)^a", [](Model& m) { m.halfway = true; });
-    add("the half vector takes the mirrored light's place, and has not even unit length; expected (r . c)^a", [](Model& m) { m.halfway = m.half_not_unit = true; });
-    add("the highlight is about the normal; expected about the mirrored light, r = 2 (n . d) n - d", [](Model& m) { m.about_normal = true; });
+    add("the half vector takes the mirrored light's place, and has not even unit length; expected (r . c)^a",
+        [](Model& m) { m.halfway = m.half_not_unit = true; });
+    add("the highlight is about the normal; expected about the mirrored light, r = 2 (n . d) n - d",
+        [](Model& m) { m.about_normal = true; });
     add("the highlight has a cosine n . d too many", [](Model& m) { m.highlight_cosine = true; });
     add("the highlight is missing", [](Model& m) { m.highlight = false; });
     add("the diffuse part is missing", [](Model& m) { m.diffuse = false; });
@@ -84,7 +90,8 @@ inline std::vector<Mistake> reflection_mistakes() {
     add("the cosine n . d counts twice in the diffuse part", [](Model& m) { m.cosine_power = 2; });
     add("the cosine n . d counts once too often", [](Model& m) { m.cosine_power = 2, m.highlight_cosine = true; });
     add("light from below the horizon is negative: max(0, n . d) is missing", [](Model& m) { m.clamp = false; });
-    add("light from below the horizon is negative, and its highlight counts", [](Model& m) { m.clamp = false, m.highlight_below = true; });
+    add("light from below the horizon is negative, and its highlight counts",
+        [](Model& m) { m.clamp = false, m.highlight_below = true; });
     add("light from below the horizon counts: |n . d| is not max(0, n . d)", [](Model& m) { m.both_sides = true; });
     add("the ambient light is missing", [](Model& m) { m.ambient = false; });
     add("the ambient light is missing", [](Model& m) { m.ambient = false, m.ambient_below = true; });
