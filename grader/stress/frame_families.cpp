@@ -29,7 +29,7 @@ auto poles(const Turning& turning) {
         std::vector<vec3> axes;
         for (int i = 0; i < 24; ++i) {
             vec3 pole(0);
-            pole[i % 4 < 2 ? 2 : i % 3] = i % 2 ? 1 : -1;
+            pole[2 - i / 2 % 3] = i % 2 ? 1 : -1;
             axes.push_back(x < 1e-3 && i < 6 ? pole : rt::unit(tilted(random, pole, x)));
         }
         Rows rows, straight;
