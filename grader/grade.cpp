@@ -13,6 +13,7 @@
 #include "build/hand_out.h"
 #include "build/submission.h"
 #include "build/toolchain.h"
+#include "calibration/command.h"
 #include "checks/check.h"
 #include "judging/grading.h"
 #include "judging/judge_check.h"
@@ -115,7 +116,8 @@ int grade_one(Arguments arguments, std::string command) {
     if (!arguments.json.empty()) write_text(arguments.json, to_json(record));
     if (!arguments.html.empty()) {
         fs::create_directories(arguments.html);
-        write_text(fs::path(arguments.html) / "index.html", page(record, assignment));
+        const fs::path handout = fs::relative(chain.source / "handout.md", arguments.html);
+        write_text(fs::path(arguments.html) / "index.html", page(record, assignment, handout.generic_string()));
     }
     fmt::print("{}\nseed {}, {} mode; {}\n", table(record, assignment, isatty(STDOUT_FILENO)), record.seed,
                record.student_mode ? "student" : "instructor", record.sandbox);
@@ -187,6 +189,9 @@ int main(int argc, char** argv) {
     starter->add_option("FOLDER", arguments.folder, "is not there yet, or empty")->required();
     starter->fallthrough();
 
+    CalibrateArguments calibration;
+    CLI::App* trust = add_calibrate_command(app, calibration);
+
     StressArguments stress_arguments;
     CLI::App* stress = add_stress_command(app, stress_arguments);
 
@@ -201,11 +206,15 @@ int main(int argc, char** argv) {
     }
     try {
         if (references->parsed()) return store_references(arguments);
+        if (trust->parsed()) return calibrate(calibration, arguments.toolchain, command_of(argc, argv)) ? graded : below_required;
         if (tables->parsed()) return describe(arguments);
         if (starter->parsed()) return hand_out_starter(arguments);
         if (stress->parsed()) return run_stress(stress_arguments, command_of(argc, argv));
         return grade_one(arguments, command_of(argc, argv));
     } catch (const UsageError& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return usage;
+    } catch (const std::invalid_argument& error) {
         fmt::print(stderr, "{}\n", error.what());
         return usage;
     } catch (const SubmissionError& error) {

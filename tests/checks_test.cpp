@@ -6,6 +6,9 @@
 #include "checks/check.h"
 #include "checks/estimate.h"
 #include "checks/formula.h"
+#include "checks/render_check.h"
+#include "judging/experiment.h"
+#include "rt/render.h"
 #include "rt/scene_reader.h"
 #include "statistics/moments.h"
 
@@ -94,6 +97,15 @@ TEST_CASE("a formula is measured by its worst row, and its cause is the suspect 
     CHECK(s.cause(observe([](double x) { return x * x + 2; })).find("40 of 40 calls are wrong") == 0);
 }
 
+TEST_CASE("a hint names the nearest known cause, and those that nothing tells apart from it") {
+    const Hint hint = by_ratio("the disc", {{2, "is the diameter the radius?"}, {2.01, "is it doubled?"}, {2.4, "is it more?"}, {0, "is it missing?"}}, "look at it");
+    CHECK(hint(2.02, 1) == "the disc is 2.02 times what it must be: is it doubled? Or: is the diameter the radius?");
+    CHECK(hint(4.8, 2) == "the disc is 2.4 times what it must be: is it more?");
+    CHECK(hint(0, 1) == "the disc is 0 times what it must be: is it missing?");
+    CHECK(hint(3, 1) == "the disc is 3 times what it must be: look at it");
+    CHECK(by_value("x", {{1, "one?"}, {1.01, "one?"}}, 0.1)(1, 0) == "x is 1, not 0: one?");
+}
+
 TEST_CASE("chi-squared of even points is 1 on average, and large where a part gets nothing") {
     Generator random(3);
     std::uniform_real_distribution<double> u(0, 1);
@@ -112,4 +124,64 @@ TEST_CASE("chi-squared of even points is 1 on average, and large where a part ge
     CHECK(even.mean == Approx(1).margin(4 * even.standard_error()));
     CHECK(s.measure(seen(0.5)) > 10);
     CHECK(s.measure(seen(1.5)) > 10);
+}
+
+namespace {
+
+/// Probes whose arguments are too few to differ, each with its reason.
+const std::map<std::string, std::string> same_arguments = {
+    {"emission_counts/truth_table", "an event and a bool: all ten combinations are asked"},
+};
+
+/// Pictures of the solution that pass under other seeds as well, each with its reason.
+const std::map<std::string, std::string> same_pictures = {
+    {"film_sample/fine_stripes", "any noise is right that pixels do not share"},
+    {"shutter_time/passing_train", "any noise is right that pixels do not share, and as large"},
+    {"lens_ray/two_colors", "the colours of any spot are right that do not go with the place; depths and corner look at the spot itself"},
+};
+
+}  // namespace
+
+TEST_CASE("another seed draws other arguments for every probe, so remembered answers do not pass") {
+    const auto first = all_checks(1), second = all_checks(2);
+    REQUIRE(first.size() == second.size());
+    for (std::size_t k = 0; k < first.size(); ++k) {
+        const auto* probe = std::get_if<Probe>(&first[k].experiment);
+        if (!probe) continue;
+        const std::string name = first[k].fragment + "/" + first[k].name;
+        CAPTURE(name);
+        const auto rows = [](const Check& check, std::uint64_t seed) {
+            Generator random(replicate_seed(seed, check, Stream::submission, 0));
+            return std::get<Probe>(check.experiment).inputs(random);
+        };
+        const Rows one = rows(first[k], 1), other = rows(second[k], 2);
+        const std::set<Row> known(one.begin(), one.end());
+        const double seen = double(std::ranges::count_if(other, [&](const Row& row) { return known.contains(row); }));
+        if (same_arguments.contains(name)) CHECK(seen > 0);
+        else CHECK(seen <= 0.05 * double(other.size()));
+    }
+}
+
+TEST_CASE("a picture that the solution draws under one seed does not pass under others") {
+    const auto first = all_checks(1);
+    std::vector<std::vector<Check>> others;
+    for (std::uint64_t seed = 2; seed <= 5; ++seed) others.push_back(all_checks(seed));
+    const std::map<std::string, rt::Sampler> samplers = {{"uniform", rt::Sampler::uniform}, {"random", rt::Sampler::random},
+                                                         {"stratified", rt::Sampler::stratified}, {"sobol", rt::Sampler::sobol}};
+    for (std::size_t k = 0; k < first.size(); ++k) {
+        const auto* render = std::get_if<Render>(&first[k].experiment);
+        if (!render) continue;
+        const std::string name = first[k].fragment + "/" + first[k].name;
+        CAPTURE(name);
+        rt::RenderSettings settings;
+        settings.samples = render->samples, settings.threads = 1, settings.estimate_error = false;
+        settings.sampler = samplers.at(render->sampler);
+        Observation copied;
+        copied.image = rt::render(rt::parse_scene(render->scene, "scenes/scene.toml"), settings).image;
+        const auto is_off = [&](const Statistic& s) { return !s.truth || !(std::abs(measured(s, copied) - *s.truth) <= 1.5 * s.delta); };
+        const auto fails = std::ranges::count_if(others, [&](const auto& checks) { return std::ranges::any_of(checks[k].statistics, is_off); });
+        // parameters may be close to each other by chance
+        if (same_pictures.contains(name)) CHECK(fails == 0);
+        else CHECK(fails >= 1);
+    }
 }

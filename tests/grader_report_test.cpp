@@ -4,6 +4,7 @@
 #include "catch.h"
 #include "child/rows.h"
 #include "report/bar.h"
+#include "report/diagnosis.h"
 #include "report/escape.h"
 #include "report/page.h"
 #include "report/picture.h"
@@ -65,6 +66,70 @@ TEST_CASE("the worst verdict of a fragment is told") {
     CHECK(worse(Verdict::passed, Verdict::inconclusive) == Verdict::inconclusive);
     CHECK(worse(Verdict::crashed, Verdict::failed) == Verdict::crashed);
     CHECK(worse(Verdict::blocked, Verdict::failed) == Verdict::failed);
+}
+
+namespace {
+
+StatisticRecord failing(const std::string& id, const std::string& hint) {
+    StatisticRecord statistic;
+    statistic.id = id, statistic.hint = hint, statistic.verdict = Verdict::failed;
+    return statistic;
+}
+
+FragmentRecord fragment_with(Verdict verdict, const std::string& message, std::vector<StatisticRecord> statistics) {
+    FragmentRecord fragment;
+    CheckRecord check;
+    fragment.name = check.fragment = "lens_ray";
+    fragment.verdict = check.verdict = verdict;
+    check.message = message;
+    check.statistics = std::move(statistics);
+    fragment.checks = {check};
+    return fragment;
+}
+
+}  // namespace
+
+TEST_CASE("of what fails, shared numbers are told first, then what is no image, tone, geometry, radiometry, variance") {
+    std::vector<StatisticRecord> all;
+    for (const char* id : {"G3", "L1", "D1", "A1", "G4", "V0", "G1"}) {
+        all.insert(all.begin(), failing(id, id));
+        std::rotate(all.begin(), all.begin() + 1, all.end());  // the last one is told first
+        CHECK(diagnose(fragment_with(Verdict::failed, "", all)).words == (std::string(id) == "A1" ? "D1" : id));
+    }
+    // what a call shows comes before what a picture shows, but for shared numbers
+    FragmentRecord both = fragment_with(Verdict::failed, "", {failing("A1", "picture")});
+    both.checks[0].scene = "[camera]";
+    both.checks.push_back(fragment_with(Verdict::failed, "", {failing("V3", "call")}).checks[0]);
+    CHECK(diagnose(both).words == "call");
+    both.checks[0].statistics[0].id = "G1";
+    CHECK(diagnose(both).words == "picture");
+    // of one family, the first check's
+    CHECK(diagnose(fragment_with(Verdict::failed, "", {failing("A1", "first"), failing("D1", "second")})).words == "first");
+    // a crash comes before all statistics
+    FragmentRecord crashed = fragment_with(Verdict::failed, "", {failing("G1", "shared")});
+    crashed.checks.push_back(crashed.checks[0]);
+    crashed.checks[1].verdict = Verdict::crashed, crashed.checks[1].message = "ended", crashed.checks[1].statistics.clear();
+    CHECK(diagnose(crashed).words == "ended");
+    CHECK(diagnose(crashed).section == verdicts_section);
+}
+
+TEST_CASE("a diagnosis says where to read, in the record, in the table and as a link") {
+    const FragmentRecord wrong = fragment_with(Verdict::failed, "", {failing("D1", "the blur disc is 2.01 times what it must be")});
+    CHECK(diagnose(wrong).section == "lens_ray");
+    CHECK(reading("lens_ray") == "handout.md, \"lens_ray\"");
+    CHECK(anchor("What to use instead of an epsilon") == "what-to-use-instead-of-an-epsilon");
+    CHECK(diagnose(fragment_with(Verdict::not_an_image, "returned nan for (0)", {})).section == numbers_section);
+    CHECK(diagnose(fragment_with(Verdict::not_an_image, "another result when it runs again", {})).section == rules_section);
+    CHECK(diagnose(fragment_with(Verdict::failed, "", {failing("V0", "changes")})).section == rules_section);
+    Record record;
+    record.fragments = {wrong};
+    record.fragments[0].part = "one";
+    CHECK(nlohmann::json::parse(to_json(record))["fragments"][0]["read"] == "handout.md, \"lens_ray\"");
+    CHECK(nlohmann::json::parse(to_json(record))["fragments"][0]["checks"][0]["read"] == "handout.md, \"lens_ray\"");
+    CHECK(table(record, assignment(), false).find("handout.md, \"lens_ray\"") != std::string::npos);
+    CHECK(page(record, assignment(), "../handout.md").find("href=\"../handout.md#lens_ray\"") != std::string::npos);
+    record.fragments = {fragment_with(Verdict::passed, "", {})};
+    CHECK(!nlohmann::json::parse(to_json(record))["fragments"][0].contains("read"));
 }
 
 TEST_CASE("a value far off stays inside its drawing, as an arrow") {

@@ -8,6 +8,7 @@
 #include "catch.h"
 #include "checks/check.h"
 #include "report/describe.h"
+#include "report/diagnosis.h"
 
 using namespace grade;
 namespace fs = std::filesystem;
@@ -54,6 +55,17 @@ TEST_CASE("the handout explains each kind of statistic") {
             INFO(check.fragment << ", " << check.name);
             CHECK(handout().find("\n| " + statistic.id + " | ") != std::string::npos);
         }
+}
+
+TEST_CASE("each statistic has a family, and each section to which a hint sends is in the handout") {
+    std::vector<std::string> sections = read_assignment("assignment.toml").names();
+    for (const auto section : {rules_section, numbers_section, verdicts_section, pictures_section}) sections.emplace_back(section);
+    for (const std::string& section : sections) {
+        INFO(section);
+        CHECK(std::regex_search(handout(), std::regex("\n##+ " + section + "\n")));
+    }
+    for (const Check& check : all_checks(1))
+        for (const Statistic& statistic : check.statistics) CHECK_NOTHROW(family_of(statistic.id));
 }
 
 TEST_CASE("the handout documents each key of a scene file") {

@@ -46,7 +46,14 @@ Checks check_direct_light(Generator& random) {
          })}};
     for (const Mistake& mistake : reflection_mistakes())
         if (mistake.model.ambient) suspects.push_back({mistake.words, estimate(mistake.model)});
-    return {probe_check("one_sample", "direct_light", {}, inputs, {formula("L1", "radiance, off by", estimate({}), 1e-4, suspects)}),
+    Statistic horizon = property("L4", "radiance of light below the horizon",
+        [](const Row& in, const Row& out) {
+            const auto sample = argument<2, Material, Color, LightSample, vec3, vec3>(in);
+            const auto n = argument<3, Material, Color, LightSample, vec3, vec3>(in);
+            return rt::dot(sample.direction, n) < 0 ? rt::largest(from_row<Color>(out)) : 0.0;
+        },
+        0, "light from below the horizon must give exactly 0, diffuse and highlight");
+    return {probe_check("one_sample", "direct_light", {}, inputs, {formula("L1", "radiance, off by", estimate({}), 1e-4, suspects), horizon}),
             lit_floor(random), lamp_highlight(random)};
 }
 

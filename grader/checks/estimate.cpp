@@ -59,13 +59,24 @@ Hint always(std::string words) {
     return [words = std::move(words)](double, double) { return words; };
 }
 
+std::string nearest_words(const std::vector<KnownValue>& known, double value, double near) {
+    const KnownValue* best = nullptr;
+    for (const KnownValue& k : known)
+        if (std::abs(value - k.value) < near && (!best || std::abs(value - k.value) < std::abs(value - best->value))) best = &k;
+    if (!best) return {};
+    std::string words = best->words;
+    for (const KnownValue& k : known)
+        if (std::abs(k.value - best->value) <= near / 4 && words.find(k.words) == words.npos) words += " Or: " + k.words;
+    return words;
+}
+
 Hint by_ratio(std::string what, std::vector<KnownRatio> known, std::string else_words) {
     return [=](double value, double truth) {
         const double ratio = value / truth;
         const std::string off = fmt::format("{} is {:.3g} times what it must be", what, ratio);
-        for (const KnownRatio& k : known)
-            if (std::abs(ratio - k.ratio) < 0.05 * std::abs(k.ratio) + 0.002) return off + ": " + k.words;
-        return else_words.empty() ? off : off + ": " + else_words;
+        std::string words = nearest_words(known, ratio, 0.05 * std::abs(ratio) + 0.002);
+        if (words.empty()) words = else_words;
+        return words.empty() ? off : off + ": " + words;
     };
 }
 

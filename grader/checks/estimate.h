@@ -22,12 +22,19 @@ Statistic uniform_in_square(std::string id, std::string what, RowPoint point, in
 /// A hint that does not depend on the value.
 Hint always(std::string words);
 
-/// A hint that compares the ratio value/truth with known ones: {{2.0, "the radius is the diameter"}, ...}; `else_words` gets
-/// the ratio put in front.
-struct KnownRatio {
-    double ratio;
+/// A value that a known mistake leads to, and what that mistake is.
+struct KnownValue {
+    double value;
     std::string words;
 };
+
+/// The words of the known value that is nearest, if it is nearer than `near`; those of others that are closer to it than a
+/// quarter of that are named as well, since nothing tells them apart.
+std::string nearest_words(const std::vector<KnownValue>& known, double value, double near);
+
+/// A hint that compares the ratio value/truth with known ones: {{2.0, "the radius is the diameter"}, ...}; `else_words` gets
+/// the ratio put in front.
+using KnownRatio = KnownValue;
 Hint by_ratio(std::string what, std::vector<KnownRatio> known, std::string else_words = "");
 
 }  // namespace grade

@@ -132,17 +132,30 @@ Check through_a_slab(Generator& random) { return slab(random, "through_a_slab", 
 
 Check bright_slab(Generator& random) { return slab(random, "light_through_a_slab", "fresnel_dielectric", "refracted_direction"); }
 
-Check invisible_glass(Generator& random) {
+/// A ball of glass and a bubble of air in glass, where light comes from everywhere alike: neither can be seen. Beyond a
+/// part of its radius the bubble reflects all light.
+Check invisible_glass(Generator& random, const std::string& fragment) {
     const Place place = any_place(random);
-    const std::string scene = "environment = 1\n\n" + toml(View{place({0, 0, 4}), place({0, 0, 0}), place.axes.y, 32, {32, 32}}) +
-                              fmt::format("[materials.glass]\nreflectance = 1\ntransmittance = 1\nior = {}\n\n", toml(between(random, 1.3, 1.8))) +
-                              sphere("glass", place({0, 0, 0}), 1);
-    Statistic light = of_picture("F3", "radiance of a glass ball among radiance 1", [](const rt::Image& image) { return brightness(region_mean(image, {4, 4, 24, 24})); },
-                                 1, 0.01, [](double value, double) {
-                                     return fmt::format("lossless glass where light comes from everywhere alike must be invisible, but its radiance is {:.3g} times that of its "
-                                                        "surroundings: are reflected and refracted shares fresnel and 1 - fresnel?", value);
-                                 });
-    return render_check("invisible_glass", "whitted", {"hit_sphere", "mirror_direction", "refracted_direction", "fresnel_dielectric"}, {scene, 4, "sobol"}, {light});
+    const double ior = between(random, 1.3, 1.8), around = log_between(random, 0.3, 3);
+    const auto glass = [](const std::string& name, double index) {
+        return fmt::format("[materials.{}]\nreflectance = 1\ntransmittance = 1\nior = {}\n\n", name, toml(index));
+    };
+    const View view{place({0, 0, 8}), place({0, 0, 0}), place.turned({0, 1, 0}), 2 * std::atan(1.2 / 8) * 180 / rt::pi, {48, 24}};
+    const std::string scene = fmt::format("environment = {}\n\n", toml(around)) + toml(view) + glass("glass", ior) + glass("air", 1 / ior) +
+                              sphere("glass", place({-1.2, 0, 0}), 1) + sphere("air", place({1.2, 0, 0}), 1);
+    const auto light = [=](const std::string& thing, Region region, const std::string& question) {
+        return of_picture("F3", "radiance of " + thing + ", over that of its surroundings",
+            [=](const rt::Image& image) { return brightness(region_mean(image, region)) / around; }, 1, 0.01, [=](double value, double) {
+                return fmt::format("{} where light comes from everywhere alike must be invisible, but its radiance is {:.3g} times that of its "
+                                   "surroundings: {}", thing, value, question);
+            });
+    };
+    std::vector<std::string> needs = {"hit_sphere"};
+    for (const char* other : {"whitted", "mirror_direction", "refracted_direction", "fresnel_dielectric"})
+        if (fragment != other) needs.push_back(other);
+    return render_check("invisible_glass", fragment, needs, {scene, 4, "sobol"},
+        {light("lossless glass", {2, 2, 20, 20}, "are reflected and refracted shares fresnel and 1 - fresnel?"),
+         light("a bubble of air in lossless glass", {26, 2, 20, 20}, "is all light reflected where none can be refracted?")});
 }
 
 /// Noise of N samples at the edges of a bright quad, over that of independent ones: N (L - p)^2 / (p (1 - p)), p the share

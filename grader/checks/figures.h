@@ -13,6 +13,6 @@ Check two_triangles(Generator& random);    // hit_triangle
 Check mirror_image(Generator& random);     // mirror_direction
 Check through_a_slab(Generator& random);   // refracted_direction
 Check bright_slab(Generator& random);      // fresnel_dielectric
-Check invisible_glass(Generator& random);  // whitted
+Check invisible_glass(Generator& random, const std::string& fragment);  // whitted, fresnel_dielectric
 
 }  // namespace grade

@@ -112,6 +112,27 @@ Check slanted_edges(Generator& random) {
     return render_check("slanted_edges", "film_sample", {"stratified_2d", "hit_quad", "emission_counts"}, {scene, samples, "stratified"}, statistics);
 }
 
+/// Red, green and blue stripes, one of each to a row of pixels: a sample sees one of the colours, each as often, in every
+/// pixel.
+Check fine_stripes(Generator& random) {
+    const Place place = any_place(random);
+    const rt::ivec2 size(16, 16);
+    const bool across = chance(random, 0.5);
+    const double start = between(random, 0, 1);
+    std::string scene = toml(film_view(place, size));
+    for (int c = 0; c < 3; ++c) {
+        const char* colors[] = {"[1, 0, 0]", "[0, 1, 0]", "[0, 0, 1]"};
+        scene += fmt::format("[materials.stripe{}]\nemission = {}\nsampled = false\n\n", c, colors[c]);
+    }
+    for (int k = -3; k < 3 * size.y; ++k) {
+        const double middle = start + (k + 0.5) / 3;
+        const vec2 center = across ? vec2(middle, 8) : vec2(8, middle), u = across ? vec2(1.0 / 6, 0) : vec2(20, 0);
+        scene += bright(place, size, fmt::format("stripe{}", (k + 3) % 3), center, u, across ? vec2(0, 20) : vec2(0, 1.0 / 6));
+    }
+    return render_check("fine_stripes", "film_sample", {"hit_quad", "emission_counts"}, {scene, 1, "random"},
+                        {own_numbers({0, 0, size.x, size.y}, 1, "position in the pixel")});
+}
+
 /// Lamps of very different brightness, each thinner than the pixels that it crosses: a lamp of 10 that covers 30 percent of a
 /// pixel reads 3.
 Check thin_lamps(Generator& random) {

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "checks/convergence.h"
 #include "checks/fragment_checks.h"
 #include "checks/pictures.h"
 #include "checks/probe_check.h"
@@ -117,10 +118,14 @@ Checks check_film_sample(Generator& random) {
         if (cells < 1.2) return std::string("each sample falls anywhere in the pixel: it must fall in a cell of its own, see stratified_2d");
         return fmt::format("a sample moves as if the pixel had {:.3g} cells; expected n = {}", cells, n);
     };
+    const SamplesOfASquare samples{
+        [](vec2 low, int i, int n, vec2 u) { return row(Extent{low, low + 1.0}, i, n, u); },
+        [](const Row& in, const Row& out) { return SamplesOfASquare::Sample{share(in, out), from_row<FilmSample>(out).weight}; }};
     return {probe_check("in_the_pixel", "film_sample", {"stratified_2d"}, inputs, {inside}),
             probe_check("stratified", "film_sample", {"stratified_2d"}, repeats, {cell, strata}),
             probe_check("even_in_the_pixel", "film_sample", {"stratified_2d"}, inputs, {weight, x, y, spread_x, spread_y, even, purity()}),
-            slanted_edges(random)};
+            slanted_edges(random), fine_stripes(random), error_orders(random, "film_sample", {"stratified_2d"}, samples),
+            rings(random, "film_sample", {"stratified_2d"}, samples)};
 }
 
 }  // namespace grade

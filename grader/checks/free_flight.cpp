@@ -3,6 +3,7 @@
 #include "checks/draw.h"
 #include "checks/formula.h"
 #include "checks/fragment_checks.h"
+#include "checks/pictures.h"
 #include "checks/probe_check.h"
 #include "checks/render_check.h"
 #include "rt/scene_reader.h"
@@ -43,13 +44,13 @@ Check ends() {
         [](const Row&, const Row& out) { return out[0] >= 0 ? 0.0 : 1.0; }, 0, "a distance is negative: log of a number below 1 is")});
 }
 
-/// A ball that absorbs, in front of radiance 1: each pixel keeps exp(-s l), l its ray's way through the ball.
+/// A ball that absorbs, in front of an even light: each pixel keeps exp(-s l), l its ray's way through the ball.
 Check attenuation(Generator& random) {
     const Place place = any_place(random);
     const double extinction = chance(random, 0.5) ? between(random, 1.5, 2) : between(random, 0.4, 0.6);
-    const double radius = 1.2 / extinction;
+    const double radius = 1.2 / extinction, around = log_between(random, 0.3, 3);
     const View view{place({0, 0, 8 * radius}), place({0, 0, 0}), place.turned({0, 1, 0}), 14, {48, 48}};
-    const std::string scene = "environment = [1, 0.8, 0.6]\n\n" + toml(view) +
+    const std::string scene = fmt::format("environment = {}\n\n", toml(around * rt::vec3(1, 0.8, 0.6))) + toml(view) +
         fmt::format("[materials.ink]\ntransmittance = 1\nmedium = {{ extinction = {}, albedo = 0 }}\n\n", toml(extinction)) +
         sphere("ink", place({0, 0, 0}), radius);
     const rt::Camera camera = rt::parse_scene(scene, "ink").camera;
@@ -70,7 +71,7 @@ Check attenuation(Generator& random) {
                     seen += image.at(x, y).r;
                     due += over_pixel(x, y, [&](rt::vec2 film) { return std::exp(-extinction * way_through(film)); });
                 }
-            return seen / due;
+            return seen / due / around;
         };
     };
     const auto hint = [=](const std::string& what, double way) {
@@ -87,6 +88,6 @@ Check attenuation(Generator& random) {
 
 }  // namespace
 
-Checks check_free_flight(Generator& random) { return {distances(random), ends(), attenuation(random)}; }
+Checks check_free_flight(Generator& random) { return {distances(random), ends(), attenuation(random), white_medium(random, "free_flight")}; }
 
 }  // namespace grade

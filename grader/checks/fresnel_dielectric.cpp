@@ -58,7 +58,7 @@ Checks check_fresnel_dielectric(Generator& random) {
                                        return 1 - fresnel(c, from, to, 0.5, 0.5, 1);
                                    })},
                                   {"this is Schlick's approximation; expected Fresnel's formula", schlick(false)},
-                                  {"this is Schlick's approximation; expected Fresnel's formula", schlick(true)}})}), bright_slab(random)};
+                                  {"this is Schlick's approximation; expected Fresnel's formula", schlick(true)}})}), bright_slab(random), invisible_glass(random, "fresnel_dielectric")};
 }
 
 }  // namespace grade

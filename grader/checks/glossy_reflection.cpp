@@ -15,10 +15,10 @@ const std::vector<std::string> scene_needs = {"mirror_direction", "phong_lobe", 
 /// A glossy ball where light comes from everywhere alike: seen at an angle, part of the lobe is below the surface.
 Check ball(Generator& random) {
     const Place place = any_place(random);
-    const double n = between(random, 6, 12);
+    const double n = between(random, 6, 12), around = log_between(random, 0.3, 3);
     const rt::Color reflectance(between(random, 0.7, 1), between(random, 0.4, 0.6), between(random, 0.1, 0.3));
     const View view{place({0, 0, 10}), place({0, 0, 0}), place.turned({0, 1, 0}), 12, {48, 48}};
-    const std::string scene = fmt::format("environment = 1\n\n{}[materials.steel]\nreflectance = {}\nexponent = {}\n\n", toml(view),
+    const std::string scene = fmt::format("environment = {}\n\n{}[materials.steel]\nreflectance = {}\nexponent = {}\n\n", toml(around), toml(view),
                                           toml(reflectance), toml(n)) +
         sphere("steel", place({0, 0, 0}), 1);
     const rt::Camera camera = rt::parse_scene(scene, "ball").camera;
@@ -39,7 +39,7 @@ Check ball(Generator& random) {
                     seen += brightness(image.at(x, y) / reflectance);
                     due += over_pixel(x, y, [&](rt::vec2 film) { return albedo(angle_at(film)); });
                 }
-            return seen / due;
+            return seen / due / around;
         };
     };
     const auto hint = [=](const std::string& where, double degrees) {

@@ -1,14 +1,20 @@
+#include <fmt/format.h>
+
+#include "checks/convergence.h"
 #include "checks/draw.h"
 #include "checks/estimate.h"
 #include "checks/formula.h"
 #include "checks/fragment_checks.h"
 #include "checks/probe_check.h"
+#include "statistics/convergence.h"
 
 namespace grade {
 
 namespace {
 
 using Kind = Integrand::Kind;
+
+constexpr int count_of_levels = 5;
 
 /// f = height exp(-rate x), drawn from a density proportional to exp(-other x) on x > 0: each term of the sum is known,
 ///
@@ -22,6 +28,32 @@ RowFunction estimate(double power, bool mean) {
             sum += f.parameters[0] * std::pow(q.parameters[0], power) * std::exp(-(f.parameters[1] + power * q.parameters[1]) * xi);
         return Row{x.empty() ? 0.0 : mean ? sum / double(x.size()) : sum};
     });
+}
+
+/// A wave with a whole number of periods, which regular points do not see, and a sharp peak, from independent points.
+Check wave_and_peak(Generator& random) {
+    constexpr int count = 24;
+    const double a = between(random, -1, 1), span = between(random, 1, 2), width = 0.02 * span;
+    const Integrand density{Kind::polynomial, {1 / span}};
+    const Integrand wave{Kind::cosine, {1, 1, count / span, between(random, 0, 6)}};
+    const Integrand peak{Kind::gaussian, {1, a + between(random, 0.3, 0.7) * span, width}};
+    const auto inputs = rows_of(512, [=](Generator& draw) {
+        std::vector<double> x;
+        for (int k = 0; k < count; ++k) x.push_back(a + span * between(draw, 0, 1));
+        const bool fine = chance(draw, 0.5);
+        return row(fine ? wave : peak, density, x);
+    });
+    // twice the mean over all rows is the mean over those of one kind
+    const auto share = [](Kind kind, double integral) {
+        return [=](const Row& in, const Row& out) { return Kind(int(in[0])) == kind ? 2 * out[0] / integral : 0.0; };
+    };
+    const std::string hint = "expected f(x_i)/Q(x_i), over the number of points";
+    Statistic on_wave = mean_of("I1", "mean estimate of a wave that regular points do not see, over the integral", share(Kind::cosine, span), 1, 1,
+                                by_ratio("the mean estimate of a wave", {{double(count), "is the division by the number of points missing?"}}, hint));
+    Statistic on_peak = mean_of("I1", "mean estimate of a sharp peak, over the integral", share(Kind::gaussian, width * std::sqrt(2 * rt::pi)), 1, 1,
+                                by_ratio("the mean estimate of a sharp peak", {{double(count), "is the division by the number of points missing?"}}, hint));
+    for (Statistic* s : {&on_wave, &on_peak}) s->delta = 0.25;
+    return probe_check("wave_and_peak", "integrate_monte_carlo", {}, inputs, {on_wave, on_peak});
 }
 
 std::vector<double> drawn(Generator& random, int count, double rate) {
@@ -61,8 +93,26 @@ Checks check_integrate_monte_carlo(Generator& random) {
     });
     Statistic mean = mean_of("I1", "mean estimate over the integral", [=](const Row&, const Row& out) { return out[0] * rate / 2; }, 1, 1,
                              by_ratio("the mean estimate", {{32, "is the division by the number of points missing?"}}));
+
+    constexpr int repeats = 16;
+    const double slower = 0.8 * rate;  // of the density: its fourth moments are finite
+    const auto more_points = [=](Generator& draw) {
+        Rows rows;
+        for (const int n : levels(count_of_levels))
+            for (int k = 0; k < repeats; ++k) {
+                const Integrand f{Kind::exponential, {2, rate}}, q{Kind::exponential, {slower, slower}};
+                rows.push_back(row(f, q, drawn(draw, n, slower)));
+            }
+        return rows;
+    };
+    Statistic order = error_order("power of N with which the error falls", count_of_levels, repeats,
+        [=](const Row&, const Row& out) { return out[0] - 2 / rate; }, -0.5, [](double value, double) {
+            return fmt::format("the error falls as N^{:.2f} with N points; expected N^-0.5: is the sum divided by N, with the weight 1/Q(x_i) of each "
+                               "point?", value);
+        });
     return {probe_check("given_points", "integrate_monte_carlo", {}, inputs, {value}),
-            probe_check("unbiased", "integrate_monte_carlo", {}, repeated, {mean})};
+            probe_check("unbiased", "integrate_monte_carlo", {}, repeated, {mean}), wave_and_peak(random),
+            probe_check("convergence", "integrate_monte_carlo", {}, more_points, {order})};
 }
 
 }  // namespace grade

@@ -1,13 +1,19 @@
+#include <fmt/format.h>
+
+#include "checks/convergence.h"
 #include "checks/draw.h"
 #include "checks/formula.h"
 #include "checks/fragment_checks.h"
 #include "checks/probe_check.h"
+#include "statistics/convergence.h"
 
 namespace grade {
 
 namespace {
 
 using Strata = std::vector<StratumOf>;
+
+constexpr int count_of_levels = 5;
 
 double mean(const std::vector<double>& u) {
     double sum = 0;
@@ -41,9 +47,28 @@ Row as_one(const Integrand& f, const Strata& strata) {
     return {sum};
 }
 
+/// Equal strata from low to low + span, one random number to each.
+Strata equal_strata(Generator& draw, double low, double span, int count) {
+    Strata strata;
+    for (int t = 0; t < count; ++t) strata.push_back({low + t * span / count, low + (t + 1) * span / count, {between(draw, 0, 1)}});
+    return strata;
+}
+
+/// A wave with a period to each stratum: regular points see a constant, random ones in the strata see the wave.
+Check wave(Generator& random) {
+    constexpr int count = 16;
+    const double low = between(random, -1, 1), span = between(random, 1, 2);
+    const Integrand f{Integrand::Kind::cosine, {1, 1, count / span, between(random, 0, 6)}};
+    const auto inputs = rows_of(96, [=](Generator& draw) { return row(f, equal_strata(draw, low, span, count)); });
+    return probe_check("wave", "integrate_stratified", {}, inputs,
+        {mean_of("I1", "mean estimate of a wave with a period to a stratum, over the integral", [=](const Row&, const Row& out) { return out[0] / span; }, 1, 1,
+                 by_ratio("the mean estimate of a wave", {{1.0 / count, "are the strata averaged? Expected their sum"},
+                                                          {count / span, "is the width of the strata missing?"}}))});
+}
+
 }  // namespace
 
-Checks check_integrate_stratified(Generator&) {
+Checks check_integrate_stratified(Generator& random) {
     const auto inputs = [](Generator& random) {
         Rows rows;
         for (int k = 0; k < 48; ++k) {
@@ -86,7 +111,30 @@ Checks check_integrate_stratified(Generator&) {
             return std::abs(out[1] - points_of_all(argument<1, Integrand, Strata>(in)));
         },
         0, "f is not evaluated once for each random number");
-    return {probe_check("given_points", "integrate_stratified", {}, inputs, {value, calls})};
+    constexpr int repeats = 12;
+    const auto more_strata = [=](Generator& draw) {
+        Rows rows;
+        for (const int n : levels(count_of_levels))
+            for (int k = 0; k < repeats; ++k) {
+                const Integrand f{Integrand::Kind::polynomial, {between(draw, 1, 2), 1}};
+                rows.push_back(row(f, equal_strata(draw, between(draw, -1, 1), 1, n)));
+            }
+        return rows;
+    };
+    const auto error = [](const Row& in, const Row& out) {
+        const Integrand f = argument<0, Integrand, Strata>(in);
+        const Strata strata = argument<1, Integrand, Strata>(in);
+        const double low = strata.front().low, high = strata.back().high;
+        return out[0] - (high - low) * f((low + high) / 2);
+    };
+    Statistic order = error_order("power of N with which the error falls", count_of_levels, repeats, error, -1.5, [](double value, double) {
+        const std::string off = fmt::format("the error falls as N^{:.2f} with one point in each of N intervals; expected N^-1.5", value);
+        return std::abs(value + 0.5) < 0.2 ? off + ": are the points spread over one interval? Each has its own stratum"
+               : value > -0.3              ? off + ": it hardly falls: does each stratum count once, with its width and its number of points?"
+                                           : off;
+    });
+    return {probe_check("given_points", "integrate_stratified", {}, inputs, {value, calls}), wave(random),
+            probe_check("convergence", "integrate_stratified", {}, more_strata, {order})};
 }
 
 }  // namespace grade

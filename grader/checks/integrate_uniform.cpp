@@ -1,11 +1,17 @@
+#include <fmt/format.h>
+
+#include "checks/convergence.h"
 #include "checks/draw.h"
 #include "checks/formula.h"
 #include "checks/fragment_checks.h"
 #include "checks/probe_check.h"
+#include "statistics/convergence.h"
 
 namespace grade {
 
 namespace {
+
+constexpr int count_of_levels = 5;
 
 /// The sum over n points with the given offset in their cells, 1/2 for midpoints, of offset + height cos(w x + phase),
 /// in closed form:
@@ -54,7 +60,39 @@ Checks check_integrate_uniform(Generator&) {
             return std::max({std::abs(out[1] - n), std::abs(out[2] - (a + h / 2)) / h, std::abs(out[3] - (b - h / 2)) / h});
         },
         1e-3, "f is not evaluated once at each of the N midpoints, from a + D/2N to b - D/2N");
-    return {probe_check("regular_points", "integrate_uniform", {}, inputs, {value, points})};
+    // the integral of height exp(-rate x), the same functions on each level
+    const auto error = [](const Row& in, const Row& out) {
+        RowReader reader(in);
+        const Integrand f = read(reader, Tag<Integrand>{});
+        const double a = reader.number(), b = reader.number();
+        return out[0] - (f(a) - f(b)) / f.parameters[1];
+    };
+    constexpr int repeats = 4;
+    const auto more_points = [=](Generator& random) {
+        std::vector<Row> functions;
+        std::vector<std::pair<double, double>> ranges;
+        for (int k = 0; k < repeats; ++k) {
+            const double a = between(random, -1, 1), span = between(random, 0.5, 1.5);
+            functions.push_back(row(Integrand{Integrand::Kind::exponential, {between(random, 1, 2), between(random, 0.5, 1)}}));
+            ranges.emplace_back(a, a + span);
+        }
+        Rows rows;
+        for (const int n : levels(count_of_levels))
+            for (int k = 0; k < repeats; ++k) {
+                rows.push_back(functions[std::size_t(k)]);
+                const auto [a, b] = ranges[std::size_t(k)];
+                rows.back().insert(rows.back().end(), {a, b, double(n)});
+            }
+        return rows;
+    };
+    Statistic order = error_order("power of N with which the error falls", count_of_levels, repeats, error, -2, [](double value, double) {
+        const std::string off = fmt::format("the error falls as N^{:.2f} with N points; expected N^-2", value);
+        return std::abs(value + 1) < 0.3 ? off + ": are the points at the ends of the intervals? Expected their middles"
+               : value > -0.3            ? off + ": it hardly falls: is each interval counted, once, with its width D/N?"
+                                         : off;
+    });
+    return {probe_check("regular_points", "integrate_uniform", {}, inputs, {value, points}),
+            probe_check("convergence", "integrate_uniform", {}, more_points, {order})};
 }
 
 }  // namespace grade

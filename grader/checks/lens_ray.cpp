@@ -1,8 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "checks/draw.h"
 #include "checks/formula.h"
 #include "checks/fragment_checks.h"
+#include "checks/pictures.h"
 #include "checks/probe_check.h"
 #include "checks/render_check.h"
 #include "rt/scene_reader.h"
@@ -176,7 +180,7 @@ std::string lens_scene(const View& view) {
     return toml(view) + "[materials.lamp]\nemission = 3\nsampled = false\n\n";
 }
 
-/// Three lamps: before the plane in focus, in it, and behind it.
+/// Three lamps, in any order from left to right: before the plane in focus, in it, and behind it.
 Check depths(Generator& random) {
     const Place place = any_place(random);
     const double focus = between(random, 2, 5), nearer = between(random, 0.5, 0.7), further = between(random, 0.5, 0.6), size = 3;
@@ -186,8 +190,10 @@ Check depths(Generator& random) {
     view.lens_radius = between(random, 6.5, 7.5) * focus / nearer / (16 / std::tan(15 * rt::pi / 180));
     const Camera camera = rt::parse_scene(lens_scene(view), "lens").camera;
     const double before = focus / (1 + nearer), behind = focus / (1 - further);
-    const std::string scene = lens_scene(view) + lamp(camera, {16, 16}, before, size) + lamp(camera, {48, 16}, focus, size) +
-                              lamp(camera, {80, 16}, behind, size);
+    std::array<int, 3> left = {0, 32, 64};
+    std::ranges::shuffle(left, random);
+    const std::string scene = lens_scene(view) + lamp(camera, {left[0] + 16, 16}, before, size) +
+                              lamp(camera, {left[1] + 16, 16}, focus, size) + lamp(camera, {left[2] + 16, 16}, behind, size);
 
     const auto radius = [=](int x, double z) {
         return [=](const rt::Image& image) { return blur(image, {x, 0, 32, 32}, size).radius() / blur_radius(camera, z); };
@@ -199,14 +205,14 @@ Check depths(Generator& random) {
                                            {std::sqrt(2.0), "do all rays start on the rim of the lens?"},
                                            {0, "is the lens used?"}};
     return render_check("depths", "lens_ray", {"uniform_disk", "emission_counts"}, {scene, 64, "sobol"},
-        {of_picture("D1", "radius of the blur disc before the plane in focus, over what must be", radius(0, before), 1, 0.08,
+        {of_picture("D1", "radius of the blur disc before the plane in focus, over what must be", radius(left[0], before), 1, 0.08,
                     by_ratio("the blur disc of a lamp before the plane in focus", known)),
-         of_picture("D1", "radius of the blur disc behind the plane in focus, over what must be", radius(64, behind), 1, 0.08,
+         of_picture("D1", "radius of the blur disc behind the plane in focus, over what must be", radius(left[2], behind), 1, 0.08,
                     by_ratio("the blur disc of a lamp behind the plane in focus", known)),
-         sharp("blur in the plane in focus [pixel^2]", {32, 0, 32, 32}, size,
+         sharp("blur in the plane in focus [pixel^2]", {left[1], 0, 32, 32}, size,
                always("what is in the plane in focus is blurred: do all rays of a film point meet there?")),
          of_picture("D2", "mean fourth power over squared mean square of the blur", [=](const rt::Image& image) {
-             const Blur b = blur(image, {0, 0, 32, 32}, size);
+             const Blur b = blur(image, {left[0], 0, 32, 32}, size);
              return b.fourth / rt::sqr(b.square);
          }, 4.0 / 3, 0.12,
                     by_value("the blur disc's mean fourth power over its squared mean square, 4/3 for a uniform disc,",
@@ -233,6 +239,6 @@ Check corner(Generator& random) {
 
 }  // namespace
 
-Checks check_lens_ray(Generator& random) { return {in_focus(), rays(random), depths(random), corner(random)}; }
+Checks check_lens_ray(Generator& random) { return {in_focus(), rays(random), depths(random), corner(random), two_colors(random), adding_up(random)}; }
 
 }  // namespace grade

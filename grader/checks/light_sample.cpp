@@ -1,7 +1,10 @@
+#include <array>
+
 #include "checks/fragment_checks.h"
 #include "checks/probe_check.h"
 #include "checks/shadow_scene.h"
 #include "checks/warp.h"
+#include "statistics/irradiance.h"
 #include "statistics/regression.h"
 
 namespace grade {
@@ -206,6 +209,44 @@ Check layouts() {
          })});
 }
 
+/// Irradiance of a surface, against the formulas of Lambert and others: a quad anywhere, a disc that the surface faces, a
+/// sphere.
+Check irradiance(Generator& random) {
+    const std::array lights = {emitter(random, Emitter::Kind::quad), emitter(random, Emitter::Kind::disc), emitter(random, Emitter::Kind::sphere)};
+    struct Surface {
+        vec3 p, n;
+    };
+    std::array<Surface, 3> surfaces;
+    const vec3 to_quad = tilted(random, normal_of(lights[0]), between(random, 0, 0.6));
+    surfaces[0] = {lights[0].quad.center + between(random, 1.2, 2) * to_quad, tilted(random, -to_quad, between(random, 0.2, 0.5))};
+    const double height = between(random, 0.5, 1.5), distance = lights[2].sphere.radius * between(random, 2, 3), angle = between(random, 0.2, 0.8);
+    surfaces[1] = {lights[1].disc.center + height * lights[1].disc.normal, -lights[1].disc.normal};
+    const vec3 to_sphere = direction(random);
+    surfaces[2] = {lights[2].sphere.center - distance * to_sphere, tilted(random, to_sphere, angle)};
+    const double due[] = {quad_irradiance(lights[0].quad, surfaces[0].p, surfaces[0].n), coaxial_disc_irradiance(lights[1].disc.radius, height),
+                          sphere_irradiance(lights[2].sphere, surfaces[2].p, surfaces[2].n)};
+
+    const auto inputs = [=](Generator& draws) {
+        Rows rows;
+        for (int k = 0; k < 3 * 512; ++k) rows.push_back(row(lights[std::size_t(k % 3)], surfaces[std::size_t(k % 3)].p, square(draws)));
+        return rows;
+    };
+    std::vector<Statistic> statistics;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::string name = std::array{"a quad", "a disc that faces it", "a sphere"}[k];
+        // three times the mean over all rows is the mean over those of one light
+        const auto share = [=, kind = lights[k].kind, n = surfaces[k].n, all = due[k]](const Row& in, const Row& out) {
+            const LightSample s = from_row<LightSample>(out);
+            return emitter_of(in).kind == kind && s.density > 0 ? 3 * std::max(0.0, rt::dot(n, s.direction)) / s.density / all : 0.0;
+        };
+        statistics.push_back(mean_of("L1", "irradiance of a surface by " + name + ", over what it must be", share, 1, 1,
+            by_ratio("the irradiance by " + name, {{0.5, "is the density twice too large?"}, {2, "is the density twice too small?"}},
+                     "is the density per solid angle that of the sample?")));
+        statistics.back().delta = 0.2;
+    }
+    return probe_check("irradiance", "light_sample", {"uniform_disk", "sphere_cone"}, inputs, statistics);
+}
+
 /// Points behind a flat light get nothing.
 Check dark_side() {
     const auto inputs = rows_of(64, [](Generator& random) {
@@ -222,7 +263,7 @@ Check dark_side() {
 
 Checks check_light_sample(Generator& random) {
     Checks checks = {layouts(), flat_light(random, Emitter::Kind::quad, "quad_light", {}),
-                     flat_light(random, Emitter::Kind::disc, "disc_light", {"uniform_disk"}), sphere_light(random), dark_side()};
+                     flat_light(random, Emitter::Kind::disc, "disc_light", {"uniform_disk"}), sphere_light(random), irradiance(random), dark_side()};
     struct Shadow {
         const char* name;
         Emitter::Kind kind;

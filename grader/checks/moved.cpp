@@ -103,8 +103,28 @@ Check shadow(Generator& random) {
         places("M3", "the shadow of a card that flies by", centroid, {16 + due.x, 16 - due.y}, {step.x, -step.y}, time));
 }
 
+/// A lamp that flies by behind the camera, which sees it in a mirror.
+Check reflection(Generator& random) {
+    const Place place = any_place(random);
+    const double time = between(random, 0.4, 0.7) * (chance(random, 0.5) ? 1 : -1), turn = between(random, 0, 2 * rt::pi);
+    constexpr double eye = 3, height = 5, pixel = 0.01;  // [m]: of the camera and the lamp before the mirror; across the lamp's plane
+    const vec2 step = 16.0 * vec2(std::cos(turn), std::sin(turn));
+    const vec2 start = vec2(between(random, -3, 3), between(random, -3, 3)) - time * step;
+    const double vfov = 2 * std::atan(16 * pixel / (eye + height)) * 180 / rt::pi;  // the image stands behind the mirror
+    const View view{place({0, 0, eye}), place({0, 0, 0}), place.turned({0, 1, 0}), vfov, {32, 32}};
+    const std::string scene = fmt::format("{}[shutter]\nopen = {}\nclose = {}\n\n[materials.lamp]\nemission = 2\nsampled = false\n\n"
+                                          "[materials.mirror]\nreflectance = 1\n\n",
+                                          toml(view), toml(time), toml(time + 1e-9)) +
+        quad("mirror", place({0, 0, 0}), place.axes.x, place.axes.y) +
+        sphere("lamp", place({pixel * start.x, pixel * start.y, height}), 4 * pixel, place.turned(pixel * vec3(step.x, step.y, 0)));
+    const vec2 due = start + time * step;
+    return render_check("reflection", "moved", {"hit_sphere", "hit_quad", "mirror_direction", "whitted", "emission_counts"}, {scene, 16, "sobol"},
+        places("M3", "the mirror image of a lamp that flies by", [](const rt::Image& image) { return blob_moments(image, whole(image)).centroid; },
+               {16 + due.x, 16 - due.y}, {step.x, -step.y}, time));
+}
+
 }  // namespace
 
-Checks check_moved(Generator& random) { return {points(), lamp(random), shadow(random)}; }
+Checks check_moved(Generator& random) { return {points(), lamp(random), shadow(random), reflection(random)}; }
 
 }  // namespace grade

@@ -1,6 +1,8 @@
 #include "checks/fragment_checks.h"
 #include "checks/probe_check.h"
 #include "checks/warp.h"
+#include "statistics/lobe.h"
+#include "statistics/moments.h"
 
 namespace grade {
 
@@ -26,7 +28,17 @@ Checks check_phong_lobe(Generator& random) {
         Statistic spread = uniform_in_square("P1", "chi-squared of directions", cell, 8, 8,
             always("the directions are not distributed as (n + 1)/(2 pi) cos(alpha)^n: do height and angle each use a number of their own?"));
         name_half_circles(spread, cell);
-        checks.push_back(probe_check(name, "phong_lobe", {}, inputs, {unit_length(), width, density, spread, purity()}));
+        // of the BRDF (n + 2)/2pi cos^n times the cosine, over the density
+        Statistic noise = mean_of("V1", "noise of a lobe seen head on, N Var/mean^2 over 1/((n + 1)(n + 3))", nullptr, 1, 1,
+            by_ratio("the noise of a lobe seen head on", {{0, "are all directions one?"}}, "are directions drawn from the density that is returned?"));
+        noise.measure = [n](const Observation& seen) {
+            Moments estimate;
+            for (const Row& out : seen.outputs)
+                estimate.add((n + 2) / (2 * rt::pi) * std::pow(std::max(0.0, out[2]), n + 1) / out[3]);
+            return estimate.m2 / estimate.count / rt::sqr(estimate.mean) / lobe_dispersion(n);
+        };
+        noise.delta = 0.3;
+        checks.push_back(probe_check(name, "phong_lobe", {}, inputs, {unit_length(), width, density, spread, noise, purity()}));
     }
     return checks;
 }

@@ -47,8 +47,16 @@ Checks check_point_irradiance(Generator& random) {
              return Color(light.intensity * std::max(0.0, rt::dot(n, rt::unit(d))) / rt::dot(d, d));
          })}};
     const RowFunction right = law(2, clamped);
-    return {probe_check("point_light", "point_irradiance", {}, inputs(false), {formula("L2", "irradiance, off by", right, 1e-4, suspects)}),
-            probe_check("directional_light", "point_irradiance", {}, inputs(true), {formula("L2", "irradiance, off by", right, 1e-4, suspects)}),
+    const Statistic horizon = property("L4", "irradiance by light below the horizon",
+        [](const Row& in, const Row& out) {
+            const auto light = argument<0, PointLight, vec3, vec3>(in);
+            const vec3 p = argument<1, PointLight, vec3, vec3>(in), n = argument<2, PointLight, vec3, vec3>(in);
+            const vec3 way = light.directional ? light.position : light.position - p;
+            return rt::dot(way, n) < 0 ? rt::largest(from_row<Color>(out)) : 0.0;
+        },
+        0, "light from below the horizon must give exactly 0");
+    return {probe_check("point_light", "point_irradiance", {}, inputs(false), {formula("L2", "irradiance, off by", right, 1e-4, suspects), horizon}),
+            probe_check("directional_light", "point_irradiance", {}, inputs(true), {formula("L2", "irradiance, off by", right, 1e-4, suspects), horizon}),
             shadow_check(random, "lit_floor", "point_irradiance", {"hit_quad", "shadow_ray", "phong"}, any_shadow(random, std::nullopt))};
 }
 

@@ -80,11 +80,9 @@ Statistic of_picture(std::string id, std::string what, std::function<double(cons
 Hint by_value(std::string what, std::vector<KnownValue> known, double near, std::string else_words) {
     return [=](double value, double truth) {
         const std::string off = fmt::format("{} is {:.3g}, not {:.3g}", what, value, truth);
-        const KnownValue* best = nullptr;
-        for (const KnownValue& k : known)
-            if (std::abs(value - k.value) < near && (!best || std::abs(value - k.value) < std::abs(value - best->value))) best = &k;
-        if (best) return off + ": " + best->words;
-        return else_words.empty() ? off : off + ": " + else_words;
+        std::string words = nearest_words(known, value, near);
+        if (words.empty()) words = else_words;
+        return words.empty() ? off : off + ": " + words;
     };
 }
 

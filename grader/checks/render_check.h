@@ -60,12 +60,8 @@ Check render_check(std::string name, std::string fragment, std::vector<std::stri
 Statistic of_picture(std::string id, std::string what, std::function<double(const rt::Image&)> number, double truth, double delta,
                      Hint hint);
 
-/// A hint for a statistic that has known wrong values: the words of the one that is nearest, where it is near, or else
+/// A hint for a statistic that has known wrong values: the words of those that are nearest, where they are near, or else
 /// `else_words`.
-struct KnownValue {
-    double value;
-    std::string words;
-};
 Hint by_value(std::string what, std::vector<KnownValue> known, double near, std::string else_words = "");
 
 }  // namespace grade

@@ -3,6 +3,7 @@
 #include "checks/draw.h"
 #include "checks/formula.h"
 #include "checks/fragment_checks.h"
+#include "checks/pictures.h"
 #include "checks/probe_check.h"
 #include "checks/render_check.h"
 
@@ -87,26 +88,6 @@ Check directions(const std::string& name, double g) {
     return probe_check(name, "scatter_direction", {}, inputs, {mean, spread, density(), unit_length()});
 }
 
-/// A white medium where light comes from everywhere alike cannot be seen. The other colours are absorbed: there is noise.
-Check furnace(Generator& random) {
-    const Place place = any_place(random);
-    const double g = (chance(random, 0.5) ? 1 : -1) * between(random, 0.3, 0.5);
-    const View view{place({0, 0, 4}), place({0, 0, 0}), place.turned({0, 1, 0}), 20, {16, 16}};
-    const std::string scene = "environment = 1\n\n" + toml(view) +
-        fmt::format("[materials.milk]\ntransmittance = 1\nmedium = {{ extinction = {}, albedo = [1, 0.9, 0.8], g = {} }}\n\n",
-                    toml(between(random, 1, 1.6)), toml(g)) +
-        sphere("milk", place({0, 0, 0}), 1);
-    Statistic red = of_picture("F1", "radiance of a white medium among radiance 1",
-        [](const rt::Image& image) { return region_mean(image, {4, 4, 8, 8}).r; }, 1, 0.05,
-        [](double value, double) {
-            return fmt::format("a white medium where light comes from everywhere alike must be invisible, but its radiance is {:.3g} "
-                               "times that of its surroundings: is the density normalised, and that of the direction?", value);
-        });
-    return render_check("furnace", "scatter_direction",
-                        {"hit_sphere", "refracted_direction", "fresnel_dielectric", "whitted", "free_flight", "emission_counts"},
-                        {scene, 32, "sobol"}, {red});
-}
-
 /// Light scattered once into the half space ahead (sign 1) or behind (sign -1) on the way through the middle of a ball of
 /// medium, without its albedo; R = 1:
 ///
@@ -175,7 +156,7 @@ Checks check_scatter_direction(Generator& random) {
         return row(d, g, square(draw));
     });
     return {directions("forward", forward), directions("backward", backward),
-            probe_check("any_g", "scatter_direction", {}, extremes, {unit_length(), density()}), furnace(random), ahead_and_behind(random)};
+            probe_check("any_g", "scatter_direction", {}, extremes, {unit_length(), density()}), white_medium(random, "scatter_direction"), ahead_and_behind(random)};
 }
 
 }  // namespace grade

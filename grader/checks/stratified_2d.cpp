@@ -1,5 +1,6 @@
 #include <array>
 
+#include "checks/convergence.h"
 #include "checks/figures.h"
 #include "checks/fragment_checks.h"
 #include "checks/probe_check.h"
@@ -93,6 +94,10 @@ Checks check_stratified_2d(Generator& random) {
         checks.push_back(probe_check(n == odd ? "any_number_of_cells" : "grid_of_cells", "stratified_2d", {}, inputs, {inside, area, overlap, shape, even, purity()}));
     }
     checks.push_back(edge_noise(random));
+    const SamplesOfASquare samples{[](rt::vec2, int i, int n, rt::vec2 u) { return row(i, n, u); },
+                                   [](const Row&, const Row& out) { return SamplesOfASquare::Sample{{out[0], out[1]}}; }};
+    checks.push_back(error_orders(random, "stratified_2d", {}, samples));
+    checks.push_back(rings(random, "stratified_2d", {}, samples));
     return checks;
 }
 

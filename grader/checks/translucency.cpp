@@ -33,9 +33,9 @@ std::string frosted(double ior, double exponent) {
 /// Frosted glass before a sky of light, seen at all angles: part of the lobe does not cross the surface.
 Check sky(Generator& random) {
     const Place place = any_place(random);
-    const double n = between(random, 6, 12), ior = between(random, 1.3, 1.7);
+    const double n = between(random, 6, 12), ior = between(random, 1.3, 1.7), around = log_between(random, 0.3, 3);
     const View view{place({-1, 0, 1}), place({0, 0, 0}), place.turned({0, 0, 1}), 60, {48, 48}};  // 15 to 75 degrees from the normal
-    const std::string scene = toml(view) + "[materials.sky]\nemission = 1\nsampled = false\n\n" + frosted(ior, n) +
+    const std::string scene = toml(view) + fmt::format("[materials.sky]\nemission = {}\nsampled = false\n\n", toml(around)) + frosted(ior, n) +
         quad("frosted", place({0, 0, 0}), 100.0 * place.axes.x, 100.0 * place.axes.y) + disc("sky", place({0, 0, -0.1}), place.axes.z, 10000);
     const rt::Camera camera = rt::parse_scene(scene, "sky").camera;
 
@@ -52,7 +52,7 @@ Check sky(Generator& random) {
                     seen += brightness(image.at(x, y));
                     due += transmitted_share(angle, ior) * albedo(refracted(angle));
                 }
-            return seen / due;
+            return seen / due / around;
         };
     };
     const auto hint = [=](const std::string& where, double degrees) {

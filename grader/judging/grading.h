@@ -9,6 +9,7 @@
 #include "build/submission.h"
 #include "build/toolchain.h"
 #include "checks/check.h"
+#include "judging/programs.h"
 #include "judging/reference.h"
 #include "report/record.h"
 
@@ -38,6 +39,13 @@ struct GradingSettings {
 /// comes back. Whatever a fragment does costs that fragment only. Throws std::runtime_error where the machine fails.
 Record grade_submission(const Submission& submission, const Assignment& assignment, const Toolchain& chain,
                         const std::vector<Check>& checks, const GradingSettings& settings);
+
+/// What a grading with these settings needs.
+BuildSettings build_settings(const GradingSettings& settings);
+
+/// The part of a grading after compiling and linking: the same programs may be graded with many seeds.
+Record grade_programs(const Programs& programs, const Assignment& assignment, const Toolchain& chain, const std::vector<Check>& checks,
+                      const GradingSettings& settings, Progress& progress);
 
 /// Runs every check on the solution alone, and keeps its scalars for student mode.
 ///

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <exception>
 
+#include "judging/check_judge.h"
 #include "statistics/image_fault.h"
 
 namespace grade {
@@ -16,13 +17,6 @@ constexpr int most_pictures = 4;  // replicates whose mean is shown
 
 bool is_render(const Check& check) { return std::holds_alternative<Render>(check.experiment); }
 
-/// One statistic of a check while it runs.
-struct Trial {
-    const Statistic* statistic;
-    Judge judge;
-    std::optional<Judgement> judgement;
-};
-
 /// What a statistic says about an observation that it fails; empty: nothing.
 std::string cause_of(const Statistic& statistic, const Observation& observation) try {
     return statistic.cause ? statistic.cause(observation) : "";
@@ -32,8 +26,8 @@ std::string cause_of(const Statistic& statistic, const Observation& observation)
 
 /// The record of a statistic; `first` is the first replicate's observation.
 StatisticRecord record_of(const Statistic& statistic, const Judgement& judgement, const Observation& first) {
-    StatisticRecord record{statistic.id, statistic.what, judgement.value, judgement.truth, judgement.low, judgement.high, statistic.delta0,
-                           statistic.delta, statistic.exact, judgement.replicates, judgement.verdict, {}};
+    StatisticRecord record{statistic.id,    statistic.what,  judgement.value, judgement.truth,      judgement.low,     judgement.high,
+                           statistic.delta0, statistic.delta, statistic.exact, judgement.replicates, judgement.verdict, {}};
     if (judgement.verdict == Verdict::passed) return record;
     if (judgement.verdict == Verdict::failed) record.hint = cause_of(statistic, first);
     if (!record.hint.empty()) return record;
@@ -54,7 +48,9 @@ StatisticRecord record_of(const Statistic& statistic, const Judgement& judgement
 std::string advice(const Fault& fault, Reference& reference) {
     if (fault.verdict != Verdict::timed_out) return fault.message;
     const auto solution = reference.cpu_seconds();
-    return fault.message + (solution ? fmt::format("; the solution needs {}", *solution < 0.01 ? "less than 0.01 s" : fmt::format("{:.2g} s", *solution)) : "") + ": look for a loop that does not end";
+    std::string needed;
+    if (solution) needed = "; the solution needs " + (*solution < 0.01 ? "less than 0.01 s" : fmt::format("{:.2g} s", *solution));
+    return fault.message + needed + ": look for a loop that does not end";
 }
 
 void add_picture(rt::Image& mean, const rt::Image& next, int count) {
@@ -76,6 +72,24 @@ CheckRecord blank_record(const Check& check) {
         record.sampler = render->sampler;
     }
     return record;
+}
+
+std::optional<Fault> unfit(const Check& check, const Observation& first, const Observation& again, Reference& reference) {
+    if (!is_same(first, again))
+        return Fault{Verdict::not_an_image,
+                     "gives another result when it runs again with the same arguments: a fragment keeps no state, and all its "
+                     "randomness is in its arguments",
+                     {}};
+    if (is_render(check) && is_quantised(first.image)) {
+        const auto theirs = reference.picture(1);
+        if (theirs && !is_quantised(*theirs))
+            return Fault{Verdict::not_an_image, "the picture has only the levels of 8 bits: radiance is not to be rounded", {}};
+    }
+    return std::nullopt;
+}
+
+bool ignores_seed(const Check& check, const Observation& first, const Observation& second, Reference& reference) {
+    return is_render(check) && is_same(first, second) && reference.noisy().value_or(false);
 }
 
 CheckRecord judge_check(const Check& check, Runner& runner, Reference& reference, const CheckSettings& settings) {
@@ -102,76 +116,43 @@ CheckRecord judge_check(const Check& check, Runner& runner, Reference& reference
     auto repeated = observe(runner, check, seed(0));
     if (const Fault* fault = std::get_if<Fault>(&repeated)) return give_up(*fault);
     spend();
-    if (!is_same(first, std::get<Observation>(repeated)))
-        return give_up({Verdict::not_an_image,
-                        "gives another result when it runs again with the same arguments: a fragment keeps no state, and all its "
-                        "randomness is in its arguments",
-                        {}});
-    if (is_render(check) && is_quantised(first.image)) {
-        const auto theirs = reference.picture(1);
-        if (theirs && !is_quantised(*theirs))
-            return give_up({Verdict::not_an_image, "the picture has only the levels of 8 bits: radiance is not to be rounded", {}});
-    }
+    if (const auto fault = unfit(check, first, std::get<Observation>(repeated), reference)) return give_up(*fault);
 
-    // what has no noise
-    std::vector<Trial> trials;
-    for (const Statistic& statistic : check.statistics) {
-        Trial trial{&statistic, Judge({statistic.delta0, statistic.delta}, settings.statistics, statistic.truth), std::nullopt};
-        const double value = measured(statistic, first);
-        if (statistic.exact) {
-            std::optional<double> truth = statistic.truth;
-            if (!truth)
-                if (const auto theirs = reference.exact()) truth = (*theirs)[trials.size()];
-            trial.judgement = truth ? judge_exact(value, *truth, statistic.delta) : Judgement{};
-        } else {
-            trial.judge.add(value);
-        }
-        trials.push_back(std::move(trial));
-    }
-
-    // what has: as many replicates as it takes
-    const auto open = [](const Trial& trial) { return !trial.judgement; };
+    // as many replicates as it takes
+    CheckJudge judge(check, settings.statistics);
+    const auto scalars_of = [&](const Observation& observation) {
+        return [&](std::size_t i) { return measured(check.statistics[i], observation); };
+    };
+    judge.add(scalars_of(first), [&](std::size_t i) -> std::optional<double> {
+        const auto theirs = reference.exact();
+        return theirs ? std::optional((*theirs)[i]) : std::nullopt;
+    });
     int own = 1, theirs = 0;
-    bool reference_ends = false, seed_ignored = false;
-    while (std::ranges::any_of(trials, open)) {
-        int wanted = 0;
-        bool needs_reference = false;
-        for (Trial& trial : trials) {
-            if (trial.judgement) continue;
-            trial.judgement = trial.judge.decide();
-            if (trial.judgement) continue;
-            wanted = std::max(wanted, trial.judge.wanted());
-            needs_reference = needs_reference || !trial.statistic->truth;
-        }
-        if (reference_ends)
-            for (Trial& trial : trials)
-                if (open(trial) && !trial.statistic->truth) trial.judgement = Judgement{};
+    bool seed_ignored = false;
+    while (const int wanted = judge.wanted()) {
+        const bool needs_reference = judge.needs_reference();
         for (; own < wanted; ++own) {
             auto next = observe(runner, check, seed(own));
             if (const Fault* fault = std::get_if<Fault>(&next)) return give_up(*fault);
             spend();
             const Observation& observation = std::get<Observation>(next);
-            if (own == 1 && is_render(check)) seed_ignored = is_same(first, observation) && reference.noisy().value_or(false);
+            if (own == 1) seed_ignored = ignores_seed(check, first, observation, reference);
             show(observation);
-            for (Trial& trial : trials)
-                if (open(trial)) trial.judge.add(measured(*trial.statistic, observation));
+            judge.add(scalars_of(observation));
         }
-        for (; needs_reference && !reference_ends && theirs < wanted; ++theirs) {
+        for (; needs_reference && theirs < wanted; ++theirs) {
             const auto values = reference.replicate(theirs);
             if (!values) {
-                reference_ends = true;
+                judge.end_reference();
                 break;
             }
-            for (std::size_t i = 0; i < trials.size(); ++i)
-                if (open(trials[i]) && !trials[i].statistic->truth) trials[i].judge.add_reference((*values)[i]);
+            judge.add_reference([&](std::size_t i) { return (*values)[i]; });
         }
     }
 
-    record.verdict = check.statistics.empty() ? Verdict::inconclusive : Verdict::passed;
-    for (const Trial& trial : trials) {
-        record.statistics.push_back(record_of(*trial.statistic, *trial.judgement, first));
-        record.verdict = worse(record.verdict, trial.judgement->verdict);
-    }
+    record.verdict = judge.verdict();
+    for (std::size_t i = 0; i < check.statistics.size(); ++i)
+        record.statistics.push_back(record_of(check.statistics[i], *judge.judgements()[i], first));
     // a picture without noise is wrong whatever its mean; what the statistics say about it is closer to the cause
     if (seed_ignored && record.verdict != Verdict::failed) {
         record.verdict = Verdict::not_an_image;

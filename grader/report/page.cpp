@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "report/bar.h"
+#include "report/diagnosis.h"
 #include "report/escape.h"
 #include "report/picture.h"
 #include "report/style.h"
@@ -72,17 +73,25 @@ std::string check_section(const CheckRecord& check, bool student) {
     return text + "</details>\n";
 }
 
-std::string fragment_section(const FragmentRecord& fragment, bool student) {
+/// Where to read about what is wrong.
+std::string read_link(const std::string& section, const std::string& handout) {
+    if (section.empty()) return {};
+    return fmt::format("<a href=\"{}#{}\">{}</a>", html(handout), html(anchor(section)), html(reading(section)));
+}
+
+std::string fragment_section(const FragmentRecord& fragment, bool student, const std::string& handout) {
     std::string text = fmt::format("<section class=\"card\" id=\"{0}\"><div class=\"head\"><h3>{0}</h3>{1}<span class=\"points\"><b>{2:g}</b> of {3:g}</span></div>\n",
                                    html(fragment.name), badge(fragment.verdict), fragment.points, fragment.max_points);
     if (fragment.verdict == Verdict::did_not_build) text += fmt::format("<pre>{}</pre>\n", html(fragment.message));
     else if (!fragment.message.empty()) text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(fragment.verdict), html(fragment.message));
+    if (const std::string link = read_link(diagnose(fragment).section, handout); !link.empty())
+        text += fmt::format("<p class=\"soft\">Read: {}</p>\n", link);
     if (fragment.verdict != Verdict::did_not_build && fragment.verdict != Verdict::not_started)
         for (const CheckRecord& check : fragment.checks) text += check_section(check, student);
     return text + "</section>\n";
 }
 
-std::string overview(const Record& record, const Assignment& assignment) {
+std::string overview(const Record& record, const Assignment& assignment, const std::string& handout) {
     std::string text = "<section class=\"card\"><table class=\"overview\">\n";
     for (const Part& part : assignment.parts) {
         double have = 0, most = 0;
@@ -90,9 +99,11 @@ std::string overview(const Record& record, const Assignment& assignment) {
         for (const FragmentRecord& fragment : record.fragments) {
             if (fragment.part != part.name) continue;
             have += fragment.points, most += fragment.max_points;
-            const std::string message = fragment.verdict == Verdict::passed ? "" : first_message(fragment);
-            rows += fmt::format("<tr><td><a href=\"#{0}\">{0}</a></td><td>{1}</td><td class=\"number\">{2:g} of {3:g}</td><td class=\"soft\">{4}</td></tr>\n",
-                                html(fragment.name), badge(fragment.verdict), fragment.points, fragment.max_points, html(message.substr(0, message.find('\n'))));
+            const Diagnosis diagnosis = fragment.verdict == Verdict::passed ? Diagnosis{} : diagnose(fragment);
+            const std::string message = diagnosis.words.substr(0, diagnosis.words.find('\n'));
+            rows += fmt::format("<tr><td><a href=\"#{0}\">{0}</a></td><td>{1}</td><td class=\"number\">{2:g} of {3:g}</td><td class=\"soft\">{4} {5}</td></tr>\n",
+                                html(fragment.name), badge(fragment.verdict), fragment.points, fragment.max_points, html(message),
+                                read_link(diagnosis.section, handout));
         }
         if (!rows.empty())
             text += fmt::format("<tr class=\"part\"><td colspan=\"2\">{}</td><td class=\"number\">{:g} of {:g}</td><td></td></tr>\n{}", html(part.title), have, most, rows);
@@ -112,7 +123,7 @@ std::string own_picture(const Record& record) {
 
 }  // namespace
 
-std::string page(const Record& record, const Assignment& assignment) {
+std::string page(const Record& record, const Assignment& assignment, const std::string& handout) {
     const double share = record.max_score() > 0 ? record.score() / record.max_score() : 0;
     std::string text = fmt::format("<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\">"
                                    "<title>{:g} of {:g}: {}</title><style>{}</style></head><body><main>\n",
@@ -121,11 +132,11 @@ std::string page(const Record& record, const Assignment& assignment) {
                         "<div class=\"meter\" role=\"img\" aria-label=\"{:.0f} percent\"><i style=\"width:{:.1f}%\"></i></div></div></header>\n",
                         html(record.title), html(record.submission), record.student_mode ? "student" : "instructor", record.seed, record.score(), record.max_score(),
                         100 * share, 100 * share);
-    text += overview(record, assignment) + own_picture(record);
+    text += overview(record, assignment, handout) + own_picture(record);
     for (const Part& part : assignment.parts) {
         std::string sections;
         for (const FragmentRecord& fragment : record.fragments)
-            if (fragment.part == part.name) sections += fragment_section(fragment, record.student_mode);
+            if (fragment.part == part.name) sections += fragment_section(fragment, record.student_mode, handout);
         if (!sections.empty()) text += fmt::format("<h2>{}</h2>\n{}", html(part.title), sections);
     }
     text += fmt::format("<h2>About this grading</h2><section class=\"card soft\"><p>Again: <code>{}</code></p><p>Toolchain: {}. Grader {}. Sandbox: {}.</p>"

@@ -8,6 +8,8 @@
 namespace grade {
 
 /// The record as one page that needs nothing else: no file, no network, no script.
-std::string page(const Record& record, const Assignment& assignment);
+///
+/// handout  where the page finds the handout, to which its hints link
+std::string page(const Record& record, const Assignment& assignment, const std::string& handout = "handout.md");
 
 }  // namespace grade

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "report/diagnosis.h"
+
 namespace grade {
 
 namespace {
@@ -33,6 +35,7 @@ Json statistic_json(const CheckRecord& check, const StatisticRecord* statistic) 
     json["verdict"] = name(statistic ? statistic->verdict : check.verdict);
     json["cause"] = statistic ? statistic->hint : check.message;
     json["hint"] = statistic ? statistic->hint : check.message;
+    if ((statistic ? statistic->verdict : check.verdict) != Verdict::passed) json["read"] = reading(section_of(check, statistic));
     json["check_verdict"] = name(check.verdict);
     json["share"] = check.share;
     if (!check.blocked_by.empty()) json["blocked_by"] = check.blocked_by;
@@ -47,7 +50,9 @@ Json fragment_json(const FragmentRecord& fragment) {
     json["points"] = fragment.points;
     json["max_points"] = fragment.max_points;
     json["verdict"] = name(fragment.verdict);
-    json["message"] = first_message(fragment);
+    const Diagnosis diagnosis = diagnose(fragment);
+    json["message"] = diagnosis.words;
+    if (!diagnosis.section.empty()) json["read"] = reading(diagnosis.section);
     json["cpu_seconds"] = fragment.cpu_seconds;
     json["blocked_by"] = fragment.blocked_by;
     json["checks"] = Json::array();
@@ -110,15 +115,6 @@ double points_of(const FragmentRecord& fragment) {
     return all > 0 ? rounded(fragment.max_points * passed / all) : 0;
 }
 
-std::string first_message(const FragmentRecord& fragment) {
-    if (!fragment.message.empty()) return fragment.message;
-    for (const CheckRecord& check : fragment.checks) {
-        if (check.verdict != fragment.verdict || check.verdict == Verdict::passed) continue;
-        if (!check.message.empty()) return check.message;
-        for (const StatisticRecord& statistic : check.statistics)
-            if (statistic.verdict == check.verdict && !statistic.hint.empty()) return statistic.hint;
-    }
-    return {};
-}
+std::string first_message(const FragmentRecord& fragment) { return diagnose(fragment).words; }
 
 }  // namespace grade

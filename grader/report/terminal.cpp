@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <sstream>
 
+#include "report/diagnosis.h"
 #include "report/escape.h"
 
 namespace grade {
@@ -68,7 +69,13 @@ std::string table(const Record& record, const Assignment& assignment, bool color
             have += fragment.points, most += fragment.max_points;
             rows += fmt::format("  {:<24}{} {:>6} of {}\n", fragment.name, paint(fragment.verdict, fmt::format("{:<16}", in_words(fragment.verdict))),
                                 points(fragment.points), points(fragment.max_points));
-            if (fragment.verdict != Verdict::passed) rows += wrapped(printable(first_message(fragment)), "      ", fragment.verdict == Verdict::did_not_build ? 8 : 4);
+            if (fragment.verdict == Verdict::passed) continue;
+            const Diagnosis diagnosis = diagnose(fragment);
+            const bool errors = fragment.verdict == Verdict::did_not_build;
+            rows += wrapped(printable(diagnosis.words), "      ", errors ? 8 : 4);
+            // what is blank or does not compile has its own words; the others say where to read
+            if (!errors && fragment.verdict != Verdict::not_started && !diagnosis.section.empty())
+                rows += "      " + reading(diagnosis.section) + "\n";
         }
         if (rows.empty()) continue;
         text += fmt::format("{}{:<43}{:>6} of {}{}\n{}\n", color ? "\033[1m" : "", part.title, points(have), points(most), color ? "\033[0m" : "", rows);

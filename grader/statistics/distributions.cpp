@@ -2,6 +2,9 @@
 
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <map>
+#include <utility>
 
 namespace grade {
 
@@ -15,7 +18,13 @@ using ChiSquaredLaw = boost::math::chi_squared_distribution<double, Policy>;
 }  // namespace
 
 double student_quantile(double degrees, double tail) {
-    return boost::math::quantile(boost::math::complement(Student(degrees), tail));
+    const auto solve = [&] { return boost::math::quantile(boost::math::complement(Student(degrees), tail)); };
+    // the same few looks ask for the same few quantiles again and again; Welch's degrees are never the same
+    if (degrees != std::floor(degrees)) return solve();
+    thread_local std::map<std::pair<double, double>, double> known;
+    const auto [entry, is_new] = known.try_emplace({degrees, tail});
+    if (is_new) entry->second = solve();
+    return entry->second;
 }
 
 double student_tail(double degrees, double x) {

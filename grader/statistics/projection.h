@@ -35,4 +35,22 @@ inline double slab_shift(double angle, double ior) {
     return s * (1 - std::cos(angle) / std::sqrt(ior * ior - s * s));
 }
 
+/// Variance along its way of a lamp's picture, when pixel, lens, time and the lamp's own disc do not depend on each
+/// other: their variances add [pixel^2].
+///
+///     length^2 / 12 + blur^2 / 4 + lamp^2 / 4 + 1 / 12
+///
+/// length  of the way while the shutter is open; blur, lamp: radii of the lens's disc and of the lamp's [pixel]
+inline double streak_variance(double length, double blur, double lamp) {
+    return length * length / 12 + blur * blur / 4 + lamp * lamp / 4 + 1.0 / 12;
+}
+
+/// Mean number of scatterings of light that falls from all sides alike on a ball of medium, whatever the phase function:
+/// the mean length of its ways is 4 V / S.
+///
+///     4/3 radius * scattering
+///
+/// Source: Blanco and Fournier, "An invariance property of diffusive random walks", Europhys. Lett. 61(2), 2003.
+inline double mean_scatterings(double radius, double scattering) { return 4.0 / 3 * radius * scattering; }
+
 }  // namespace grade

@@ -57,13 +57,15 @@ void traverse(const Bvh& bvh, const Ray& ray, Leaf leaf) {
     const Box& whole = bvh.nodes[0].box;
     const Real margin = 32 * roundoff * (largest(ray.origin) + std::max(largest(whole.low), largest(whole.high)));
     const vec3 to_low = ray.origin + margin, to_high = ray.origin - margin;
+    // Grazing, a hit's own distance is less certain: a box is left out only where it is farther by more than that.
+    const Real slack = 0x1p20 * margin / largest(ray.direction);
     Real far = ray.far;
     std::uint32_t stack[128];
     int depth = 0;
     std::uint32_t at = 0;
     for (;;) {
         const Bvh::Node& node = bvh.nodes[at];
-        Real t0 = ray.near, t1 = far;
+        Real t0 = ray.near, t1 = far + slack;
         for (int a = 0; a < 3; ++a) {
             const Real low = (node.box.low[a] - to_low[a]) * over[a], high = (node.box.high[a] - to_high[a]) * over[a];
             const Real enter = backward[a] ? high : low, leave = backward[a] ? low : high;

@@ -5,8 +5,9 @@ namespace {
 
 /// Share of the light that a scattering turns from d to w, per solid angle [1/sr]: Henyey and Greenstein's phase function.
 Real phase(vec3 d, vec3 w, Real g) {
-    const Real k = 1 + g * g - 2 * g * dot(d, w);
-    return (1 - g * g) / (4 * pi * k * std::sqrt(k));
+    const vec3 off = g < 0 ? d + w : d - w;  // from the peak: its square has more digits than d . w
+    const Real h = std::abs(g), k = sqr(1 - h) + h * dot(off, off);
+    return (1 - h) * (1 + h) / (4 * pi * k * std::sqrt(k));
 }
 
 }  // namespace

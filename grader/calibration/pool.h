@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "checks/check.h"
+#include "judging/reference.h"
+
+namespace grade {
+
+/// The scalars of many replicates of one check, from one program: what replays draw from.
+struct Pool {
+    int statistics = 0;
+    int faults = 0;               // replicates that crashed, did not end or were no image: rows of NaN
+    bool unfit = false;           // fails before any statistic
+    bool ignores_seed = false;    // two seeds, one picture
+    double cpu_seconds = 0;       // of all replicates
+    std::vector<double> scalars;  // replicates x statistics
+
+    int replicates() const { return statistics > 0 ? int(scalars.size()) / statistics : 0; }
+    double scalar(int replicate, std::size_t statistic) const { return scalars[std::size_t(replicate) * std::size_t(statistics) + statistic]; }
+    double seconds_per_replicate() const { return replicates() > 0 ? cpu_seconds / replicates() : 0; }
+};
+
+/// Runs a check so many times. A program that breaks down is started again, a few times.
+///
+/// meshes  where scenes look for meshes
+Pool collect(const Check& check, std::uint64_t seed, int replicates, const fs::path& program, const fs::path& solution_program,
+             const Sandbox& sandbox, const fs::path& meshes);
+
+/// A line of JSON, then the scalars as the machine has them. Throws std::runtime_error.
+void write_pool(const fs::path& path, const Pool& pool);
+
+/// None: there is no such file, or it is not whole.
+std::optional<Pool> read_pool(const fs::path& path);
+
+}  // namespace grade

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "calibration/workshop.h"
+#include "report/record.h"
+
+namespace grade {
+
+/// Variants of different fragments in one submission: the grader judges each fragment with the solution's others, so
+/// they cannot disturb each other, and what is not changed must pass.
+struct Bundle {
+    std::string name;  // "wrong-3"
+    std::vector<const Variant*> variants;
+};
+
+/// Bundles of variants of one kind that hold each variant once.
+///
+/// alternate  every other fragment stays the solution's
+std::vector<Bundle> bundles(const std::vector<const Variant*>& variants, const std::string& name, bool alternate);
+
+/// What a real grading said about one fragment.
+struct RealVerdict {
+    std::string fragment;
+    Verdict verdict = Verdict::inconclusive;
+    std::string message;
+    double cpu_seconds = 0;
+};
+
+struct RealGrading {
+    std::vector<RealVerdict> fragments;
+    std::string record;  // a hash of the whole record but for times
+};
+
+/// Grades the solution with these changes, once for each seed: compiled once.
+///
+/// only  fragments to grade; empty: all
+std::vector<RealGrading> grade_changed(const Workshop& workshop, const std::map<std::string, std::string>& changed,
+                                       const std::vector<std::uint64_t>& seeds, const std::set<std::string>& only, int jobs);
+
+std::map<std::string, std::string> changed_texts(const Bundle& bundle, const Workshop& workshop);
+
+/// As JSON files. Throws std::runtime_error.
+void write_grading(const fs::path& path, const RealGrading& grading);
+std::optional<RealGrading> read_grading(const fs::path& path);
+
+/// Whether a verdict says that a fragment is wrong.
+bool is_found(Verdict verdict);
+
+/// Whether the message names the cause: holds one of the words, in any case.
+bool says_one_of(const std::string& message, const std::vector<std::string>& words);
+
+}  // namespace grade

@@ -1,0 +1,222 @@
+#include "calibration/summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/distributions/beta.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "build/files.h"
+#include "calibration/results.h"
+#include "judging/grading.h"
+#include "judging/judge_check.h"
+#include "judging/parallel.h"
+#include "statistics/distributions.h"
+
+namespace grade {
+
+namespace {
+
+constexpr int nominal_draws = 200'000;
+
+/// The stores of one program: all of its grading seeds that are complete.
+struct Stores {
+    std::vector<std::unique_ptr<Pool>> pools;  // what `seeds` points to
+    std::vector<PooledChecks> seeds;
+    int least = 0;
+};
+
+Stores stores_of(const Workshop& workshop, const std::string& name, const std::string& fragment) {
+    Stores stores;
+    for (int part = 0; part < workshop.amount().seeds; ++part) {
+        PooledChecks checks;
+        int least = std::numeric_limits<int>::max();
+        for (const Check& check : workshop.checks(pool_seed(part))) {
+            if (!fragment.empty() && check.fragment != fragment) continue;
+            auto pool = read_pool(pool_file(workshop, name, check, pool_seed(part)));
+            if (!pool) break;
+            if (pool->faults == 0) least = std::min(least, pool->replicates());
+            stores.pools.push_back(std::make_unique<Pool>(std::move(*pool)));
+            checks.push_back({&check, stores.pools.back().get()});
+        }
+        const auto wanted = fragment.empty() ? workshop.checks(pool_seed(part)).size() : workshop.checks(pool_seed(part), fragment).size();
+        if (checks.size() != wanted) continue;
+        stores.seeds.push_back(std::move(checks));
+        if (least < std::numeric_limits<int>::max()) stores.least += least;
+    }
+    return stores;
+}
+
+/// How many replicates a test of fixed size needs to tell right from a deviation of delta, with the same alpha and beta.
+int fixed_replicates(const PooledCheck& stored, const Settings& settings) {
+    double most = 16;
+    for (std::size_t i = 0; i < stored.check->statistics.size(); ++i) {
+        const Statistic& statistic = stored.check->statistics[i];
+        if (statistic.exact) continue;
+        std::vector<double> all;
+        for (int k = 0; k < stored.pool->replicates(); ++k) all.push_back(stored.pool->scalar(k, i));
+        const double deviation = moments_of(all).deviation();
+        // the quantiles depend on the number that they decide: a few rounds settle it
+        double n = 16;
+        for (int round = 0; round < 20; ++round) {
+            const double reach = student_quantile(std::round(n) - 1, settings.alpha / settings.statistics / 2) + student_quantile(std::round(n) - 1, settings.beta);
+            n = std::clamp(std::pow(reach * deviation / (statistic.delta - statistic.delta0), 2), 16.0, 1e5);
+        }
+        most = std::max(most, n);
+    }
+    return int(std::ceil(most));
+}
+
+Settings settings_of(const Workshop& workshop, int cap) {
+    Settings settings;
+    settings.statistics = noisy_statistics(workshop.checks(pool_seed(0)));
+    settings.cap = cap;
+    return settings;
+}
+
+void read_peers(const Workshop& workshop, VariantSummary& row) {
+    const auto text = read_text(peer_file(workshop, *row.variant));
+    if (!text) return;
+    const auto json = nlohmann::json::parse(*text);
+    row.pictures = json.at("pictures");
+    row.peers = {json.at("z_test"), json.at("mean_difference"), json.at("global_mean")};
+}
+
+/// Real gradings: what became of each variant, and of what stands beside it.
+void read_real(const Workshop& workshop, const std::vector<Bundle>& bundles, const std::vector<std::uint64_t>& seeds, bool wrong,
+               std::vector<VariantSummary>& rows, Summary& summary) {
+    std::map<const Variant*, VariantSummary*> row_of;
+    for (VariantSummary& row : rows) row_of[row.variant] = &row;
+    double seconds = 0;
+    for (const Bundle& bundle : bundles)
+        for (const std::uint64_t seed : seeds) {
+            const auto grading = read_grading(real_file(workshop, bundle, seed));
+            if (!grading) continue;
+            bool failed = false, open = false;
+            for (const RealVerdict& verdict : grading->fragments) {
+                seconds += wrong ? 0 : verdict.cpu_seconds;
+                const auto changed = std::ranges::find(bundle.variants, verdict.fragment, &Variant::fragment);
+                const bool found = is_found(verdict.verdict), passed = verdict.verdict == Verdict::passed;
+                if (changed == bundle.variants.end()) {
+                    ++summary.neighbours;
+                    summary.spoiled += !passed;
+                } else {
+                    VariantSummary& row = *row_of.at(*changed);
+                    if (row.gradings++ == 0) row.verdict = name(verdict.verdict), row.message = verdict.message;
+                    row.found += found;
+                    row.open += !found && !passed;
+                    row.named += found && says_one_of(verdict.message, row.variant->says);
+                }
+                failed = failed || found;
+                open = open || (!found && !passed);
+                if (!passed && (!wrong || changed == bundle.variants.end()))
+                    summary.false_failures.push_back(fmt::format("{}, seed {}, {}: {}: {}", bundle.name, seed, verdict.fragment, name(verdict.verdict), verdict.message));
+            }
+            if (!wrong) ++summary.right_gradings, summary.right_failures += failed, summary.right_open += open && !failed;
+        }
+    if (!wrong && summary.right_gradings > 0) summary.whole_seconds = seconds / summary.right_gradings;
+}
+
+void read_doses(const Workshop& workshop, Summary& summary) {
+    for (const Variant* variant : workshop.variants(Variant::Kind::dose)) {
+        const auto text = read_text(dose_file(workshop, *variant));
+        if (!text) continue;
+        const auto json = nlohmann::json::parse(*text);
+        Dose dose{variant, {}};
+        for (const std::string& size : variant->doses) {
+            const auto& verdicts = json.at(size);
+            const auto found = std::ranges::count_if(verdicts, [](const auto& verdict) { return verdict != "passed" && verdict != "inconclusive"; });
+            dose.found.emplace_back(size, double(found) / double(verdicts.size()));
+        }
+        summary.doses.push_back(std::move(dose));
+    }
+    for (const Variant* variant : workshop.variants(Variant::Kind::confined)) {
+        const auto text = read_text(confined_file(workshop, *variant));
+        if (!text) continue;
+        const auto json = nlohmann::json::parse(*text);
+        Confined confined{variant, json.at("changed"), json.at("pixels"), int(json.at("verdicts").size()), 0};
+        for (const auto& verdict : json.at("verdicts")) confined.found += verdict != "passed" && verdict != "inconclusive";
+        summary.confined.push_back(confined);
+    }
+}
+
+}  // namespace
+
+std::pair<double, double> rate_bounds(long hits, long all) {
+    using Beta = boost::math::beta_distribution<double>;
+    if (all == 0) return {0, 1};
+    const double low = hits == 0 ? 0 : boost::math::quantile(Beta(double(hits), double(all - hits + 1)), 0.025);
+    const double high = hits == all ? 1 : boost::math::quantile(Beta(double(hits + 1), double(all - hits)), hits == 0 ? 0.95 : 0.975);
+    return {low, high};
+}
+
+Summary summarize(const Workshop& workshop, int jobs, const std::function<void(int, int, const std::string&)>& listener) {
+    Summary summary;
+    for (const Step& step : steps_of(workshop)) ++summary.steps, summary.steps_done += step.is_done();
+    for (const Variant* variant : workshop.variants(Variant::Kind::right)) summary.right.push_back({variant});
+    for (const Variant* variant : workshop.variants(Variant::Kind::wrong)) summary.wrong.push_back({variant});
+    read_real(workshop, right_bundles(workshop), right_seeds(workshop), false, summary.right, summary);
+    read_real(workshop, wrong_bundles(workshop), wrong_seeds(workshop), true, summary.wrong, summary);
+    read_doses(workshop, summary);
+    for (const Bundle& bundle : bundles_under_load(workshop))
+        if (const auto text = read_text(load_file(workshop, bundle)))
+            ++summary.under_load, summary.same_under_load += nlohmann::json::parse(*text).at("same").get<bool>();
+
+    // replays: many short jobs, in any order
+    const int cap = GradingSettings{}.replicates;
+    const Settings settings = settings_of(workshop, cap);
+    const long draws = workshop.amount().draws;
+    summary.noisy = settings.statistics;
+    for (const int c : {8, 16, 32, 64, 128, 256, 512}) summary.budgets.push_back({c, {}, {}, 0, {}});
+    const Stores solution = stores_of(workshop, "solution", "");
+    std::map<std::string, int> fixed;
+    if (!solution.seeds.empty())
+        for (const PooledCheck& stored : solution.seeds.front()) fixed[key_of(*stored.check)] = fixed_replicates(stored, settings);
+    summary.least_replicates = solution.least;
+
+    std::mutex lock;
+    std::vector<std::pair<std::string, std::function<void()>>> work;
+    if (!solution.seeds.empty()) {
+        constexpr int pieces = 50;
+        for (int piece = 0; piece < pieces; ++piece)
+            work.emplace_back("the solution", [&, piece] {
+                const Tally tally = replay(solution.seeds, settings, draws / pieces, 1 + std::uint64_t(piece));
+                const std::scoped_lock guard(lock);
+                summary.solution.add(tally);
+            });
+        for (Budget& budget : summary.budgets)
+            work.emplace_back("budgets", [&] { budget.right = replay(solution.seeds, settings_of(workshop, budget.cap), draws / 50, 99); });
+        work.emplace_back("rates of each statistic", [&] { summary.nominal = nominal_rates(solution.seeds.front(), nominal_draws, 7); });
+    }
+    for (auto* rows : {&summary.right, &summary.wrong})
+        for (VariantSummary& row : *rows)
+            work.emplace_back(row.variant->name, [&] {
+                read_peers(workshop, row);
+                const Stores stores = stores_of(workshop, row.variant->name, row.variant->fragment);
+                if (stores.seeds.empty()) return;
+                row.replayed = replay(stores.seeds, settings, draws / 10, 3);
+                for (const PooledCheck& stored : stores.seeds.front())
+                    row.fixed_seconds += fixed[key_of(*stored.check)] * stored.pool->seconds_per_replicate();
+                std::vector<Tally> budgets;
+                if (row.variant->kind == Variant::Kind::wrong)
+                    for (const Budget& budget : summary.budgets) budgets.push_back(replay(stores.seeds, settings_of(workshop, budget.cap), draws / 500, 5));
+                const std::scoped_lock guard(lock);
+                if (stores.least > 0) summary.least_replicates = std::min(summary.least_replicates, stores.least);
+                for (std::size_t i = 0; i < budgets.size(); ++i) {
+                    Budget& budget = summary.budgets[i];
+                    budget.wrong.add(budgets[i]);
+                    const double missed = 1 - double(budgets[i].failed) / double(budgets[i].gradings);
+                    if (missed > budget.worst_wrong) budget.worst_wrong = missed, budget.worst = row.variant->name;
+                }
+            });
+    Progress progress(listener);
+    progress.expect(int(work.size()));
+    in_parallel(int(work.size()), jobs, [&](int i) {
+        work[std::size_t(i)].second();
+        progress.tell("replays: " + work[std::size_t(i)].first, 1);
+    });
+    return summary;
+}
+
+}  // namespace grade

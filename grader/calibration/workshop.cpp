@@ -1,0 +1,123 @@
+#include "calibration/workshop.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "build/compile.h"
+#include "build/files.h"
+#include "judging/parallel.h"
+#include "judging/progress.h"
+
+namespace grade {
+
+namespace {
+
+/// Of all that decides what a fragment's replicates are, and what is said about them.
+///
+/// Source: Fowler, Noll, Vo, "The FNV Non-Cryptographic Hash Algorithm", RFC 9923.
+std::string stamp(const fs::path& source) {
+    std::vector<fs::path> files;
+    for (const char* folder : {"starter/rt", "solution", "scenes", "grader/checks", "grader/statistics", "grader/judging", "grader/child"})
+        for (const auto& entry : fs::recursive_directory_iterator(source / folder))
+            if (const auto type = entry.path().extension(); type == ".cpp" || type == ".h" || type == ".toml") files.push_back(entry.path());
+    std::ranges::sort(files);
+    std::uint64_t hash = 0xcbf29ce484222325;
+    for (const fs::path& file : files)
+        for (const char c : fs::relative(file, source).string() + read_text(file).value_or(""))
+            hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+    return fmt::format("{:016x}", hash);
+}
+
+std::vector<Variant> chosen(std::vector<Variant> all, const std::vector<std::string>& words) {
+    if (words.empty()) return all;
+    std::erase_if(all, [&](const Variant& v) {
+        return std::ranges::none_of(words, [&](const std::string& word) { return v.fragment == word || v.name.find(word) != v.name.npos; });
+    });
+    return all;
+}
+
+}  // namespace
+
+Workshop::Workshop(const fs::path& toolchain, const fs::path& results, Amount amount, const std::vector<std::string>& words)
+    : chain_(read_toolchain(toolchain)),
+      assignment_(read_assignment((chain_.source / "assignment.toml").string())),
+      sandbox_(find_sandbox(true)),
+      amount_(amount),
+      results_(results / stamp(chain_.source)),
+      variants_(chosen(read_variants(chain_.source / "tests/variants"), words)) {}
+
+std::vector<const Variant*> Workshop::variants(Variant::Kind kind) const {
+    std::vector<const Variant*> list;
+    for (const Variant& variant : variants_)
+        if (variant.kind == kind) list.push_back(&variant);
+    return list;
+}
+
+const std::vector<Check>& Workshop::checks(std::uint64_t seed) const {
+    const std::scoped_lock lock(lock_);
+    auto& list = checks_[seed];
+    if (list.empty()) list = all_checks(seed);
+    return list;
+}
+
+std::vector<const Check*> Workshop::checks(std::uint64_t seed, const std::string& fragment) const {
+    std::vector<const Check*> list;
+    for (const Check& check : checks(seed))
+        if (check.fragment == fragment) list.push_back(&check);
+    return list;
+}
+
+std::string Workshop::solution_text(const std::string& fragment) const {
+    return read_text(chain_.source / "solution" / (fragment + ".cpp")).value();
+}
+
+fs::path Workshop::program(const std::string& name, const std::string& fragment, const std::string& text) const {
+    const fs::path folder = results_ / "programs" / name, program = folder / "child";
+    if (fs::exists(program)) return program;
+    fs::create_directories(folder);
+    std::vector<fs::path> objects;
+    for (const auto& [other, object] : chain_.solution_objects)
+        if (other != fragment) objects.push_back(object);
+    const TemporaryFolder work;
+    if (!fragment.empty()) {
+        const Compiled compiled = compile_fragment(chain_, sandbox_, fragment, text, name + ".cpp", work.path());
+        if (!compiled.good) throw std::runtime_error(fmt::format("{} does not compile: {}", name, compiled.message));
+        objects.push_back(compiled.object);
+    }
+    if (const auto errors = link_child(chain_, objects, folder / "linking"); !errors.empty())
+        throw std::runtime_error(fmt::format("{} cannot be linked: {}", name, errors));
+    fs::rename(folder / "linking", program);
+    return program;
+}
+
+fs::path Workshop::program(const Variant& variant) const {
+    return program(variant.name, variant.fragment, changed_text(variant, chain_.source));
+}
+
+fs::path Workshop::solution_program() const {
+    static std::mutex one_at_a_time;
+    const std::scoped_lock lock(one_at_a_time);
+    return program("solution", "", "");
+}
+
+bool Step::is_done() const {
+    return std::ranges::all_of(results, [](const fs::path& path) { return fs::exists(path); });
+}
+
+void run_steps(const std::vector<Step>& steps, int shard, int shards, int jobs,
+               const std::function<void(int done, int all, const std::string& doing)>& listener) {
+    std::vector<const Step*> open;
+    for (std::size_t i = 0; i < steps.size(); ++i)
+        if (int(i % std::size_t(shards)) == shard && !steps[i].is_done()) open.push_back(&steps[i]);
+    Progress progress(listener);
+    progress.expect(int(open.size()));
+    in_parallel(int(open.size()), jobs, [&](int i) {
+        const Step& step = *open[std::size_t(i)];
+        progress.tell(step.name);
+        step.run();
+        progress.tell(step.name, 1);
+    });
+}
+
+}  // namespace grade

@@ -1,0 +1,63 @@
+#include "judging/check_judge.h"
+
+#include <algorithm>
+
+#include "report/record.h"
+
+namespace grade {
+
+CheckJudge::CheckJudge(const Check& check, const Settings& settings) : check_(check), judgements_(check.statistics.size()) {
+    judges_.reserve(check.statistics.size());
+    for (const Statistic& statistic : check.statistics)
+        judges_.emplace_back(Tolerance{statistic.delta0, statistic.delta}, settings, statistic.truth);
+}
+
+void CheckJudge::add(const Scalars& scalars, const std::function<std::optional<double>(std::size_t)>& exact) {
+    for (std::size_t i = 0; i < judges_.size(); ++i) {
+        if (!is_open(i)) continue;
+        const Statistic& statistic = check_.statistics[i];
+        const double value = scalars(i);
+        if (!statistic.exact) {
+            judges_[i].add(value);
+            judgements_[i] = judges_[i].decide();
+        } else if (first_) {
+            const std::optional<double> truth = statistic.truth ? statistic.truth : exact ? exact(i) : std::nullopt;
+            judgements_[i] = truth ? judge_exact(value, *truth, statistic.delta) : Judgement{};
+        }
+    }
+    first_ = false;
+}
+
+void CheckJudge::add_reference(const Scalars& scalars) {
+    for (std::size_t i = 0; i < judges_.size(); ++i) {
+        if (!is_open(i) || check_.statistics[i].truth) continue;
+        judges_[i].add_reference(scalars(i));
+        judgements_[i] = judges_[i].decide();
+    }
+}
+
+void CheckJudge::end_reference() {
+    for (std::size_t i = 0; i < judges_.size(); ++i)
+        if (is_open(i) && !check_.statistics[i].truth) judgements_[i] = Judgement{};
+}
+
+int CheckJudge::wanted() const {
+    int most = 0;
+    for (std::size_t i = 0; i < judges_.size(); ++i)
+        if (is_open(i)) most = std::max(most, judges_[i].wanted());
+    return most;
+}
+
+bool CheckJudge::needs_reference() const {
+    for (std::size_t i = 0; i < judges_.size(); ++i)
+        if (is_open(i) && !check_.statistics[i].truth) return true;
+    return false;
+}
+
+Verdict CheckJudge::verdict() const {
+    Verdict verdict = check_.statistics.empty() ? Verdict::inconclusive : Verdict::passed;
+    for (const auto& judgement : judgements_) verdict = worse(verdict, judgement ? judgement->verdict : Verdict::inconclusive);
+    return verdict;
+}
+
+}  // namespace grade
