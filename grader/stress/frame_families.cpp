@@ -22,29 +22,35 @@ Row light_row(vec3 axis, vec2 u) {
     return row(light, vec3(0), u);
 }
 
-/// Directions about an axis that is x away from a pole of the coordinates, against those about the z axis: as long, and at
-/// the same angles to the axis. Beyond ordinary scenes also about the poles themselves.
+/// Directions about an axis that is x away from a pole of the coordinates: unit vectors and, where the fragment turns the
+/// same direction about every axis, at the same angles to it as about axes far from the poles. Beyond ordinary scenes also
+/// about the poles themselves.
 auto poles(const Turning& turning) {
     return [=](double x, Generator& random, const Asker& ask) {
         std::vector<vec3> axes;
         for (int i = 0; i < 24; ++i) {
             vec3 pole(0);
-            pole[i % 4 < 2 ? 2 : i % 3] = i % 2 ? 1 : -1;
+            pole[2 - i / 2 % 3] = i % 2 ? 1 : -1;
             axes.push_back(x < 1e-3 && i < 6 ? pole : rt::unit(tilted(random, pole, x)));
         }
-        Rows rows, straight;
+        const vec3 one = rt::unit(vec3(0.4, 0.5, 0.6)), two = rt::unit(vec3(-0.7, 0.4, 0.5));
+        Rows rows, about_one, about_two;
         std::vector<vec3> about;
         for (const vec3 axis : axes)
             for (int k = 0; k < 8; ++k) {
                 const vec2 u = square(random);
                 rows.push_back(turning.row_about(axis, u));
-                straight.push_back(turning.row_about({0, 0, 1}, u));
+                about_one.push_back(turning.row_about(one, u));
+                about_two.push_back(turning.row_about(two, u));
                 about.push_back(axis);
             }
-        const Rows base = ask.probe(turning.fragment, straight);
+        const auto cosine = [](const Row& out, vec3 axis) { return dot(vec3(out.at(0), out.at(1), out.at(2)), axis); };
+        const Rows base = ask.probe(turning.fragment, about_one), other = ask.probe(turning.fragment, about_two);
+        double turned = 0;
+        for (std::size_t i = 0; i < rows.size(); ++i) turned = worse_error(turned, std::abs(cosine(base[i], one) - cosine(other[i], two)));
         return worst_of(ask, turning.fragment, rows, [&](std::size_t i, const Row& out) {
             const vec3 d{out.at(0), out.at(1), out.at(2)};
-            return worse_error(std::abs(glm::length(d) - 1), std::abs(dot(d, about[i]) - base[i].at(2)));
+            return worse_error(std::abs(glm::length(d) - 1), turned < 1e-9 ? std::abs(dot(d, about[i]) - cosine(base[i], one)) : 0);
         });
     };
 }

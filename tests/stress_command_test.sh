@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# stress_command_test.sh BUILD: `grade stress`: the solution passes all that is scored and all that is stored of it, in
+# both modes; a naive fragment, a blank and a crash cost their own families; exit codes.
+set -uo pipefail
+grade=$1/grader/grade
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failures=0
+
+# expect CODE WORDS COMMAND...: the exit code, and words that the output must hold
+expect() {
+    local code=$1 words=$2
+    shift 2
+    local output
+    output=$("$@" 2>&1)
+    local got=$?
+    if [ "$got" != "$code" ] || [[ $output != *"$words"* ]]; then
+        printf 'FAILED: %s\n  exit %s, expected %s with "%s"; it said:\n%s\n' "$*" "$got" "$code" "$words" "$output"
+        failures=$((failures + 1))
+    fi
+}
+
+expect 0 "Scored tier" "$grade" stress solution --require --json "$work/a.json" --html "$work/page"
+expect 0 '"schema": "penumbra/stress/v1"' cat "$work/a.json"
+expect 0 "<svg class=\"errors\"" cat "$work/page/stress.html"
+expect 0 "no family passes less" python3 - "$work/a.json" <<'END'
+import json, sys
+for f in json.load(open(sys.argv[1]))["families"]:
+    have, stored = f["reach"], f["solution_reach"]
+    if stored == "unknown" or (stored and (not have or have[0] > stored[0] or have[1] < stored[1])):
+        sys.exit(f"{f['name']} passes {have}, stored is {stored}; where that is right: grade stress solution --store")
+print("no family passes less than what is stored")
+END
+expect 0 "3 of 3 families" "$grade" stress solution --mode student --only mirror_direction,fresnel_grazing,moved
+
+# blanks are not run; what a fragment does costs its own families alone
+expect 0 "not started" "$grade" stress starter --only mirror_length
+expect 1 "0 of 1" "$grade" stress starter --only mirror_length --require
+cp -r solution "$work/mine"
+sed -i 's|return d - 2.0 \* dot(d, n) \* n;|if (d.x > 1e9) __builtin_trap(); return d - 2.0 * dot(d, n) * n;|; s|return d - 2 \* dot|if (d.x > 1e9) __builtin_trap(); return d - 2 * dot|' "$work/mine/mirror_direction.cpp"
+sed -i 's|return point + time|if (velocity.x > 1e9) for (volatile int i = 0;; i = i) {} return point + time|' "$work/mine/moved.cpp"
+expect 0 "1e-60 to 1e9" "$grade" stress "$work/mine" --only mirror_direction,moved,whitted --time-limit 1 --json "$work/b.json"
+expect 0 "ended by" cat "$work/b.json"
+expect 0 "ran longer than 1 s" cat "$work/b.json"
+expect 0 "3 of 3 families" "$grade" stress "$work/mine" --only mirror_direction,moved,whitted --time-limit 1
+sed -i 's|return point|return punkt|' "$work/mine/moved.cpp"
+expect 0 "did not build" "$grade" stress "$work/mine" --only moved
+
+# the same again but for the times
+"$grade" stress solution --only hit_sphere --json "$work/c.json" --jobs 1 >/dev/null 2>&1 && mv "$work/c.json" "$work/d.json"
+"$grade" stress solution --only hit_sphere --json "$work/c.json" >/dev/null 2>&1
+timeless() { grep -v '_seconds"\|"command"' "$1"; }
+expect 0 "" diff <(timeless "$work/c.json") <(timeless "$work/d.json")
+
+expect 2 "no family and no fragment" "$grade" stress solution --only mooved
+expect 2 "--mode" "$grade" stress solution --mode nobody
+expect 2 "there is no folder" "$grade" stress solution --json "$work/none/a.json"
+expect 2 "not there" "$grade" stress "$work/none"
+expect 2 "expected: grade stress solution --store" "$grade" stress starter --store
+expect 2 "--jobs" "$grade" stress solution --jobs none
+expect 3 "the grader failed" "$grade" stress solution --toolchain "$work/none.toml"
+expect 0 "mesh_edges" "$grade" stress --list
+
+[ $failures = 0 ] && echo "all as expected"
+exit $((failures > 0))
