@@ -34,11 +34,15 @@ RowFunction first(std::function<bool(double t, const Ray&)> near_one,
 }
 
 /// A sphere, and a ray that meets its line well, from outside, inside or behind, with an interval that holds both, one
-/// or none of the crossings. Nothing within a hundredth of a decision.
+/// or none of the crossings. Nothing of the interval within a hundredth of a decision; some rays pass close to the rim, on
+/// either side: a fault there is seen in few pixels.
 Row ordinary(Generator& random, bool clipped) {
     const Sphere sphere{box(random, -5, 5), log_between(random, 0.1, 10)};
     const rt::vec3 d = direction(random);
-    const double passing = chance(random, 0.2) ? between(random, 1.1, 2) : between(random, 0, 0.95);
+    const bool at_rim = chance(random, 0.35);
+    const double passing = at_rim                  ? 1 + close_to_zero(random, 1e-6)
+                           : chance(random, 0.2) ? between(random, 1.1, 2)
+                                                 : between(random, 0, 0.95);
     const rt::vec3 beside = passing * sphere.radius * tilted(random, d, rt::pi / 2);
     const double start = between(random, 0, 1) < 0.3 ? between(random, -0.1, 0.1) : between(random, -30, 8);
     const double speed = chance(random, 0.3) ? 1 : log_between(random, 0.1, 10);  // |direction|

@@ -42,6 +42,7 @@ inline rt::Color reflected(const rt::Material& material, rt::vec3 n, rt::vec3 d,
 
 /// Angle of a light from the normal: above the horizon, just below it, or behind.
 inline double light_angle(Generator& random) {
+    if (chance(random, 0.3)) return rt::pi / 2 - close_to_zero(random, 1e-5);  // grazing
     const double which = between(random, 0, 1);
     return which < 0.65 ? between(random, 0, 1.45) : which < 0.9 ? between(random, 1.65, 1.9) : between(random, 1.9, 3);
 }
