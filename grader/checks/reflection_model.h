@@ -51,7 +51,8 @@ inline double light_angle(Generator& random) {
 inline rt::vec3 viewer(Generator& random, rt::vec3 n, rt::vec3 d) {
     if (chance(random, 0.7))
         for (int attempt = 0; attempt < 20; ++attempt) {
-            const rt::vec3 c = tilted(random, 2 * rt::dot(n, d) * n - d, between(random, 0, 0.6));
+            const double off = chance(random, 0.3) ? std::abs(close_to_zero(random, 1e-3)) : between(random, 0, 0.6);
+            const rt::vec3 c = tilted(random, 2 * rt::dot(n, d) * n - d, off);
             if (rt::dot(c, n) > 0.01) return c;
         }
     return tilted(random, n, between(random, 0, 1.5));
