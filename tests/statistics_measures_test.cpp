@@ -4,7 +4,6 @@
 #include "catch.h"
 #include "statistics/blob.h"
 #include "statistics/image_fault.h"
-#include "statistics/noise.h"
 #include "statistics/region.h"
 #include "statistics/spread.h"
 
@@ -97,45 +96,6 @@ TEST_CASE("blobs: disc, square, and disc without its square root have the shapes
     });
     CHECK(peaked.variance.x / (radius * radius) == Approx(1.0 / 6).epsilon(0.02));
     CHECK(peaked.kurtosis.x == Approx(2.7).epsilon(0.02));
-}
-
-TEST_CASE("the design effect is 1 for pixels of their own, and counts the pixels that share numbers") {
-    std::mt19937_64 random(1);
-    std::normal_distribution<double> noise(1, 0.1);
-    std::vector<Image> own, rows, all;
-    for (int k = 0; k < 64; ++k) {
-        Image a(8, 4), b(8, 4), c(8, 4);
-        const Color shared(noise(random));
-        for (int y = 0; y < 4; ++y) {
-            const Color row(noise(random));
-            for (int x = 0; x < 8; ++x) a.at(x, y) = Color(noise(random)), b.at(x, y) = row, c.at(x, y) = shared;
-        }
-        own.push_back(a), rows.push_back(b), all.push_back(c);
-    }
-    CHECK(design_effect(own, {0, 0, 8, 4}) == Approx(1).margin(0.7));
-    CHECK(design_effect(rows, {0, 0, 8, 4}) == Approx(8).margin(4));
-    CHECK(design_effect(all, {0, 0, 8, 4}) == Approx(32));
-    CHECK(noise_level(own, {0, 0, 8, 4}) == Approx(0.1).epsilon(0.1));
-}
-
-TEST_CASE("the dispersion is 1 for independent samples and 2/3 for four jittered ones and an edge through their left half") {
-    std::mt19937_64 random(2);
-    std::uniform_real_distribution<double> u(0, 1);
-    const auto replicate = [&](bool jittered) {
-        Image image(64, 1);
-        for (Color& pixel : image.pixels)
-            for (int i = 0; i < 4; ++i) {
-                const double x = jittered ? (i % 2 + u(random)) / 2 : u(random);
-                // two samples in the left half, each of them left of the edge in half of the cases:
-                // variance 2 (1/4) (1/4)^2 = 1/32, p (1 - p) = 3/16
-                if (x < 0.25) pixel += Color(0.25);
-            }
-        return image;
-    };
-    std::vector<Image> independent, jittered;
-    for (int k = 0; k < 400; ++k) independent.push_back(replicate(false)), jittered.push_back(replicate(true));
-    CHECK(dispersion(independent, {0, 0, 64, 1}, 4) == Approx(1).epsilon(0.05));
-    CHECK(dispersion(jittered, {0, 0, 64, 1}, 4) == Approx(2.0 / 3).epsilon(0.05));
 }
 
 TEST_CASE("what is no image is named, with the pixel") {

@@ -29,8 +29,10 @@ Row ordinary(Generator& random, bool clipped) {
     do x = between(random, -reach, reach), y = between(random, -reach, reach);
     while (std::abs(std::abs(x) - 1) < 0.03 || std::abs(std::abs(y) - 1) < 0.03);
     // some close to the rim, on either side: a fault there is seen in few pixels
-    if (chance(random, 0.4)) x = std::copysign(1 + close_to_zero(random, 1e-6), x);
-    if (chance(random, 0.4)) y = std::copysign(1 + close_to_zero(random, 1e-6), y);
+    if (chance(random, 0.6)) {
+        x = std::copysign(1 + close_to_zero(random, 1e-6), x), y = between(random, -0.97, 0.97);
+        if (chance(random, 0.5)) std::swap(x, y);
+    }
     return row(q, ray_towards(random, q.center + x * q.u + y * q.v, normal_of(q), size, clipped));
 }
 
