@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double patience = 30;      // CPU seconds of a picture
 constexpr int pictures_of_a_variant = 16, pictures_of_the_solution = 64;
-constexpr int gradings_at_once = 10;  // of one compilation
+constexpr std::size_t gradings_at_once = 10;  // of one compilation
 
 void write_json(const fs::path& path, const Json& json) {
     fs::create_directories(path.parent_path());
@@ -66,15 +66,20 @@ Step real_step(const Workshop& workshop, const Bundle& bundle, std::vector<std::
     return step;
 }
 
-std::vector<Step> real_steps(const Workshop& workshop) {
+std::vector<Step> wrong_steps(const Workshop& workshop) {
     std::vector<Step> steps;
     for (const Bundle& bundle : wrong_bundles(workshop)) steps.push_back(real_step(workshop, bundle, wrong_seeds(workshop)));
-    const auto right = right_bundles(workshop);
+    return steps;
+}
+
+std::vector<Step> right_steps(const Workshop& workshop) {
+    std::vector<Step> steps;
     const auto seeds = right_seeds(workshop);
-    for (std::size_t first = 0; first < seeds.size(); first += gradings_at_once)
-        for (const Bundle& bundle : right)
-            steps.push_back(real_step(workshop, bundle, {seeds.begin() + std::ptrdiff_t(first),
-                                                         seeds.begin() + std::ptrdiff_t(std::min(first + gradings_at_once, seeds.size()))}));
+    for (std::size_t first = 0; first < seeds.size(); first += gradings_at_once) {
+        const std::size_t last = std::min(first + gradings_at_once, seeds.size());
+        for (const Bundle& bundle : right_bundles(workshop))
+            steps.push_back(real_step(workshop, bundle, {seeds.begin() + std::ptrdiff_t(first), seeds.begin() + std::ptrdiff_t(last)}));
+    }
     return steps;
 }
 
@@ -185,8 +190,9 @@ std::vector<Step> steps_of(const Workshop& workshop) {
     for (const Variant* variant : workshop.variants(Variant::Kind::dose)) steps.push_back(dose_step(workshop, *variant));
     for (const Variant* variant : workshop.variants(Variant::Kind::confined)) steps.push_back(confined_step(workshop, *variant));
     for (const std::string& fragment : workshop.assignment().names()) steps.push_back(peer_step(workshop, fragment));
+    add(wrong_steps(workshop));
     add(pool_steps(workshop, 0));
-    add(real_steps(workshop));
+    add(right_steps(workshop));
     for (const Bundle& bundle : bundles_under_load(workshop)) steps.push_back(load_step(workshop, bundle));
     for (int part = 1; part < workshop.amount().seeds; ++part) add(pool_steps(workshop, part));
     return steps;
