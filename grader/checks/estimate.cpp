@@ -25,6 +25,11 @@ Statistic mean_of(std::string id, std::string what, RowNumber number, double tru
     return s;
 }
 
+void find_half_a_percent(Statistic& mean) {
+    mean.delta0 = 0.0005 * *mean.truth;
+    mean.delta = 0.005 * *mean.truth;
+}
+
 Statistic uniform_in_square(std::string id, std::string what, RowPoint point, int columns, int rows, Hint hint) {
     Statistic s;
     s.id = std::move(id);

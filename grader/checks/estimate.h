@@ -13,6 +13,9 @@ using Hint = std::function<std::string(double value, double truth)>;
 /// found, of the truth or of the unit where the truth is 0.
 Statistic mean_of(std::string id, std::string what, RowNumber number, double truth, double unit, Hint hint);
 
+/// For a mean that is a share of light: half a percent of it must be found.
+void find_half_a_percent(Statistic& mean);
+
 /// Two coordinates of each row that must be independent and uniform in the unit square: Pearson's chi-squared over a
 /// grid of cells, over its degrees of freedom, which is 1 on average. A coordinate outside is a count where none can
 /// be. Rows for which it is nan are left out.

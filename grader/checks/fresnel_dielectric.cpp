@@ -46,7 +46,8 @@ Checks check_fresnel_dielectric(Generator& random) {
         do cosine = chance(draw, 0.1) ? 1 : between(draw, 0.02, 1);
         while (std::abs(1 - rt::sqr(from / to) * (1 - cosine * cosine)) < 0.01 && from != to);
         // some close to the critical angle, on either side: a fault there is seen in few pixels
-        if (from > to && chance(draw, 0.6)) cosine = std::sqrt(1 - (1 - close_to_zero(draw, 3e-5)) * rt::sqr(to / from));
+        if (from > to && chance(draw, 0.6))
+            cosine = std::sqrt(1 - (1 - close_to_zero(draw, 3e-5)) * rt::sqr(to / from));
         return row(cosine, from, to);
     });
     return {

@@ -96,7 +96,7 @@ Checks check_glossy_reflection(Generator& random) {
         const vec3 normal = direction(random), d = -tilted(random, normal, angle);
         const vec3 axis = rt::unit(d - 2 * rt::dot(d, normal) * normal);
         const auto inputs = [=](Generator& draws) {
-            return repeat(rows_of(1024, [=](Generator& draw) { return row(d, normal, n, square(draw)); })(draws));
+            return repeat(rows_over_square(32, [=](rt::vec2 u) { return row(d, normal, n, u); })(draws));
         };
         checks.push_back(probe_check(
             name, "glossy_reflection", {"phong_lobe", "mirror_direction"}, inputs,

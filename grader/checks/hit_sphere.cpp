@@ -34,8 +34,8 @@ RowFunction first(std::function<bool(double t, const Ray&)> near_one,
 }
 
 /// A sphere, and a ray that meets its line well, from outside, inside or behind, with an interval that holds both, one
-/// or none of the crossings. Nothing of the interval within a hundredth of a decision; some rays pass close to the rim, on
-/// either side: a fault there is seen in few pixels.
+/// or none of the crossings. Nothing of the interval within a hundredth of a decision; some rays pass close to the rim,
+/// on either side: a fault there is seen in few pixels.
 Row ordinary(Generator& random, bool clipped) {
     const Sphere sphere{box(random, -5, 5), log_between(random, 0.1, 10)};
     const rt::vec3 d = direction(random);

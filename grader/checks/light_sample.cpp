@@ -79,9 +79,9 @@ Emitter emitter(Generator& random, Emitter::Kind kind) {
     return light;
 }
 
-std::function<Rows(Generator&)> samples_of(const Emitter& light, vec3 p) {
+std::function<Rows(Generator&)> samples_of(const Emitter& light, vec3 p, int side) {
     return [=](Generator& draws) {
-        return repeat(rows_of(1024, [=](Generator& draw) { return row(light, p, square(draw)); })(draws));
+        return repeat(rows_over_square(side, [=](vec2 u) { return row(light, p, u); })(draws));
     };
 }
 
@@ -113,6 +113,7 @@ Check flat_light(Generator& random, Emitter::Kind kind, const char* name, std::v
                                        {0.5, "is a density doubled?"},
                                        {rt::pi, "is a factor pi missing from the area?"}},
                                       "is the density per solid angle, distance^2 / (cosine at the light * area)?"));
+    find_half_a_percent(size);
     const Hint corner = [](double value, double) {
         return std::string(std::abs(value) > 0.05
                                ? "the light is sampled from its corner, or one half of it more than the other"
@@ -140,7 +141,7 @@ Check flat_light(Generator& random, Emitter::Kind kind, const char* name, std::v
         return "one point of the light is taken for all samples: u must choose it";
     };
     for (Statistic* s : {&size, &x, &y, &xx, &yy}) s->cause = one_point;
-    return probe_check(name, "light_sample", std::move(needs), samples_of(light, p),
+    return probe_check(name, "light_sample", std::move(needs), samples_of(light, p, 32),
                        {on, size, x, y, xx, yy, xy, purity()});
 }
 
@@ -165,6 +166,7 @@ Check sphere_light(Generator& random) {
         by_ratio("the solid angle",
                  {{2, "is the density halved?"}, {4 * rt::pi / solid_angle, "the density is that of all directions"}},
                  "is the density the one of the directions that are returned?"));
+    find_half_a_percent(size);
     Statistic height = mean_of("L1", "mean of 1 - cos(theta) about the axis, over its value",
                                integral([=](vec3 d) { return (1 - rt::dot(d, axis)) * 2 / (cap * solid_angle); }), 1, 1,
                                by_ratio("the mean of 1 - cos(theta)", {{0, "one point of the light is sampled"}},
@@ -175,7 +177,9 @@ Check sphere_light(Generator& random) {
     Statistic y = mean_of("L1", "mean direction, upwards",
                           integral([=](vec3 d) { return rt::dot(d, frame.y) / (sine * solid_angle); }), 0, 1,
                           always("one side of the sphere is sampled more than the other"));
-    return probe_check("sphere_light", "light_sample", {"sphere_cone"}, samples_of(light, p),
+    // more rows, for samples that are spread over the whole sphere: most of them are on its far side
+    return probe_check("sphere_light", "light_sample", {"sphere_cone"}, samples_of(light, p, 64),
+                      
                        {on, size, height, x, y, purity()});
 }
 
@@ -273,8 +277,9 @@ Check irradiance(Generator& random) {
 
     const auto inputs = [=](Generator& draws) {
         Rows rows;
-        for (int k = 0; k < 3 * 512; ++k)
-            rows.push_back(row(lights[std::size_t(k % 3)], surfaces[std::size_t(k % 3)].p, square(draws)));
+        for (std::size_t k = 0; k < 3; ++k)
+            for (Row& one : rows_over_square(23, [&](vec2 u) { return row(lights[k], surfaces[k].p, u); })(draws))
+                rows.push_back(std::move(one));
         return rows;
     };
     std::vector<Statistic> statistics;
@@ -292,7 +297,7 @@ Check irradiance(Generator& random) {
                     by_ratio("the irradiance by " + name,
                              {{0.5, "is the density twice too large?"}, {2, "is the density twice too small?"}},
                              "is the density per solid angle that of the sample?")));
-        statistics.back().delta = 0.2;
+        find_half_a_percent(statistics.back());
     }
     return probe_check("irradiance", "light_sample", {"uniform_disk", "sphere_cone"}, inputs, statistics);
 }

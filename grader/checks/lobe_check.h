@@ -64,6 +64,7 @@ inline std::vector<Statistic> lobe_statistics(const LobeSetting& setting) {
              {all * rt::pi, "is 1/pi missing?"},
              {all * 2, "is 2 pi taken for pi?"}},
             0.04 * all, "expected (n + 2)/(2 pi) cos(alpha)^n x cosine at the surface / density"));
+    find_half_a_percent(albedo);
     // the width of the lobe, however bright it is
     Statistic spread = mean_of(
         "P1", "width of the lobe: weighted mean of 1 - cos(alpha), over its value", nullptr, 1, 1,

@@ -125,7 +125,7 @@ Checks check_translucency(Generator& random) {
                    axis = sine * frame.x - std::sqrt(1 - sine * sine) * normal;
         const auto inputs = [=](Generator& draws) {
             return repeat(
-                rows_of(1024, [=](Generator& draw) { return row(d, normal, c.from, c.to, n, square(draw)); })(draws));
+                rows_over_square(32, [=](rt::vec2 u) { return row(d, normal, c.from, c.to, n, u); })(draws));
         };
         // where the wrong refraction is total, nothing passes
         const double weight = (n + 2) / (n + 1), swapped = std::sin(c.angle) * c.to / c.from;
