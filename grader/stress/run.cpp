@@ -10,6 +10,7 @@
 
 #include "build/runner.h"
 #include "judging/parallel.h"
+#include "stress/count.h"
 #include "stress/programs.h"
 
 namespace grade {
@@ -103,6 +104,7 @@ StressRecord stress_submission(const Submission& submission, const Assignment& a
     if (settings.progress) settings.progress(0, int(record.families.size()), "compiling");
     programs.compile(fragments, settings.jobs);
 
+    if (settings.rays > 0) record.counts = big_counts(programs, sandbox, chain.source / "scenes", settings);
     std::mutex lock;
     int done = 0;
     in_parallel(int(record.families.size()), settings.jobs, [&](int i) {
