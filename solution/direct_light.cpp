@@ -16,10 +16,11 @@ namespace rt {
 /// returns    radiance [W/(sr m2)]
 /// blank      0
 ///
-/// A large a magnifies the rounding of r . c, which is close to 1 in the highlight. 1 - r . c = |r - c|^2/2 has all its digits:
-/// (r . c)^a = exp(a log1p(-|r - c|^2/2)).
+/// A large a magnifies the rounding of r . c, which is close to 1 in the highlight. 1 - r . c = |r - c|^2/2 has all its
+/// digits: (r . c)^a = exp(a log1p(-|r - c|^2/2)).
 ///
-/// Source: Shirley and Wang, "Monte Carlo Techniques for Direct Lighting Calculations", ACM TOG 15(1), 1996.
+/// Source: Shirley and Wang, "Monte Carlo Techniques for Direct Lighting Calculations", ACM TOG 15(1), 1996; Kahan,
+/// "How Futile are Mindless Assessments of Roundoff", 2006, on angles between vectors.
 Color direct_light(const Material& material, Color radiance, const LightSample& light, vec3 n, vec3 to_viewer) {
     // BEGIN SOLUTION
     const Real cosine = dot(n, light.direction);

@@ -17,10 +17,11 @@ namespace rt {
 /// returns     radiance [W/(sr m2)]
 /// blank       irradiance x albedo / pi: as if each surface faced the light
 ///
-/// A large a magnifies the rounding of r . c, which is close to 1 in the highlight. 1 - r . c = |r - c|^2/2 has all its digits:
-/// (r . c)^a = exp(a log1p(-|r - c|^2/2)).
+/// A large a magnifies the rounding of r . c, which is close to 1 in the highlight. 1 - r . c = |r - c|^2/2 has all its
+/// digits: (r . c)^a = exp(a log1p(-|r - c|^2/2)).
 ///
-/// Source: Phong, "Illumination for Computer Generated Pictures", CACM 18(6), 1975.
+/// Source: Phong, "Illumination for Computer Generated Pictures", CACM 18(6), 1975; Kahan,
+/// "How Futile are Mindless Assessments of Roundoff", 2006, on angles between vectors.
 Color phong(const Material& material, Color ambient, Color irradiance, vec3 n, vec3 to_light, vec3 to_viewer) {
     // BEGIN SOLUTION
     const Color glow = material.ambient * ambient;

@@ -14,7 +14,8 @@ namespace rt {
 /// For a large n the sine drowns in 1 - cos^2: with l = log(u.x)/(n + 1) the cosine is exp(l) and the squared sine
 /// -expm1(2 l). cos^n is cos^(n+1)/cos = u.x/cos.
 ///
-/// Source: Lafortune and Willems, "Using the Modified Phong Reflectance Model", TR CW197, 1994.
+/// Source: Lafortune and Willems, "Using the Modified Phong Reflectance Model", TR CW197, 1994; Higham,
+/// "Accuracy and Stability of Numerical Algorithms", 2nd ed., sections 1.7 and 1.14.
 DirectionSample phong_lobe(Real exponent, vec2 u) {
     // BEGIN SOLUTION
     const Real l = std::log(u.x) / (exponent + 1);

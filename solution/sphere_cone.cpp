@@ -14,7 +14,8 @@ namespace rt {
 /// For a small sphere 1 - cos cancels: m = s^2/(1 + sqrt(1 - s^2)) does not. Nor does the sine, sqrt(k (2 - k)) with
 /// k = 1 - cos(theta).
 ///
-/// Source: Shirley and Wang, "Monte Carlo Techniques for Direct Lighting Calculations", ACM TOG 15(1), 1996.
+/// Source: Shirley and Wang, "Monte Carlo Techniques for Direct Lighting Calculations", ACM TOG 15(1), 1996; Higham,
+/// "Accuracy and Stability of Numerical Algorithms", 2nd ed., section 1.7.
 DirectionSample sphere_cone(Real sine, vec2 u) {
     // BEGIN SOLUTION
     const Real m = sine * sine / (1 + safe_sqrt(1 - sine * sine));

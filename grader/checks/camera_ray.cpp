@@ -32,7 +32,8 @@ RowFunction through(std::function<rt::vec2(const rt::Camera&, rt::vec2)> film) {
     return of<rt::Camera, rt::vec2>([=](const rt::Camera& camera, rt::vec2 right) {
         const rt::vec2 p = film(camera, right);
         const double scale = 2 * camera.tan_half_fov / camera.size.y;
-        const rt::vec3 d = scale * (p.x - 0.5 * camera.size.x) * camera.right - scale * (p.y - 0.5 * camera.size.y) * camera.up - camera.back;
+        const rt::vec3 d = scale * (p.x - 0.5 * camera.size.x) * camera.right -
+                           scale * (p.y - 0.5 * camera.size.y) * camera.up - camera.back;
         return rt::unit(d);
     });
 }
@@ -63,30 +64,36 @@ Checks check_camera_ray(Generator& random) {
 
     // first the direction against mistakes that are known, then the film point itself
     const RowFunction right = through([](const Camera&, vec2 p) { return p; });
-    Statistic film = formula("A1", "film point of the ray, off by [pixel]", right, 1e-4, {
-        {"the picture is upside down: film y runs down, up runs up", through([](const Camera& c, vec2 p) { return vec2(p.x, c.size.y - p.y); })},
-        {"the picture is mirrored: film x runs to the right", through([](const Camera& c, vec2 p) { return vec2(c.size.x - p.x, p.y); })},
-        {"the picture is turned by half a turn", through([](const Camera& c, vec2 p) { return vec2(c.size) - p; })},
-        {"the ray goes through the centre of the pixel, whatever the film point", through([](const Camera&, vec2 p) { return glm::floor(p) + 0.5; })},
-        {"the ray goes through the corner of the pixel, whatever the film point", through([](const Camera&, vec2 p) { return glm::floor(p); })},
-        {"the film point is shifted by half a pixel: it is a point already, no pixel's index", through([](const Camera&, vec2 p) { return p + 0.5; })},
-        {"the picture is scaled by size - 1; expected size", through([](const Camera& c, vec2 p) {
-             return vec2(0.5 * c.size.x, 0.5 * c.size.y) + (vec2(p.x / (c.size.x - 1), p.y / (c.size.y - 1)) - 0.5) * vec2(c.size);
-         })},
-        {"the picture is scaled by size - 1 and shifted; expected size", through([](const Camera& c, vec2 p) {
-             return 0.5 * vec2(c.size) + (p - 0.5 * (vec2(c.size) - 1.0)) * (c.size.y / (c.size.y - 1.0));
-         })},
-        {"the aspect ratio is missing: x is scaled by the width; expected the height", through([](const Camera& c, vec2 p) {
-             return vec2(0.5 * c.size.x + (p.x / c.size.x - 0.5) * c.size.y, p.y);
-         })},
-        {"tan_half_fov is that of half the film; the whole film was given it", through([](const Camera& c, vec2 p) {
-             return 0.5 * vec2(c.size) + 0.5 * (p - 0.5 * vec2(c.size));
-         })},
-        {"all rays go straight ahead", through([](const Camera& c, vec2) { return 0.5 * vec2(c.size); })},
-        {"the camera's axes are not used", of<Camera, vec2>([](const Camera& c, vec2 p) {
-             const double s = 2 * c.tan_half_fov / c.size.y;
-             return rt::unit(rt::vec3(s * (p.x - 0.5 * c.size.x), s * (0.5 * c.size.y - p.y), -1));
-         })}});
+    Statistic film = formula(
+        "A1", "film point of the ray, off by [pixel]", right, 1e-4,
+        {{"the picture is upside down: film y runs down, up runs up",
+          through([](const Camera& c, vec2 p) { return vec2(p.x, c.size.y - p.y); })},
+         {"the picture is mirrored: film x runs to the right",
+          through([](const Camera& c, vec2 p) { return vec2(c.size.x - p.x, p.y); })},
+         {"the picture is turned by half a turn", through([](const Camera& c, vec2 p) { return vec2(c.size) - p; })},
+         {"the ray goes through the centre of the pixel, whatever the film point",
+          through([](const Camera&, vec2 p) { return glm::floor(p) + 0.5; })},
+         {"the ray goes through the corner of the pixel, whatever the film point",
+          through([](const Camera&, vec2 p) { return glm::floor(p); })},
+         {"the film point is shifted by half a pixel: it is a point already, no pixel's index",
+          through([](const Camera&, vec2 p) { return p + 0.5; })},
+         {"the picture is scaled by size - 1; expected size", through([](const Camera& c, vec2 p) {
+              return vec2(0.5 * c.size.x, 0.5 * c.size.y) +
+                     (vec2(p.x / (c.size.x - 1), p.y / (c.size.y - 1)) - 0.5) * vec2(c.size);
+          })},
+         {"the picture is scaled by size - 1 and shifted; expected size", through([](const Camera& c, vec2 p) {
+              return 0.5 * vec2(c.size) + (p - 0.5 * (vec2(c.size) - 1.0)) * (c.size.y / (c.size.y - 1.0));
+          })},
+         {"the aspect ratio is missing: x is scaled by the width; expected the height",
+          through(
+              [](const Camera& c, vec2 p) { return vec2(0.5 * c.size.x + (p.x / c.size.x - 0.5) * c.size.y, p.y); })},
+         {"tan_half_fov is that of half the film; the whole film was given it",
+          through([](const Camera& c, vec2 p) { return 0.5 * vec2(c.size) + 0.5 * (p - 0.5 * vec2(c.size)); })},
+         {"all rays go straight ahead", through([](const Camera& c, vec2) { return 0.5 * vec2(c.size); })},
+         {"the camera's axes are not used", of<Camera, vec2>([](const Camera& c, vec2 p) {
+              const double s = 2 * c.tan_half_fov / c.size.y;
+              return rt::unit(rt::vec3(s * (p.x - 0.5 * c.size.x), s * (0.5 * c.size.y - p.y), -1));
+          })}});
     // the outputs start with the origin: compare what follows it
     const auto direction_of = [](Observation seen) {
         for (Row& out : seen.outputs) {
@@ -100,7 +107,8 @@ Checks check_camera_ray(Generator& random) {
         double worst = 0;
         for (std::size_t k = 0; k < seen.inputs.size(); ++k) {
             const Camera camera = argument<0, Camera, vec2>(seen.inputs[k]);
-            const vec2 off = film_point(camera, from_row<rt::Ray>(seen.outputs[k]).direction) - argument<1, Camera, vec2>(seen.inputs[k]);
+            const vec2 off = film_point(camera, from_row<rt::Ray>(seen.outputs[k]).direction) -
+                             argument<1, Camera, vec2>(seen.inputs[k]);
             const double pixels = std::hypot(off.x, off.y);
             const bool forward = rt::dot(from_row<rt::Ray>(seen.outputs[k]).direction, camera.back) < 0;
             if (!forward) return rt::inf;
@@ -109,8 +117,11 @@ Checks check_camera_ray(Generator& random) {
         return worst;
     };
     film.delta = 0.01;
-    film.hint = [](double value, double) { return fmt::format("the ray misses its film point by up to {:.3g} pixels", value); };
-    return {probe_check("film_point", "camera_ray", {}, inputs, {film, origin, length, range}), slanted_quad(random, "camera_ray", {"hit_quad"})};
+    film.hint = [](double value, double) {
+        return fmt::format("the ray misses its film point by up to {:.3g} pixels", value);
+    };
+    return {probe_check("film_point", "camera_ray", {}, inputs, {film, origin, length, range}),
+            slanted_quad(random, "camera_ray", {"hit_quad"})};
 }
 
 }  // namespace grade

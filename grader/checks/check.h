@@ -45,7 +45,7 @@ struct Statistic {
     std::optional<double> truth;                             // closed form; none: the solution's own replicates
     double delta0 = 0;                                       // deviation that is still right, same unit
     double delta = 0;                                        // deviation that must be found
-    bool exact = false;                                      // without noise: one replicate decides, |deviation| <= delta
+    bool exact = false;  // without noise: one replicate decides, |deviation| <= delta
     std::function<std::string(double value, double truth)> hint;  // what a deviation usually means
     std::function<std::string(const Observation&)> cause{};       // what one failing observation shows; empty: ask hint
 };

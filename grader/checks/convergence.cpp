@@ -62,16 +62,19 @@ Statistic order(std::string what, double truth, std::function<double(const Obser
 
 Hint order_hint(const std::string& what, double due) {
     return [=](double value, double) {
-        const std::string off = fmt::format("the error {} falls as N^{:.2f} with N samples; expected N^{:.2f}", what, value, due);
+        const std::string off =
+            fmt::format("the error {} falls as N^{:.2f} with N samples; expected N^{:.2f}", what, value, due);
         if (value > -0.2) return off + ": it hardly falls at all. Is u used, and does each sample fall elsewhere?";
-        if (std::abs(value + 0.5) < 0.12) return off + ": the samples are independent, or in strips. Does each fall in a cell of its own?";
+        if (std::abs(value + 0.5) < 0.12)
+            return off + ": the samples are independent, or in strips. Does each fall in a cell of its own?";
         return off;
     };
 }
 
 }  // namespace
 
-Check error_orders(Generator& random, const std::string& fragment, std::vector<std::string> needs, const SamplesOfASquare& samples) {
+Check error_orders(Generator& random, const std::string& fragment, std::vector<std::string> needs,
+                   const SamplesOfASquare& samples) {
     const double turn = between(random, 0.3, 1.27), beside = between(random, 0.1, 0.35);
     const vec2 across(std::cos(turn), std::sin(turn));
     const auto inputs = [=](Generator& draws) {
@@ -87,13 +90,18 @@ Check error_orders(Generator& random, const std::string& fragment, std::vector<s
     const Integrand2d edge = [=](vec2 p) { return rt::dot(p - 0.5, across) > beside ? 1.0 : 0.0; };
     const double covered = beyond_edge(across, beside);
     return probe_check("convergence", fragment, std::move(needs), inputs,
-        {order("power of N with which the error of a slope of brightness falls", -1, [=](const Observation& seen) { return slope_of(seen, samples, plane, 0); },
-               order_hint("of a smooth function", -1)),
-         order("power of N with which the error of an edge falls", -0.75, [=](const Observation& seen) { return slope_of(seen, samples, edge, covered); },
-               order_hint("of an edge", -0.75))});
+                       {order(
+                            "power of N with which the error of a slope of brightness falls", -1,
+                            [=](const Observation& seen) { return slope_of(seen, samples, plane, 0); },
+                            order_hint("of a smooth function", -1)),
+                        order(
+                            "power of N with which the error of an edge falls", -0.75,
+                            [=](const Observation& seen) { return slope_of(seen, samples, edge, covered); },
+                            order_hint("of an edge", -0.75))});
 }
 
-Check rings(Generator& random, const std::string& fragment, std::vector<std::string> needs, const SamplesOfASquare& samples) {
+Check rings(Generator& random, const std::string& fragment, std::vector<std::string> needs,
+            const SamplesOfASquare& samples) {
     constexpr int pixels = 96, n = 16;
     // about one ring to a cell: where all cells of a regular grid see the same
     constexpr double fineness = 4, film = 200;  // [1/pixel], [pixel]
@@ -116,7 +124,8 @@ Check rings(Generator& random, const std::string& fragment, std::vector<std::str
     };
     Statistic left;
     left.id = "A2";
-    left.what = "rings too fine for the pixels: what is left of them in the mean, over what one sample in the middle leaves";
+    left.what =
+        "rings too fine for the pixels: what is left of them in the mean, over what one sample in the middle leaves";
     left.truth = 0;
     left.delta0 = 0.02;
     left.delta = 0.2;
@@ -135,19 +144,24 @@ Check rings(Generator& random, const std::string& fragment, std::vector<std::str
         return bias / jagged;
     };
     left.hint = [](double value, double) {
-        return fmt::format("rings that are too fine for the pixels do not fade: {:.2g} of what one sample in the middle leaves of them stays, however "
-                           "many pictures are averaged. Do samples fall everywhere in their cells, and the cells on all of the pixel?", value);
+        return fmt::format(
+            "rings that are too fine for the pixels do not fade: {:.2g} of what one sample in the middle leaves of "
+            "them stays, however "
+            "many pictures are averaged. Do samples fall everywhere in their cells, and the cells on all of the pixel?",
+            value);
     };
     return probe_check("fine_rings", fragment, std::move(needs), inputs, {left});
 }
 
-Statistic error_order(std::string what, int count, int repeated, std::function<double(const Row&, const Row&)> error, double slope, Hint hint) {
+Statistic error_order(std::string what, int count, int repeated, std::function<double(const Row&, const Row&)> error,
+                      double slope, Hint hint) {
     return order(std::move(what), slope, [=](const Observation& seen) {
         std::vector<double> counts, errors;
         std::size_t k = 0;
         for (const int n : levels(count)) {
             std::vector<double> off;
-            for (int repeat = 0; repeat < repeated; ++repeat, ++k) off.push_back(error(seen.inputs[k], seen.outputs[k]));
+            for (int repeat = 0; repeat < repeated; ++repeat, ++k)
+                off.push_back(error(seen.inputs[k], seen.outputs[k]));
             counts.push_back(n);
             errors.push_back(root_mean_square(off));
         }

@@ -15,6 +15,12 @@ inline double log_between(Generator& random, double low, double high) {
     return std::exp(between(random, std::log(low), std::log(high)));
 }
 
+/// Of either sign, uniform in the logarithm of its size, from `closest` to a twentieth.
+inline double close_to_zero(Generator& random, double closest) {
+    const double sign = between(random, 0, 1) < 0.5 ? -1 : 1;
+    return sign * log_between(random, closest, 0.05);
+}
+
 inline int whole_between(Generator& random, int low, int high) {
     return std::uniform_int_distribution<int>(low, high)(random);
 }

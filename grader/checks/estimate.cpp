@@ -62,11 +62,13 @@ Hint always(std::string words) {
 std::string nearest_words(const std::vector<KnownValue>& known, double value, double near) {
     const KnownValue* best = nullptr;
     for (const KnownValue& k : known)
-        if (std::abs(value - k.value) < near && (!best || std::abs(value - k.value) < std::abs(value - best->value))) best = &k;
+        if (std::abs(value - k.value) < near && (!best || std::abs(value - k.value) < std::abs(value - best->value)))
+            best = &k;
     if (!best) return {};
     std::string words = best->words;
     for (const KnownValue& k : known)
-        if (std::abs(k.value - best->value) <= near / 4 && words.find(k.words) == words.npos) words += " Or: " + k.words;
+        if (std::abs(k.value - best->value) <= near / 4 && words.find(k.words) == words.npos)
+            words += " Or: " + k.words;
     return words;
 }
 

@@ -14,8 +14,8 @@ using Hint = std::function<std::string(double value, double truth)>;
 Statistic mean_of(std::string id, std::string what, RowNumber number, double truth, double unit, Hint hint);
 
 /// Two coordinates of each row that must be independent and uniform in the unit square: Pearson's chi-squared over a
-/// grid of cells, over its degrees of freedom, which is 1 on average. A coordinate outside is a count where none can be.
-/// Rows for which it is nan are left out.
+/// grid of cells, over its degrees of freedom, which is 1 on average. A coordinate outside is a count where none can
+/// be. Rows for which it is nan are left out.
 using RowPoint = std::function<rt::vec2(const Row& inputs, const Row& outputs)>;
 Statistic uniform_in_square(std::string id, std::string what, RowPoint point, int columns, int rows, Hint hint);
 
@@ -28,12 +28,12 @@ struct KnownValue {
     std::string words;
 };
 
-/// The words of the known value that is nearest, if it is nearer than `near`; those of others that are closer to it than a
-/// quarter of that are named as well, since nothing tells them apart.
+/// The words of the known value that is nearest, if it is nearer than `near`; those of others that are closer to it
+/// than a quarter of that are named as well, since nothing tells them apart.
 std::string nearest_words(const std::vector<KnownValue>& known, double value, double near);
 
-/// A hint that compares the ratio value/truth with known ones: {{2.0, "the radius is the diameter"}, ...}; `else_words` gets
-/// the ratio put in front.
+/// A hint that compares the ratio value/truth with known ones: {{2.0, "the radius is the diameter"}, ...}; `else_words`
+/// gets the ratio put in front.
 using KnownRatio = KnownValue;
 Hint by_ratio(std::string what, std::vector<KnownRatio> known, std::string else_words = "");
 

@@ -5,7 +5,8 @@
 /// Pictures of one bright figure, and of plain surfaces: the feature that a fragment makes.
 namespace grade {
 
-Check slanted_quad(Generator& random, const std::string& fragment, std::vector<std::string> needs);  // camera_ray, hit_quad
+Check slanted_quad(Generator& random, const std::string& fragment,
+                   std::vector<std::string> needs);  // camera_ray, hit_quad
 Check edge_noise(Generator& random);       // stratified_2d
 Check open_sky(Generator& random);         // cosine_hemisphere
 Check silhouette(Generator& random);       // hit_sphere

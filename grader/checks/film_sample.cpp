@@ -32,7 +32,8 @@ Checks check_film_sample(Generator& random) {
         for (int k = 0; k < pixels; ++k) {
             const vec2 low(whole_between(draws, 0, 300), whole_between(draws, 0, 300));
             const double width = between(draws, 0.5, 2), height = between(draws, 0.5, 2);
-            for (int i = 0; i < n; ++i) rows.push_back(row(Extent{low, low + vec2(width, height)}, i, n, square(draws)));
+            for (int i = 0; i < n; ++i)
+                rows.push_back(row(Extent{low, low + vec2(width, height)}, i, n, square(draws)));
         }
         return repeat(rows);
     };
@@ -44,19 +45,28 @@ Checks check_film_sample(Generator& random) {
         1e-5, "samples fall outside the pixel: it covers low <= x < high");
     // per axis, weighted: mean 1/2, second moment about it 1/12
     const auto moment = [](int axis, int power) {
-        return [=](const Row& in, const Row& out) { return from_row<FilmSample>(out).weight * std::pow(share(in, out)[axis] - 0.5, power); };
+        return [=](const Row& in, const Row& out) {
+            return from_row<FilmSample>(out).weight * std::pow(share(in, out)[axis] - 0.5, power);
+        };
     };
-    Statistic weight = mean_of("A1", "mean weight", moment(0, 0), 1, 1, by_ratio("the mean weight", {{1.0 / n, "the framework divides by the number of samples"}, {double(n), "a sample counts as 1, not as n"}}));
+    Statistic weight = mean_of("A1", "mean weight", moment(0, 0), 1, 1,
+                               by_ratio("the mean weight", {{1.0 / n, "the framework divides by the number of samples"},
+                                                            {double(n), "a sample counts as 1, not as n"}}));
     const auto shift_hint = [](double value, double) -> std::string {
         if (std::abs(std::abs(value) - 0.5) < 0.1) return "the picture is shifted by half a pixel";
-        return "samples are not spread evenly about the middle of the pixel: is a stratum computed by integer division?";
+        return "samples are not spread evenly about the middle of the pixel: is a stratum computed by integer "
+               "division?";
     };
     Statistic x = mean_of("A1", "mean x, from the middle of the pixel [pixel]", moment(0, 1), 0, 0.2, shift_hint);
     Statistic y = mean_of("A1", "mean y, from the middle of the pixel [pixel]", moment(1, 1), 0, 0.2, shift_hint);
-    const auto width_hint = by_ratio("the variance of the samples in a pixel", {{0, "all samples are at one point: edges stay jagged"}, {4, "the samples spread over two pixels"}, {0.25, "the samples fill half of the pixel's width"}});
+    const auto width_hint =
+        by_ratio("the variance of the samples in a pixel", {{0, "all samples are at one point: edges stay jagged"},
+                                                            {4, "the samples spread over two pixels"},
+                                                            {0.25, "the samples fill half of the pixel's width"}});
     Statistic spread_x = mean_of("A1", "variance of x [pixel^2]", moment(0, 2), 1.0 / 12, 1.0 / 12, width_hint);
     Statistic spread_y = mean_of("A1", "variance of y [pixel^2]", moment(1, 2), 1.0 / 12, 1.0 / 12, width_hint);
-    Statistic even = uniform_in_square("A1", "chi-squared of equal parts of the pixel", share, 4, 4, always("the samples do not fill the pixel evenly"));
+    Statistic even = uniform_in_square("A1", "chi-squared of equal parts of the pixel", share, 4, 4,
+                                       always("the samples do not fill the pixel evenly"));
     even.delta0 = 1;  // stratified points are more even than random ones
     even.delta = 1.5;
 
@@ -66,7 +76,8 @@ Checks check_film_sample(Generator& random) {
         const double width = between(draws, 0.5, 2), height = between(draws, 0.5, 2);
         Rows rows;
         for (int k = 0; k < pixels; ++k)
-            for (int i = 0; i < n; ++i) rows.push_back(row(Extent{low, low + vec2(width, height)}, i, n, square(draws)));
+            for (int i = 0; i < n; ++i)
+                rows.push_back(row(Extent{low, low + vec2(width, height)}, i, n, square(draws)));
         return rows;
     };
 
@@ -87,9 +98,11 @@ Checks check_film_sample(Generator& random) {
         return 12 * square_sum / pixels;
     };
     strata.hint = [](double value, double truth) {
-        return value > 0.8 && value < 1.2 ? std::string("the samples are independent: each must fall in a cell of its own, see stratified_2d")
-               : value > truth            ? std::string("the samples of a pixel move together: is one position drawn for all of them?")
-                                          : std::string("the samples hardly move from render to render: is u used?");
+        return value > 0.8 && value < 1.2
+                   ? std::string("the samples are independent: each must fall in a cell of its own, see stratified_2d")
+               : value > truth
+                   ? std::string("the samples of a pixel move together: is one position drawn for all of them?")
+                   : std::string("the samples hardly move from render to render: is u used?");
     };
     // one sample moves in a cell of 1/n of the pixel: n 12 Var(x) is 1, and the same for y
     Statistic cell;
@@ -112,19 +125,31 @@ Checks check_film_sample(Generator& random) {
     };
     cell.hint = [n](double value, double) {
         if (value < 0.1)
-            return fmt::format("with new random numbers a sample hardly moves, by {:.3g} of its cell's variance: is u, its jitter, ignored, drawn "
-                               "once, or the same in all pixels?", value);
+            return fmt::format(
+                "with new random numbers a sample hardly moves, by {:.3g} of its cell's variance: is u, its jitter, "
+                "ignored, drawn "
+                "once, or the same in all pixels?",
+                value);
         const double cells = n / value;
-        if (cells < 1.2) return std::string("each sample falls anywhere in the pixel: it must fall in a cell of its own, see stratified_2d");
+        if (cells < 1.2)
+            return std::string(
+                "each sample falls anywhere in the pixel: it must fall in a cell of its own, see stratified_2d");
         return fmt::format("a sample moves as if the pixel had {:.3g} cells; expected n = {}", cells, n);
     };
     const SamplesOfASquare samples{
-        [](vec2 low, int i, int n, vec2 u) { return row(Extent{low, low + 1.0}, i, n, u); },
-        [](const Row& in, const Row& out) { return SamplesOfASquare::Sample{share(in, out), from_row<FilmSample>(out).weight}; }};
+        [](vec2 low, int i, int n, vec2 u) {
+            return row(Extent{low, low + 1.0}, i, n, u);
+        },
+        [](const Row& in, const Row& out) {
+            return SamplesOfASquare::Sample{share(in, out), from_row<FilmSample>(out).weight};
+        }};
     return {probe_check("in_the_pixel", "film_sample", {"stratified_2d"}, inputs, {inside}),
             probe_check("stratified", "film_sample", {"stratified_2d"}, repeats, {cell, strata}),
-            probe_check("even_in_the_pixel", "film_sample", {"stratified_2d"}, inputs, {weight, x, y, spread_x, spread_y, even, purity()}),
-            slanted_edges(random), fine_stripes(random), error_orders(random, "film_sample", {"stratified_2d"}, samples),
+            probe_check("even_in_the_pixel", "film_sample", {"stratified_2d"}, inputs,
+                        {weight, x, y, spread_x, spread_y, even, purity()}),
+            slanted_edges(random),
+            fine_stripes(random),
+            error_orders(random, "film_sample", {"stratified_2d"}, samples),
             rings(random, "film_sample", {"stratified_2d"}, samples)};
 }
 

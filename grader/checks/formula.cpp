@@ -37,12 +37,14 @@ bool matches(const Observation& seen, const RowFunction& right, const Suspect& s
 
 std::vector<double> deviations(const Observation& seen, const RowFunction& right) {
     std::vector<double> all;
-    for (std::size_t k = 0; k < seen.inputs.size(); ++k) all.push_back(deviation(seen.outputs[k], right(seen.inputs[k])));
+    for (std::size_t k = 0; k < seen.inputs.size(); ++k)
+        all.push_back(deviation(seen.outputs[k], right(seen.inputs[k])));
     return all;
 }
 
 /// Whether the rows that are wrong are those of a circumstance, and there are others.
-bool goes_with(const Observation& seen, const std::vector<double>& off, const Circumstance& circumstance, double tolerance) {
+bool goes_with(const Observation& seen, const std::vector<double>& off, const Circumstance& circumstance,
+               double tolerance) {
     double wrong = 0, holding = 0, both = 0;
     for (std::size_t k = 0; k < off.size(); ++k) {
         const bool is_wrong = !(off[k] <= tolerance), holds = circumstance.holds(seen.inputs[k]);
@@ -77,7 +79,8 @@ Statistic formula(std::string id, std::string what, RowFunction right, double to
     s.exact = true;
     s.measure = [right](const Observation& seen) {
         double worst = 0;
-        for (std::size_t k = 0; k < seen.inputs.size(); ++k) worst = worse(deviation(seen.outputs[k], right(seen.inputs[k])), worst);
+        for (std::size_t k = 0; k < seen.inputs.size(); ++k)
+            worst = worse(deviation(seen.outputs[k], right(seen.inputs[k])), worst);
         return worst;
     };
     s.hint = [](double value, double) { return fmt::format("the formula is off by up to {:.3g} of its value", value); };
@@ -93,14 +96,15 @@ Statistic formula(std::string id, std::string what, RowFunction right, double to
         std::string words;
         for (const Circumstance& circumstance : circumstances)
             if (words.empty() && goes_with(seen, off, circumstance, tolerance)) words = circumstance.words + ": ";
-        return words + fmt::format("{} of {} calls are wrong; for arguments {} the result is {}, expected {}", wrong, off.size(),
-                                   numbers(seen.inputs[worst]), numbers(seen.outputs[worst]), numbers(right(seen.inputs[worst])));
+        return words + fmt::format("{} of {} calls are wrong; for arguments {} the result is {}, expected {}", wrong,
+                                   off.size(), numbers(seen.inputs[worst]), numbers(seen.outputs[worst]),
+                                   numbers(right(seen.inputs[worst])));
     };
     return s;
 }
 
-Statistic property(std::string id, std::string what, std::function<double(const Row&, const Row&)> violation, double tolerance,
-                   std::string hint) {
+Statistic property(std::string id, std::string what, std::function<double(const Row&, const Row&)> violation,
+                   double tolerance, std::string hint) {
     Statistic s;
     s.id = std::move(id);
     s.what = std::move(what);
@@ -109,7 +113,8 @@ Statistic property(std::string id, std::string what, std::function<double(const 
     s.exact = true;
     s.measure = [violation](const Observation& seen) {
         double worst = 0;
-        for (std::size_t k = 0; k < seen.inputs.size(); ++k) worst = worse(violation(seen.inputs[k], seen.outputs[k]), worst);
+        for (std::size_t k = 0; k < seen.inputs.size(); ++k)
+            worst = worse(violation(seen.inputs[k], seen.outputs[k]), worst);
         return worst;
     };
     s.hint = [hint](double value, double) { return fmt::format("{} (off by {:.3g})", hint, value); };
@@ -131,11 +136,13 @@ Statistic purity() {
     s.measure = [](const Observation& seen) {
         const std::size_t start = seen.outputs.size() - std::min(repeated, seen.outputs.size() / 2);
         double worst = 0;
-        for (std::size_t k = start; k < seen.outputs.size(); ++k) worst = worse(deviation(seen.outputs[k], seen.outputs[k - start]), worst);
+        for (std::size_t k = start; k < seen.outputs.size(); ++k)
+            worst = worse(deviation(seen.outputs[k], seen.outputs[k - start]), worst);
         return worst;
     };
     s.hint = [](double, double) {
-        return std::string("the result changes from call to call: a fragment has no random numbers of its own, they are arguments");
+        return std::string(
+            "the result changes from call to call: a fragment has no random numbers of its own, they are arguments");
     };
     return s;
 }

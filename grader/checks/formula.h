@@ -11,7 +11,8 @@ namespace grade {
 
 using RowFunction = std::function<Row(const Row& inputs)>;
 
-/// A function of a fragment's arguments as a function of rows: of<rt::vec3, rt::vec3>([](rt::vec3 d, rt::vec3 n) {...}).
+/// A function of a fragment's arguments as a function of rows: of<rt::vec3, rt::vec3>([](rt::vec3 d, rt::vec3 n)
+/// {...}).
 template <class... Arguments, class F>
 RowFunction of(F f) {
     return [f](const Row& inputs) {
@@ -47,15 +48,16 @@ struct Circumstance {
     std::function<bool(const Row& inputs)> holds;
 };
 
-/// The largest deviation of any row, which must stay below the tolerance. Single precision reaches 1e-4 where the inputs
-/// are ordinary. The cause is the first suspect whose outputs are those of the rows; else the first circumstance that nearly
-/// all wrong rows have in common, and other rows have not; the worst row is shown as well.
-Statistic formula(std::string id, std::string what, RowFunction right, double tolerance, std::vector<Suspect> suspects = {},
-                  std::vector<Circumstance> circumstances = {});
+/// The largest deviation of any row, which must stay below the tolerance. Single precision reaches 1e-4 where the
+/// inputs are ordinary. The cause is the first suspect whose outputs are those of the rows; else the first circumstance
+/// that nearly all wrong rows have in common, and other rows have not; the worst row is shown as well.
+Statistic formula(std::string id, std::string what, RowFunction right, double tolerance,
+                  std::vector<Suspect> suspects = {}, std::vector<Circumstance> circumstances = {});
 
 /// The largest of a deviation of each row: 0 where a property holds.
-Statistic property(std::string id, std::string what, std::function<double(const Row& inputs, const Row& outputs)> violation,
-                   double tolerance, std::string hint);
+Statistic property(std::string id, std::string what,
+                   std::function<double(const Row& inputs, const Row& outputs)> violation, double tolerance,
+                   std::string hint);
 
 /// Rows that are repeated at the end: the same arguments must give the same outputs. repeat() appends them.
 Statistic purity();

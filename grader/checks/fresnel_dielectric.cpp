@@ -20,7 +20,8 @@ double fresnel(double cosine, double from, double to, double share_s, double sha
 
 RowFunction law(double share_s, double share_p, double total, bool inverted = false) {
     return of<double, double, double>([=](double cosine, double from, double to) {
-        return inverted ? fresnel(cosine, to, from, share_s, share_p, total) : fresnel(cosine, from, to, share_s, share_p, total);
+        return inverted ? fresnel(cosine, to, from, share_s, share_p, total)
+                        : fresnel(cosine, from, to, share_s, share_p, total);
     });
 }
 
@@ -37,28 +38,33 @@ RowFunction schlick(bool cases) {
 }  // namespace
 
 Checks check_fresnel_dielectric(Generator& random) {
-    const auto inputs = rows_of(96, [](Generator& draw) {
+    const auto inputs = rows_of(192, [](Generator& draw) {
         const double low = between(draw, 1, 1.2), high = between(draw, 1.3, 2.5);
         const bool up = chance(draw, 0.5);
         const double from = up ? high : low, to = chance(draw, 0.05) ? from : up ? low : high;
         double cosine;
         do cosine = chance(draw, 0.1) ? 1 : between(draw, 0.02, 1);
         while (std::abs(1 - rt::sqr(from / to) * (1 - cosine * cosine)) < 0.01 && from != to);
+        // some close to the critical angle, on either side: a fault there is seen in few pixels
+        if (from > to && chance(draw, 0.6)) cosine = std::sqrt(1 - (1 - close_to_zero(draw, 3e-5)) * rt::sqr(to / from));
         return row(cosine, from, to);
     });
-    return {probe_check("reflectance", "fresnel_dielectric", {}, inputs,
-                        {formula("F3", "reflectance, off by", law(0.5, 0.5, 1), 1e-4,
-                                 {{"total internal reflection gives 0; expected 1", law(0.5, 0.5, 0)},
-                                  {"total internal reflection gives nan; expected 1", law(0.5, 0.5, NAN)},
-                                  {"the indices are inverted: ior_from and ior_to are exchanged", law(0.5, 0.5, 1, true)},
-                                  {"the factor 1/2 is missing: unpolarised light is the mean of s and p", law(1, 1, 1)},
-                                  {"only s-polarised light is counted: expected the mean of s and p", law(1, 0, 1)},
-                                  {"only p-polarised light is counted: expected the mean of s and p", law(0, 1, 1)},
-                                  {"the transmitted share is returned; expected the reflected one", of<double, double, double>([](double c, double from, double to) {
-                                       return 1 - fresnel(c, from, to, 0.5, 0.5, 1);
-                                   })},
-                                  {"this is Schlick's approximation; expected Fresnel's formula", schlick(false)},
-                                  {"this is Schlick's approximation; expected Fresnel's formula", schlick(true)}})}), bright_slab(random), invisible_glass(random, "fresnel_dielectric")};
+    return {
+        probe_check("reflectance", "fresnel_dielectric", {}, inputs,
+                    {formula("F3", "reflectance, off by", law(0.5, 0.5, 1), 1e-4,
+                             {{"total internal reflection gives 0; expected 1", law(0.5, 0.5, 0)},
+                              {"total internal reflection gives nan; expected 1", law(0.5, 0.5, NAN)},
+                              {"the indices are inverted: ior_from and ior_to are exchanged", law(0.5, 0.5, 1, true)},
+                              {"the factor 1/2 is missing: unpolarised light is the mean of s and p", law(1, 1, 1)},
+                              {"only s-polarised light is counted: expected the mean of s and p", law(1, 0, 1)},
+                              {"only p-polarised light is counted: expected the mean of s and p", law(0, 1, 1)},
+                              {"the transmitted share is returned; expected the reflected one",
+                               of<double, double, double>([](double c, double from, double to) {
+                                   return 1 - fresnel(c, from, to, 0.5, 0.5, 1);
+                               })},
+                              {"this is Schlick's approximation; expected Fresnel's formula", schlick(false)},
+                              {"this is Schlick's approximation; expected Fresnel's formula", schlick(true)}})}),
+        bright_slab(random), invisible_glass(random, "fresnel_dielectric")};
 }
 
 }  // namespace grade

@@ -18,8 +18,9 @@ Check ball(Generator& random) {
     const double n = between(random, 6, 12), around = log_between(random, 0.3, 3);
     const rt::Color reflectance(between(random, 0.7, 1), between(random, 0.4, 0.6), between(random, 0.1, 0.3));
     const View view{place({0, 0, 10}), place({0, 0, 0}), place.turned({0, 1, 0}), 12, {48, 48}};
-    const std::string scene = fmt::format("environment = {}\n\n{}[materials.steel]\nreflectance = {}\nexponent = {}\n\n", toml(around), toml(view),
-                                          toml(reflectance), toml(n)) +
+    const std::string scene =
+        fmt::format("environment = {}\n\n{}[materials.steel]\nreflectance = {}\nexponent = {}\n\n", toml(around),
+                    toml(view), toml(reflectance), toml(n)) +
         sphere("steel", place({0, 0, 0}), 1);
     const rt::Camera camera = rt::parse_scene(scene, "ball").camera;
 
@@ -43,18 +44,23 @@ Check ball(Generator& random) {
         };
     };
     const auto hint = [=](const std::string& where, double degrees) {
-        return by_ratio("what a glossy ball reflects " + where,
-                        {{(n + 1) / (n + 2), "does n + 1 stand for n + 2 in the BRDF?"},
-                         {(n + 2) / (n + 1), "is the cosine at the surface missing, or does (n + 2)/(n + 1) count twice?"},
-                         {1 / albedo(degrees * rt::pi / 180), "does the weight have the cosine at the surface, and is it 0 below the surface?"}},
-                        "expected (n + 2)/(2 pi) cos(alpha)^n x cosine at the surface / density, 0 below the surface");
+        return by_ratio(
+            "what a glossy ball reflects " + where,
+            {{(n + 1) / (n + 2), "does n + 1 stand for n + 2 in the BRDF?"},
+             {(n + 2) / (n + 1), "is the cosine at the surface missing, or does (n + 2)/(n + 1) count twice?"},
+             {1 / albedo(degrees * rt::pi / 180),
+              "does the weight have the cosine at the surface, and is it 0 below the surface?"}},
+            "expected (n + 2)/(2 pi) cos(alpha)^n x cosine at the surface / density, 0 below the surface");
     };
     auto needs = scene_needs;
     needs.push_back("hit_sphere");
     return render_check("ball", "glossy_reflection", needs, {scene, 32, "sobol"},
-                        {of_picture("P2", "light that it reflects where it is seen head on, over what must be", over_truth(0, 25), 1, 0.05, hint("where it is seen head on", 0)),
-                         of_picture("P3", "light that it reflects where it is seen at 60 degrees, over what must be", over_truth(53, 65), 1, 0.05, hint("where it is seen at 60 degrees", 60)),
-                         of_picture("P3", "light that it reflects near its rim, over what must be", over_truth(70, 78), 1, 0.06, hint("near its rim", 75))});
+                        {of_picture("P2", "light that it reflects where it is seen head on, over what must be",
+                                    over_truth(0, 25), 1, 0.05, hint("where it is seen head on", 0)),
+                         of_picture("P3", "light that it reflects where it is seen at 60 degrees, over what must be",
+                                    over_truth(53, 65), 1, 0.05, hint("where it is seen at 60 degrees", 60)),
+                         of_picture("P3", "light that it reflects near its rim, over what must be", over_truth(70, 78),
+                                    1, 0.06, hint("near its rim", 75))});
 }
 
 /// The blurred image of a lamp in a glossy floor.
@@ -62,17 +68,22 @@ Check lamp(Generator& random) {
     const Place place = any_place(random);
     const double n = between(random, 8, 14), angle = between(random, 0.5, 0.8);
     const rt::Sphere shining{place({4 * std::sin(angle), 0, 4 * std::cos(angle)}), 0.9};
-    const View view{place({-4 * std::sin(angle), 0, 4 * std::cos(angle)}), place({0, 0, 0}), place.turned({0, 0, 1}), 50, {24, 24}};
-    const std::string scene = fmt::format("{}[materials.lamp]\nemission = 1\nsampled = false\n\n[materials.floor]\nreflectance = 1\nexponent = {}\n\n",
-                                          toml(view), toml(n)) +
-        sphere("lamp", shining.center, shining.radius) + quad("floor", place({0, 0, 0}), 100.0 * place.axes.x, 100.0 * place.axes.y);
+    const View view{
+        place({-4 * std::sin(angle), 0, 4 * std::cos(angle)}), place({0, 0, 0}), place.turned({0, 0, 1}), 50, {24, 24}};
+    const std::string scene = fmt::format(
+                                  "{}[materials.lamp]\nemission = 1\nsampled = false\n\n[materials.floor]\nreflectance "
+                                  "= 1\nexponent = {}\n\n",
+                                  toml(view), toml(n)) +
+                              sphere("lamp", shining.center, shining.radius) +
+                              quad("floor", place({0, 0, 0}), 100.0 * place.axes.x, 100.0 * place.axes.y);
     const rt::vec3 up = place.axes.z;
     const LobeSurface floor{rt::parse_scene(scene, "lamp").camera, place.origin, up, [=](rt::vec3 d, double exponent) {
         return Lobe{d - 2 * rt::dot(d, up) * up, up, exponent, 1};
     }};
     auto needs = scene_needs;
     needs.insert(needs.end(), {"hit_sphere", "hit_quad"});
-    return render_check("lamp", "glossy_reflection", needs, {scene, 64, "sobol"}, blurred_lamp(floor, shining, n, "the mirror direction"));
+    return render_check("lamp", "glossy_reflection", needs, {scene, 64, "sobol"},
+                        blurred_lamp(floor, shining, n, "the mirror direction"));
 }
 
 }  // namespace
@@ -87,9 +98,14 @@ Checks check_glossy_reflection(Generator& random) {
         const auto inputs = [=](Generator& draws) {
             return repeat(rows_of(1024, [=](Generator& draw) { return row(d, normal, n, square(draw)); })(draws));
         };
-        checks.push_back(probe_check(name, "glossy_reflection", {"phong_lobe", "mirror_direction"}, inputs,
-                                     lobe_statistics({axis, normal, n, "the mirror direction",
-                                                      {lobe_about("the lobe is about the normal; expected about the mirror direction", normal, normal, n, (n + 2) / (n + 1))}})));
+        checks.push_back(probe_check(
+            name, "glossy_reflection", {"phong_lobe", "mirror_direction"}, inputs,
+            lobe_statistics({axis,
+                             normal,
+                             n,
+                             "the mirror direction",
+                             {lobe_about("the lobe is about the normal; expected about the mirror direction", normal,
+                                         normal, n, (n + 2) / (n + 1))}})));
     }
     checks.push_back(ball(random));
     checks.push_back(lamp(random));

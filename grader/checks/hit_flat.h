@@ -6,7 +6,8 @@
 /// Triangles and quads are hit where a plane is hit, and where weights say that the point is inside.
 namespace grade {
 
-/// A ray towards a point, from either side, and an interval that holds the point, or ends before it, or starts behind it.
+/// A ray towards a point, from either side, and an interval that holds the point, or ends before it, or starts behind
+/// it.
 inline rt::Ray ray_towards(Generator& random, rt::vec3 target, rt::vec3 normal, double size, bool clipped) {
     const rt::vec3 d = tilted(random, (chance(random, 0.5) ? 1.0 : -1.0) * normal, between(random, 0, 1.3));
     const double distance = size * between(random, 0.5, 20) * (chance(random, 0.85) ? 1 : -1);
@@ -35,23 +36,28 @@ std::vector<Suspect> flat_suspects(std::function<double(const Shape&, const rt::
         });
     };
     const auto in_range = [](const rt::Ray& ray, double at) { return at > ray.near && at < ray.far; };
-    return {
-        {"the back side is never hit: a shape is hit from either side", when([=](const Shape& s, const rt::Ray& r, double at) {
-             return in_range(r, at) && rt::dot(r.direction, normal(s)) < 0;
-         })},
-        {"the front side is never hit: a shape is hit from either side", when([=](const Shape& s, const rt::Ray& r, double at) {
-             return in_range(r, at) && rt::dot(r.direction, normal(s)) > 0;
-         })},
-        {"hits behind the ray's origin count", when([](const Shape&, const rt::Ray&, double) { return true; })},
-        {"the ray's interval is ignored: a hit counts only for near < t < far", when([](const Shape&, const rt::Ray&, double at) { return at > 0; })},
-        {"the near end of the ray's interval is ignored", when([](const Shape&, const rt::Ray& r, double at) { return at > 0 && at < r.far; })},
-        {"the far end of the ray's interval is ignored", when([](const Shape&, const rt::Ray& r, double at) { return at > r.near; })},
-        {"the whole plane is hit, not the shape alone", of<Shape, rt::Ray>([=](const Shape& s, const rt::Ray& r) {
-             return in_range(r, t(s, r)) ? t(s, r) : rt::inf;
-         })},
-        {"t is a length; expected in units of |direction|, which need not be 1", of<Shape, rt::Ray>([=](const Shape& s, const rt::Ray& r) {
-             return inside(s, r) && in_range(r, t(s, r)) ? t(s, r) * glm::length(r.direction) : rt::inf;
-         })}};
+    return {{"the back side is never hit: a shape is hit from either side",
+             when([=](const Shape& s, const rt::Ray& r, double at) {
+                 return in_range(r, at) && rt::dot(r.direction, normal(s)) < 0;
+             })},
+            {"the front side is never hit: a shape is hit from either side",
+             when([=](const Shape& s, const rt::Ray& r, double at) {
+                 return in_range(r, at) && rt::dot(r.direction, normal(s)) > 0;
+             })},
+            {"hits behind the ray's origin count", when([](const Shape&, const rt::Ray&, double) { return true; })},
+            {"the ray's interval is ignored: a hit counts only for near < t < far",
+             when([](const Shape&, const rt::Ray&, double at) { return at > 0; })},
+            {"the near end of the ray's interval is ignored",
+             when([](const Shape&, const rt::Ray& r, double at) { return at > 0 && at < r.far; })},
+            {"the far end of the ray's interval is ignored",
+             when([](const Shape&, const rt::Ray& r, double at) { return at > r.near; })},
+            {"the whole plane is hit, not the shape alone", of<Shape, rt::Ray>([=](const Shape& s, const rt::Ray& r) {
+                 return in_range(r, t(s, r)) ? t(s, r) : rt::inf;
+             })},
+            {"t is a length; expected in units of |direction|, which need not be 1",
+             of<Shape, rt::Ray>([=](const Shape& s, const rt::Ray& r) {
+                 return inside(s, r) && in_range(r, t(s, r)) ? t(s, r) * glm::length(r.direction) : rt::inf;
+             })}};
 }
 
 /// Where a flat shape is wrong; size is that of the shape.

@@ -19,12 +19,14 @@ std::array<double, 2> crossings(const Sphere& sphere, const Ray& ray) {
     const Long d(ray.direction), f = Long(sphere.center) - Long(ray.origin);
     const long double length2 = glm::dot(d, d), foot = glm::dot(f, d) / length2;
     const Long beside = f - foot * d;
-    const long double half = std::sqrt(((long double)sphere.radius * sphere.radius - glm::dot(beside, beside)) / length2);
+    const long double half =
+        std::sqrt(((long double)sphere.radius * sphere.radius - glm::dot(beside, beside)) / length2);
     return {double(foot - half), double(foot + half)};
 }
 
 /// The first crossing that is allowed, or inf.
-RowFunction first(std::function<bool(double t, const Ray&)> near_one, std::function<bool(double t, const Ray&)> far_one) {
+RowFunction first(std::function<bool(double t, const Ray&)> near_one,
+                  std::function<bool(double t, const Ray&)> far_one) {
     return of<Sphere, Ray>([=](const Sphere& sphere, const Ray& ray) {
         const auto [t0, t1] = crossings(sphere, ray);
         return near_one(t0, ray) ? t0 : far_one(t1, ray) ? t1 : rt::inf;
@@ -32,11 +34,15 @@ RowFunction first(std::function<bool(double t, const Ray&)> near_one, std::funct
 }
 
 /// A sphere, and a ray that meets its line well, from outside, inside or behind, with an interval that holds both, one
-/// or none of the crossings. Nothing within a hundredth of a decision.
+/// or none of the crossings. Nothing of the interval within a hundredth of a decision; some rays pass close to the rim, on
+/// either side: a fault there is seen in few pixels.
 Row ordinary(Generator& random, bool clipped) {
     const Sphere sphere{box(random, -5, 5), log_between(random, 0.1, 10)};
     const rt::vec3 d = direction(random);
-    const double passing = chance(random, 0.2) ? between(random, 1.1, 2) : between(random, 0, 0.95);
+    const bool at_rim = chance(random, 0.35);
+    const double passing = at_rim                  ? 1 + close_to_zero(random, 1e-6)
+                           : chance(random, 0.2) ? between(random, 1.1, 2)
+                                                 : between(random, 0, 0.95);
     const rt::vec3 beside = passing * sphere.radius * tilted(random, d, rt::pi / 2);
     const double start = between(random, 0, 1) < 0.3 ? between(random, -0.1, 0.1) : between(random, -30, 8);
     const double speed = chance(random, 0.3) ? 1 : log_between(random, 0.1, 10);  // |direction|
@@ -46,7 +52,8 @@ Row ordinary(Generator& random, bool clipped) {
     if (std::isfinite(t0)) {
         const double margin = 0.02 * (t1 - t0);
         if (std::abs(t0) < margin || std::abs(t1) < margin) return ordinary(random, clipped);
-        if (clipped && chance(random, 0.5)) ray.near = std::max(0.0, chance(random, 0.5) ? (t0 + t1) / 2 : t1 + (t1 - t0));
+        if (clipped && chance(random, 0.5))
+            ray.near = std::max(0.0, chance(random, 0.5) ? (t0 + t1) / 2 : t1 + (t1 - t0));
         if (clipped && chance(random, 0.5)) ray.far = std::max(ray.near, 0.0) + std::abs(t1) * between(random, 0.1, 2);
         for (const double t : {t0, t1})
             if (std::abs(t - ray.near) < margin || std::abs(t - ray.far) < margin) return ordinary(random, clipped);
@@ -68,11 +75,13 @@ Checks check_hit_sphere(Generator& random) {
     const std::vector<Suspect> suspects = {
         {"the far crossing is returned where the near one counts", first(never, inside)},
         {"crossings behind the ray's origin count as hits", first(always_, always_)},
-        {"the far crossing is never returned: a ray that starts inside must hit the sphere from within", first(inside, never)},
+        {"the far crossing is never returned: a ray that starts inside must hit the sphere from within",
+         first(inside, never)},
         {"the ray's interval is ignored: a hit counts only for near < t < far", first(after_start, after_start)},
         {"the near end of the ray's interval is ignored", first(before_far, before_far)},
         {"the far end of the ray's interval is ignored", first(after_near, after_near)},
-        {"t is a length; expected in units of |direction|, which need not be 1", of<Sphere, Ray>([=](const Sphere& s, const Ray& r) {
+        {"t is a length; expected in units of |direction|, which need not be 1",
+         of<Sphere, Ray>([=](const Sphere& s, const Ray& r) {
              return from_row<double>(right(row(s, r))) * glm::length(r.direction);
          })},
         {"a sphere that is missed gives no inf", of<Sphere, Ray>([=](const Sphere& s, const Ray& r) {
@@ -92,8 +101,10 @@ Checks check_hit_sphere(Generator& random) {
          }}};
     const auto unclipped = rows_of(96, [](Generator& draw) { return ordinary(draw, false); });
     const auto clipped = rows_of(96, [](Generator& draw) { return ordinary(draw, true); });
-    return {probe_check("nearest_crossing", "hit_sphere", {}, unclipped, {formula("W1", "distance, off by", right, 1e-3, suspects, circumstances)}),
-            probe_check("interval", "hit_sphere", {}, clipped, {formula("W1", "distance within the interval, off by", right, 1e-3, suspects, circumstances)}),
+    return {probe_check("nearest_crossing", "hit_sphere", {}, unclipped,
+                        {formula("W1", "distance, off by", right, 1e-3, suspects, circumstances)}),
+            probe_check("interval", "hit_sphere", {}, clipped,
+                        {formula("W1", "distance within the interval, off by", right, 1e-3, suspects, circumstances)}),
             silhouette(random)};
 }
 

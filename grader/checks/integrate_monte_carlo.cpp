@@ -22,12 +22,14 @@ constexpr int count_of_levels = 5;
 ///
 /// so the estimate is; with other = rate there is no error at all. power is that of the density.
 RowFunction estimate(double power, bool mean) {
-    return of<Integrand, Integrand, std::vector<double>>([=](const Integrand& f, const Integrand& q, const std::vector<double>& x) {
-        double sum = 0;
-        for (const double xi : x)
-            sum += f.parameters[0] * std::pow(q.parameters[0], power) * std::exp(-(f.parameters[1] + power * q.parameters[1]) * xi);
-        return Row{x.empty() ? 0.0 : mean ? sum / double(x.size()) : sum};
-    });
+    return of<Integrand, Integrand, std::vector<double>>(
+        [=](const Integrand& f, const Integrand& q, const std::vector<double>& x) {
+            double sum = 0;
+            for (const double xi : x)
+                sum += f.parameters[0] * std::pow(q.parameters[0], power) *
+                       std::exp(-(f.parameters[1] + power * q.parameters[1]) * xi);
+            return Row{x.empty() ? 0.0 : mean ? sum / double(x.size()) : sum};
+        });
 }
 
 /// A wave with a whole number of periods, which regular points do not see, and a sharp peak, from independent points.
@@ -48,10 +50,14 @@ Check wave_and_peak(Generator& random) {
         return [=](const Row& in, const Row& out) { return Kind(int(in[0])) == kind ? 2 * out[0] / integral : 0.0; };
     };
     const std::string hint = "expected f(x_i)/Q(x_i), over the number of points";
-    Statistic on_wave = mean_of("I1", "mean estimate of a wave that regular points do not see, over the integral", share(Kind::cosine, span), 1, 1,
-                                by_ratio("the mean estimate of a wave", {{double(count), "is the division by the number of points missing?"}}, hint));
-    Statistic on_peak = mean_of("I1", "mean estimate of a sharp peak, over the integral", share(Kind::gaussian, width * std::sqrt(2 * rt::pi)), 1, 1,
-                                by_ratio("the mean estimate of a sharp peak", {{double(count), "is the division by the number of points missing?"}}, hint));
+    Statistic on_wave = mean_of("I1", "mean estimate of a wave that regular points do not see, over the integral",
+                                share(Kind::cosine, span), 1, 1,
+                                by_ratio("the mean estimate of a wave",
+                                         {{double(count), "is the division by the number of points missing?"}}, hint));
+    Statistic on_peak = mean_of("I1", "mean estimate of a sharp peak, over the integral",
+                                share(Kind::gaussian, width * std::sqrt(2 * rt::pi)), 1, 1,
+                                by_ratio("the mean estimate of a sharp peak",
+                                         {{double(count), "is the division by the number of points missing?"}}, hint));
     for (Statistic* s : {&on_wave, &on_peak}) s->delta = 0.25;
     return probe_check("wave_and_peak", "integrate_monte_carlo", {}, inputs, {on_wave, on_peak});
 }
@@ -78,11 +84,12 @@ Checks check_integrate_monte_carlo(Generator& random) {
                               {{"f is multiplied by the density; expected the weight 1/Q", estimate(1, true)},
                                {"the density is ignored; expected the weight 1/Q(x_i)", estimate(0, true)},
                                {"one density serves all points; expected that of each, w_i = 1/Q(x_i)",
-                               of<Integrand, Integrand, std::vector<double>>([](const Integrand& f, const Integrand& q, const std::vector<double>& x) {
-                                   double sum = 0;
-                                   for (const double xi : x) sum += f(xi) / q(x[0]) / double(x.size());
-                                   return sum;
-                               })},
+                                of<Integrand, Integrand, std::vector<double>>(
+                                    [](const Integrand& f, const Integrand& q, const std::vector<double>& x) {
+                                        double sum = 0;
+                                        for (const double xi : x) sum += f(xi) / q(x[0]) / double(x.size());
+                                        return sum;
+                                    })},
                                {"the sum is not divided by the number of points", estimate(-1, false)}});
 
     // Over many draws the mean is the integral: height / rate.
@@ -91,8 +98,9 @@ Checks check_integrate_monte_carlo(Generator& random) {
         const Integrand f{Kind::exponential, {2, rate}}, q{Kind::exponential, {other, other}};
         return row(f, q, drawn(draw, 32, other));
     });
-    Statistic mean = mean_of("I1", "mean estimate over the integral", [=](const Row&, const Row& out) { return out[0] * rate / 2; }, 1, 1,
-                             by_ratio("the mean estimate", {{32, "is the division by the number of points missing?"}}));
+    Statistic mean = mean_of(
+        "I1", "mean estimate over the integral", [=](const Row&, const Row& out) { return out[0] * rate / 2; }, 1, 1,
+        by_ratio("the mean estimate", {{32, "is the division by the number of points missing?"}}));
 
     constexpr int repeats = 16;
     const double slower = 0.8 * rate;  // of the density: its fourth moments are finite
@@ -105,10 +113,15 @@ Checks check_integrate_monte_carlo(Generator& random) {
             }
         return rows;
     };
-    Statistic order = error_order("power of N with which the error falls", count_of_levels, repeats,
-        [=](const Row&, const Row& out) { return out[0] - 2 / rate; }, -0.5, [](double value, double) {
-            return fmt::format("the error falls as N^{:.2f} with N points; expected N^-0.5: is the sum divided by N, with the weight 1/Q(x_i) of each "
-                               "point?", value);
+    Statistic order = error_order(
+        "power of N with which the error falls", count_of_levels, repeats,
+        [=](const Row&, const Row& out) { return out[0] - 2 / rate; }, -0.5,
+        [](double value, double) {
+            return fmt::format(
+                "the error falls as N^{:.2f} with N points; expected N^-0.5: is the sum divided by N, with the weight "
+                "1/Q(x_i) of each "
+                "point?",
+                value);
         });
     return {probe_check("given_points", "integrate_monte_carlo", {}, inputs, {value}),
             probe_check("unbiased", "integrate_monte_carlo", {}, repeated, {mean}), wave_and_peak(random),

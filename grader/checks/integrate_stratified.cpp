@@ -21,8 +21,8 @@ double mean(const std::vector<double>& u) {
     return sum / double(u.size());
 }
 
-/// The estimate for f = c0 + c1 x: the sum over the strata of d_t f(mean of the stratum's points), times a factor that may
-/// be wrong. Strata without numbers add nothing.
+/// The estimate for f = c0 + c1 x: the sum over the strata of d_t f(mean of the stratum's points), times a factor that
+/// may be wrong. Strata without numbers add nothing.
 RowFunction estimate(std::function<double(const StratumOf&, const Strata&)> factor) {
     return of<Integrand, Strata>([=](const Integrand& f, const Strata& strata) {
         double sum = 0;
@@ -50,7 +50,8 @@ Row as_one(const Integrand& f, const Strata& strata) {
 /// Equal strata from low to low + span, one random number to each.
 Strata equal_strata(Generator& draw, double low, double span, int count) {
     Strata strata;
-    for (int t = 0; t < count; ++t) strata.push_back({low + t * span / count, low + (t + 1) * span / count, {between(draw, 0, 1)}});
+    for (int t = 0; t < count; ++t)
+        strata.push_back({low + t * span / count, low + (t + 1) * span / count, {between(draw, 0, 1)}});
     return strata;
 }
 
@@ -60,10 +61,13 @@ Check wave(Generator& random) {
     const double low = between(random, -1, 1), span = between(random, 1, 2);
     const Integrand f{Integrand::Kind::cosine, {1, 1, count / span, between(random, 0, 6)}};
     const auto inputs = rows_of(96, [=](Generator& draw) { return row(f, equal_strata(draw, low, span, count)); });
-    return probe_check("wave", "integrate_stratified", {}, inputs,
-        {mean_of("I1", "mean estimate of a wave with a period to a stratum, over the integral", [=](const Row&, const Row& out) { return out[0] / span; }, 1, 1,
-                 by_ratio("the mean estimate of a wave", {{1.0 / count, "are the strata averaged? Expected their sum"},
-                                                          {count / span, "is the width of the strata missing?"}}))});
+    return probe_check(
+        "wave", "integrate_stratified", {}, inputs,
+        {mean_of(
+            "I1", "mean estimate of a wave with a period to a stratum, over the integral",
+            [=](const Row&, const Row& out) { return out[0] / span; }, 1, 1,
+            by_ratio("the mean estimate of a wave", {{1.0 / count, "are the strata averaged? Expected their sum"},
+                                                     {count / span, "is the width of the strata missing?"}}))});
 }
 
 }  // namespace
@@ -97,10 +101,12 @@ Checks check_integrate_stratified(Generator& random) {
           estimate([](const StratumOf& s, const Strata& all) { return double(s.u.size()) / double(all[0].u.size()); })},
          {"the sum of each stratum is not divided by its number of points N_t",
           estimate([](const StratumOf& s, const Strata&) { return double(s.u.size()); })},
-         {"the width d_t of the stratum is missing", estimate([](const StratumOf& s, const Strata&) { return 1 / (s.high - s.low); })},
+         {"the width d_t of the stratum is missing",
+          estimate([](const StratumOf& s, const Strata&) { return 1 / (s.high - s.low); })},
          {"the strata are averaged; expected their sum",
           estimate([](const StratumOf&, const Strata& all) { return 1 / double(all.size()); })},
-         {"a stratum without points gives 0/0; expected that it adds nothing", estimate([](const StratumOf&, const Strata& all) {
+         {"a stratum without points gives 0/0; expected that it adds nothing",
+          estimate([](const StratumOf&, const Strata& all) {
               for (const StratumOf& s : all)
                   if (s.u.empty()) return double(NAN);
               return 1.0;
@@ -127,12 +133,17 @@ Checks check_integrate_stratified(Generator& random) {
         const double low = strata.front().low, high = strata.back().high;
         return out[0] - (high - low) * f((low + high) / 2);
     };
-    Statistic order = error_order("power of N with which the error falls", count_of_levels, repeats, error, -1.5, [](double value, double) {
-        const std::string off = fmt::format("the error falls as N^{:.2f} with one point in each of N intervals; expected N^-1.5", value);
-        return std::abs(value + 0.5) < 0.2 ? off + ": are the points spread over one interval? Each has its own stratum"
-               : value > -0.3              ? off + ": it hardly falls: does each stratum count once, with its width and its number of points?"
-                                           : off;
-    });
+    Statistic order = error_order(
+        "power of N with which the error falls", count_of_levels, repeats, error, -1.5, [](double value, double) {
+            const std::string off = fmt::format(
+                "the error falls as N^{:.2f} with one point in each of N intervals; expected N^-1.5", value);
+            return std::abs(value + 0.5) < 0.2
+                       ? off + ": are the points spread over one interval? Each has its own stratum"
+                   : value > -0.3
+                       ? off +
+                             ": it hardly falls: does each stratum count once, with its width and its number of points?"
+                       : off;
+        });
     return {probe_check("given_points", "integrate_stratified", {}, inputs, {value, calls}), wave(random),
             probe_check("convergence", "integrate_stratified", {}, more_strata, {order})};
 }

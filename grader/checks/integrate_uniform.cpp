@@ -21,7 +21,8 @@ double sum_of_cosine(const Integrand& f, double a, double b, int n, double shift
     const double w = 2 * rt::pi * f.parameters[2], span = b - a, h = span / n;
     const double sine = std::sin(w * h / 2);
     const double gain = std::abs(sine) < 1e-12 ? n : std::sin(w * span / 2) / sine;
-    return span * f.parameters[0] + h * f.parameters[1] * std::cos(w * ((a + b) / 2 + (shift - 0.5) * h) + f.parameters[3]) * gain;
+    return span * f.parameters[0] +
+           h * f.parameters[1] * std::cos(w * ((a + b) / 2 + (shift - 0.5) * h) + f.parameters[3]) * gain;
 }
 
 RowFunction shifted(double shift, std::function<double(double d, int n)> factor = [](double, int) { return 1.0; }) {
@@ -38,26 +39,30 @@ Checks check_integrate_uniform(Generator&) {
         const int n = whole_between(random, 3, 60);
         // slow enough for the sum to be far from zero, or once a point: then the regular points alias
         const double frequency = chance(random, 0.25) ? n / span * (1 + 1e-3) : between(random, 0.1, 0.4 * n) / span;
-        const Integrand f{Integrand::Kind::cosine, {between(random, 1, 2), between(random, 0.5, 1), frequency, between(random, 0, 6)}};
+        const Integrand f{Integrand::Kind::cosine,
+                          {between(random, 1, 2), between(random, 0.5, 1), frequency, between(random, 0, 6)}};
         return row(f, a, a + span, n);
     });
 
-    Statistic value = formula("I1", "sum over regular points, off by", shifted(0.5), 1e-4,
-                              {{"the sum runs over left end points, x_i = a + i D/n; expected the middle of each interval", shifted(0)},
-                               {"the sum runs over right end points; expected the middle of each interval", shifted(1)},
-                               {"this is the trapezoidal rule, over n + 1 points; expected the midpoints", of<Integrand, double, double, int>([](const Integrand& f, double a, double b, int n) {
-                                    return (sum_of_cosine(f, a, b, n, 0) + sum_of_cosine(f, a, b, n, 1)) / 2;
-                                })},
-                               {"the factor D is missing", shifted(0.5, [](double d, int) { return 1 / d; })},
-                               {"the factor 1/N is missing", shifted(0.5, [](double, int n) { return double(n); })},
-                               {"the factor D/N is missing", shifted(0.5, [](double d, int n) { return n / d; })}});
+    Statistic value = formula(
+        "I1", "sum over regular points, off by", shifted(0.5), 1e-4,
+        {{"the sum runs over left end points, x_i = a + i D/n; expected the middle of each interval", shifted(0)},
+         {"the sum runs over right end points; expected the middle of each interval", shifted(1)},
+         {"this is the trapezoidal rule, over n + 1 points; expected the midpoints",
+          of<Integrand, double, double, int>([](const Integrand& f, double a, double b, int n) {
+              return (sum_of_cosine(f, a, b, n, 0) + sum_of_cosine(f, a, b, n, 1)) / 2;
+          })},
+         {"the factor D is missing", shifted(0.5, [](double d, int) { return 1 / d; })},
+         {"the factor 1/N is missing", shifted(0.5, [](double, int n) { return double(n); })},
+         {"the factor D/N is missing", shifted(0.5, [](double d, int n) { return n / d; })}});
     // the probe also says how often f was called, and between which x
     Statistic points = property("I1", "points used",
         [](const Row& in, const Row& out) {
             RowReader reader(in);
             read(reader, Tag<Integrand>{});
             const double a = reader.number(), b = reader.number(), n = reader.number(), h = (b - a) / n;
-            return std::max({std::abs(out[1] - n), std::abs(out[2] - (a + h / 2)) / h, std::abs(out[3] - (b - h / 2)) / h});
+            return std::max(
+                {std::abs(out[1] - n), std::abs(out[2] - (a + h / 2)) / h, std::abs(out[3] - (b - h / 2)) / h});
         },
         1e-3, "f is not evaluated once at each of the N midpoints, from a + D/2N to b - D/2N");
     // the integral of height exp(-rate x), the same functions on each level
@@ -73,7 +78,8 @@ Checks check_integrate_uniform(Generator&) {
         std::vector<std::pair<double, double>> ranges;
         for (int k = 0; k < repeats; ++k) {
             const double a = between(random, -1, 1), span = between(random, 0.5, 1.5);
-            functions.push_back(row(Integrand{Integrand::Kind::exponential, {between(random, 1, 2), between(random, 0.5, 1)}}));
+            functions.push_back(
+                row(Integrand{Integrand::Kind::exponential, {between(random, 1, 2), between(random, 0.5, 1)}}));
             ranges.emplace_back(a, a + span);
         }
         Rows rows;
@@ -85,12 +91,14 @@ Checks check_integrate_uniform(Generator&) {
             }
         return rows;
     };
-    Statistic order = error_order("power of N with which the error falls", count_of_levels, repeats, error, -2, [](double value, double) {
-        const std::string off = fmt::format("the error falls as N^{:.2f} with N points; expected N^-2", value);
-        return std::abs(value + 1) < 0.3 ? off + ": are the points at the ends of the intervals? Expected their middles"
-               : value > -0.3            ? off + ": it hardly falls: is each interval counted, once, with its width D/N?"
-                                         : off;
-    });
+    Statistic order = error_order(
+        "power of N with which the error falls", count_of_levels, repeats, error, -2, [](double value, double) {
+            const std::string off = fmt::format("the error falls as N^{:.2f} with N points; expected N^-2", value);
+            return std::abs(value + 1) < 0.3
+                       ? off + ": are the points at the ends of the intervals? Expected their middles"
+                   : value > -0.3 ? off + ": it hardly falls: is each interval counted, once, with its width D/N?"
+                                  : off;
+        });
     return {probe_check("regular_points", "integrate_uniform", {}, inputs, {value, points}),
             probe_check("convergence", "integrate_uniform", {}, more_points, {order})};
 }

@@ -70,20 +70,27 @@ Statistic focus_point() {
          [](const Camera& camera, vec3) { return camera.focus; }},
         {"the cosine is on the wrong side: the plane in focus is further away along an oblique ray, focus/cosine",
          [](const Camera& camera, vec3 d) { return camera.focus * -rt::dot(d, camera.back); }},
-        {"the rays of a pixel are parallel; expected that they meet in the plane in focus", [](const Camera&, vec3) { return rt::inf; }},
-        {"the rays of a pixel meet behind the camera: a sign is wrong", [](const Camera& camera, vec3 d) { return -plane_in_focus(camera, d); }},
-        {"the rays of a pixel meet at distance 1, whatever the focus", [](const Camera& camera, vec3 d) { return 1 / -rt::dot(d, camera.back); }},
-        {"the rays of a pixel meet at twice the distance", [](const Camera& camera, vec3 d) { return 2 * plane_in_focus(camera, d); }},
-        {"the rays of a pixel meet at half of the distance", [](const Camera& camera, vec3 d) { return 0.5 * plane_in_focus(camera, d); }},
-        {"the rays of a pixel meet too close by the lens radius", [](const Camera& camera, vec3 d) {
-             return (camera.focus - camera.lens_radius) / -rt::dot(d, camera.back);
-         }}};
-    Statistic s = property("D3", "angle by which rays miss the point in focus", [](const Row& in, const Row& out) { return miss(in, out, plane_in_focus); },
-                           1e-4, "rays do not meet the pinhole's ray in the plane in focus");
+        {"the rays of a pixel are parallel; expected that they meet in the plane in focus",
+         [](const Camera&, vec3) { return rt::inf; }},
+        {"the rays of a pixel meet behind the camera: a sign is wrong",
+         [](const Camera& camera, vec3 d) { return -plane_in_focus(camera, d); }},
+        {"the rays of a pixel meet at distance 1, whatever the focus",
+         [](const Camera& camera, vec3 d) { return 1 / -rt::dot(d, camera.back); }},
+        {"the rays of a pixel meet at twice the distance",
+         [](const Camera& camera, vec3 d) { return 2 * plane_in_focus(camera, d); }},
+        {"the rays of a pixel meet at half of the distance",
+         [](const Camera& camera, vec3 d) { return 0.5 * plane_in_focus(camera, d); }},
+        {"the rays of a pixel meet too close by the lens radius",
+         [](const Camera& camera, vec3 d) { return (camera.focus - camera.lens_radius) / -rt::dot(d, camera.back); }}};
+    Statistic s = property(
+        "D3", "angle by which rays miss the point in focus",
+        [](const Row& in, const Row& out) { return miss(in, out, plane_in_focus); }, 1e-4,
+        "rays do not meet the pinhole's ray in the plane in focus");
     s.cause = [](const Observation& seen) -> std::string {
         for (const Mistake& mistake : mistakes) {
             bool all = true;
-            for (std::size_t k = 0; all && k < seen.inputs.size(); ++k) all = miss(seen.inputs[k], seen.outputs[k], mistake.focus) < 1e-4;
+            for (std::size_t k = 0; all && k < seen.inputs.size(); ++k)
+                all = miss(seen.inputs[k], seen.outputs[k], mistake.focus) < 1e-4;
             if (all) return mistake.words;
         }
         return "";
@@ -92,17 +99,26 @@ Statistic focus_point() {
 }
 
 std::vector<Statistic> ray_properties() {
-    return {property("D1", "origin off the plane of the lens by [lens radius]", [](const Row& in, const Row& out) {
+    return {
+        property(
+            "D1", "origin off the plane of the lens by [lens radius]",
+            [](const Row& in, const Row& out) {
                 const Camera camera = camera_of(in);
                 return std::abs(rt::dot(from_row<Ray>(out).origin - camera.eye, camera.back)) / camera.lens_radius;
-            }, 1e-3, "the lens is not at right angles to the camera's axis: is it turned with the camera, along right and up?"),
-            property("D1", "length of the direction, off 1 by",
-                     [](const Row&, const Row& out) { return std::abs(glm::length(from_row<Ray>(out).direction) - 1); }, 1e-4,
-                     "the direction is no unit vector"),
-            property("D1", "the ray's interval", [](const Row&, const Row& out) {
+            },
+            1e-3,
+            "the lens is not at right angles to the camera's axis: is it turned with the camera, along right and up?"),
+        property(
+            "D1", "length of the direction, off 1 by",
+            [](const Row&, const Row& out) { return std::abs(glm::length(from_row<Ray>(out).direction) - 1); }, 1e-4,
+            "the direction is no unit vector"),
+        property(
+            "D1", "the ray's interval",
+            [](const Row&, const Row& out) {
                 const Ray ray = from_row<Ray>(out);
                 return ray.near >= 0 && ray.near < 0.01 && ray.far > 1e6 ? 0.0 : 1.0;
-            }, 0, "the ray must be valid from 0 to infinity")};
+            },
+            0, "the ray must be valid from 0 to infinity")};
 }
 
 Check rays(Generator& random) {
@@ -112,25 +128,29 @@ Check rays(Generator& random) {
         const vec2 p = on_lens(in, out);
         return p.x * p.x + p.y * p.y;
     };
-    Statistic size = mean_of("D2", "mean square of the distance from the middle of the lens [lens radius^2]", square_radius, 0.5, 0.5,
-        by_value("the mean square of the distance from the middle of the lens, in lens radii,",
-                 {{1.0 / 3, "is the square root missing? r = sqrt(u)"},
-                  {2.0 / 3, "is the lens a square?"},
-                  {0.125, "is the lens radius taken for its diameter?"},
-                  {2, "is the lens's diameter taken for its radius?"},
-                  {1, "do all rays start on the rim?"},
-                  {0.5 / rt::sqr(camera.lens_radius), "is the lens radius used?"},
-                  {0.5 * rt::sqr(camera.lens_radius), "is the lens radius squared?"},
-                  {0, "is u used? All rays start in the middle"}},
-                 0.04));
-    Statistic spread = uniform_in_square("V3", "chi squared of the points on the lens per degree of freedom",
+    Statistic size = mean_of("D2", "mean square of the distance from the middle of the lens [lens radius^2]",
+                             square_radius, 0.5, 0.5,
+                             by_value("the mean square of the distance from the middle of the lens, in lens radii,",
+                                      {{1.0 / 3, "is the square root missing? r = sqrt(u)"},
+                                       {2.0 / 3, "is the lens a square?"},
+                                       {0.125, "is the lens radius taken for its diameter?"},
+                                       {2, "is the lens's diameter taken for its radius?"},
+                                       {1, "do all rays start on the rim?"},
+                                       {0.5 / rt::sqr(camera.lens_radius), "is the lens radius used?"},
+                                       {0.5 * rt::sqr(camera.lens_radius), "is the lens radius squared?"},
+                                       {0, "is u used? All rays start in the middle"}},
+                                      0.04));
+    Statistic spread = uniform_in_square(
+        "V3", "chi squared of the points on the lens per degree of freedom",
         [](const Row& in, const Row& out) {
             const vec2 p = on_lens(in, out);
             const double turn = std::atan2(p.y, p.x) / (2 * rt::pi);
             return vec2(p.x * p.x + p.y * p.y, turn < 0 ? turn + 1 : turn);
         },
-        8, 8, always("the points are not spread evenly over the lens, the disc about camera.eye along right and up: both coordinates of u are needed, "
-                     "independent of each other"));
+        8, 8,
+        always("the points are not spread evenly over the lens, the disc about camera.eye along right and up: both "
+               "coordinates of u are needed, "
+               "independent of each other"));
     std::vector<Statistic> all = ray_properties();
     all.insert(all.end(), {size, spread});
     return probe_check("lens", "lens_ray", {"uniform_disk"}, inputs, all);
@@ -145,11 +165,12 @@ Check in_focus() {
     return probe_check("in_focus", "lens_ray", {"uniform_disk"}, inputs, {focus_point()});
 }
 
-/// A lamp of so many pixels' radius at a film point, at distance z along the axis: a disc parallel to the film, whose picture
-/// is a disc, blurred by that of the lens.
+/// A lamp of so many pixels' radius at a film point, at distance z along the axis: a disc parallel to the film, whose
+/// picture is a disc, blurred by that of the lens.
 std::string lamp(const Camera& camera, vec2 film, double z, double pixels) {
     const vec3 d = view_direction(camera, film);
-    return disc("lamp", camera.eye - z / rt::dot(d, camera.back) * d, camera.back, pixels / pixels_per_metre(camera, z));
+    return disc("lamp", camera.eye - z / rt::dot(d, camera.back) * d, camera.back,
+                pixels / pixels_per_metre(camera, z));
 }
 
 /// Moments of the blur alone: those of a lamp's picture less what the lamp's own disc and the pixel add.
@@ -162,16 +183,20 @@ struct Blur {
 
 Blur blur(const rt::Image& image, const Region& region, double lamp_radius) {
     const Blob seen = blob_moments(image, region);
-    const double disc = rt::sqr(lamp_radius) / 2, disc4 = std::pow(lamp_radius, 4) / 3, pixel = 1.0 / 6, pixel4 = 7.0 / 180;
+    const double disc = rt::sqr(lamp_radius) / 2, disc4 = std::pow(lamp_radius, 4) / 3, pixel = 1.0 / 6,
+                 pixel4 = 7.0 / 180;
     Blur b;
     b.square = seen.radial_square - disc - pixel;
-    b.fourth = seen.radial_kurtosis * rt::sqr(seen.radial_square) - disc4 - pixel4 - 4 * (b.square * (disc + pixel) + disc * pixel);
+    b.fourth = seen.radial_kurtosis * rt::sqr(seen.radial_square) - disc4 - pixel4 -
+               4 * (b.square * (disc + pixel) + disc * pixel);
     return b;
 }
 
 /// What is sharp has no blur, but for how its rim falls on the pixels.
 Statistic sharp(std::string what, Region region, double lamp_radius, Hint hint) {
-    Statistic s = of_picture("D3", std::move(what), [=](const rt::Image& image) { return blur(image, region, lamp_radius).square; }, 0, 0.8, std::move(hint));
+    Statistic s = of_picture(
+        "D3", std::move(what), [=](const rt::Image& image) { return blur(image, region, lamp_radius).square; }, 0, 0.8,
+        std::move(hint));
     s.delta0 = 0.2;
     return s;
 }
@@ -183,7 +208,8 @@ std::string lens_scene(const View& view) {
 /// Three lamps, in any order from left to right: before the plane in focus, in it, and behind it.
 Check depths(Generator& random) {
     const Place place = any_place(random);
-    const double focus = between(random, 2, 5), nearer = between(random, 0.5, 0.7), further = between(random, 0.5, 0.6), size = 3;
+    const double focus = between(random, 2, 5), nearer = between(random, 0.5, 0.7), further = between(random, 0.5, 0.6),
+                 size = 3;
     View view{place({0, 0, 0}), place({0, 0, -1}), place.turned({0, 1, 0}), 30, {96, 32}};
     view.focus = focus;
     // 1/z - 1/focus is nearer/focus and -further/focus
@@ -193,10 +219,13 @@ Check depths(Generator& random) {
     std::array<int, 3> left = {0, 32, 64};
     std::ranges::shuffle(left, random);
     const std::string scene = lens_scene(view) + lamp(camera, {left[0] + 16, 16}, before, size) +
-                              lamp(camera, {left[1] + 16, 16}, focus, size) + lamp(camera, {left[2] + 16, 16}, behind, size);
+                              lamp(camera, {left[1] + 16, 16}, focus, size) +
+                              lamp(camera, {left[2] + 16, 16}, behind, size);
 
     const auto radius = [=](int x, double z) {
-        return [=](const rt::Image& image) { return blur(image, {x, 0, 32, 32}, size).radius() / blur_radius(camera, z); };
+        return [=](const rt::Image& image) {
+            return blur(image, {x, 0, 32, 32}, size).radius() / blur_radius(camera, z);
+        };
     };
     const std::vector<KnownRatio> known = {{0.5, "is the lens radius taken for its diameter?"},
                                            {2, "is the lens's diameter taken for its radius?"},
@@ -204,19 +233,28 @@ Check depths(Generator& random) {
                                            {std::sqrt(4.0 / 3), "is the lens a square?"},
                                            {std::sqrt(2.0), "do all rays start on the rim of the lens?"},
                                            {0, "is the lens used?"}};
-    return render_check("depths", "lens_ray", {"uniform_disk", "emission_counts"}, {scene, 64, "sobol"},
-        {of_picture("D1", "radius of the blur disc before the plane in focus, over what must be", radius(left[0], before), 1, 0.08,
+    return render_check(
+        "depths", "lens_ray", {"uniform_disk", "emission_counts"}, {scene, 64, "sobol"},
+        {of_picture("D1", "radius of the blur disc before the plane in focus, over what must be",
+                    radius(left[0], before), 1, 0.08,
                     by_ratio("the blur disc of a lamp before the plane in focus", known)),
-         of_picture("D1", "radius of the blur disc behind the plane in focus, over what must be", radius(left[2], behind), 1, 0.08,
+         of_picture("D1", "radius of the blur disc behind the plane in focus, over what must be",
+                    radius(left[2], behind), 1, 0.08,
                     by_ratio("the blur disc of a lamp behind the plane in focus", known)),
          sharp("blur in the plane in focus [pixel^2]", {left[1], 0, 32, 32}, size,
                always("what is in the plane in focus is blurred: do all rays of a film point meet there?")),
-         of_picture("D2", "mean fourth power over squared mean square of the blur", [=](const rt::Image& image) {
-             const Blur b = blur(image, {left[0], 0, 32, 32}, size);
-             return b.fourth / rt::sqr(b.square);
-         }, 4.0 / 3, 0.12,
-                    by_value("the blur disc's mean fourth power over its squared mean square, 4/3 for a uniform disc,",
-                             {{1.8, "is the square root of u missing? The middle of the lens gets too much"}, {1.4, "is the lens a square?"}, {1, "do all rays start on the rim of the lens?"}}, 0.04))});
+         of_picture(
+             "D2", "mean fourth power over squared mean square of the blur",
+             [=](const rt::Image& image) {
+                 const Blur b = blur(image, {left[0], 0, 32, 32}, size);
+                 return b.fourth / rt::sqr(b.square);
+             },
+             4.0 / 3, 0.12,
+             by_value("the blur disc's mean fourth power over its squared mean square, 4/3 for a uniform disc,",
+                      {{1.8, "is the square root of u missing? The middle of the lens gets too much"},
+                       {1.4, "is the lens a square?"},
+                       {1, "do all rays start on the rim of the lens?"}},
+                      0.04))});
 }
 
 /// A lamp in the plane in focus, in a corner of a wide picture.
@@ -230,15 +268,21 @@ Check corner(Generator& random) {
     const Camera camera = rt::parse_scene(lens_scene(view), "lens").camera;
     const std::string scene = lens_scene(view) + lamp(camera, {right ? 40 : 8, low ? 40 : 8}, view.focus, size);
     const Region region{right ? 32 : 0, low ? 32 : 0, 16, 16};
-    return render_check("corner", "lens_ray", {"uniform_disk", "emission_counts"}, {scene, 64, "sobol"},
+    return render_check(
+        "corner", "lens_ray", {"uniform_disk", "emission_counts"}, {scene, 64, "sobol"},
         {sharp("blur in the corner of the plane in focus [pixel^2]", region, size, [](double value, double) {
-            return fmt::format("in the corner of the picture, what is in focus is blurred to a disc of radius {:.3g} pixels: is the focus "
-                               "measured along the ray? It is along the axis", std::sqrt(2 * std::max(value, 0.0)));
+            return fmt::format(
+                "in the corner of the picture, what is in focus is blurred to a disc of radius {:.3g} pixels: is the "
+                "focus "
+                "measured along the ray? It is along the axis",
+                std::sqrt(2 * std::max(value, 0.0)));
         })});
 }
 
 }  // namespace
 
-Checks check_lens_ray(Generator& random) { return {in_focus(), rays(random), depths(random), corner(random), two_colors(random), adding_up(random)}; }
+Checks check_lens_ray(Generator& random) {
+    return {in_focus(), rays(random), depths(random), corner(random), two_colors(random), adding_up(random)};
+}
 
 }  // namespace grade

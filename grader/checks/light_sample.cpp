@@ -21,24 +21,28 @@ vec3 normal_of(const Emitter& light) {
 }
 
 vec3 center_of(const Emitter& light) {
-    return light.kind == Emitter::Kind::quad ? light.quad.center : light.kind == Emitter::Kind::disc ? light.disc.center : light.sphere.center;
+    return light.kind == Emitter::Kind::quad   ? light.quad.center
+           : light.kind == Emitter::Kind::disc ? light.disc.center
+                                               : light.sphere.center;
 }
 
 double area_of(const Emitter& light) {
-    return light.kind == Emitter::Kind::quad ? 4 * glm::length(light.quad.u) * glm::length(light.quad.v) : rt::pi * rt::sqr(light.disc.radius);
+    return light.kind == Emitter::Kind::quad ? 4 * glm::length(light.quad.u) * glm::length(light.quad.v)
+                                             : rt::pi * rt::sqr(light.disc.radius);
 }
 
 /// The point of a flat light in units of its half edges or its radius, across and along.
 vec2 on_light(const Emitter& light, vec3 p, const LightSample& s) {
     const vec3 q = p + s.distance * s.direction - center_of(light);
     if (light.kind == Emitter::Kind::quad)
-        return {rt::dot(q, light.quad.u) / rt::dot(light.quad.u, light.quad.u), rt::dot(q, light.quad.v) / rt::dot(light.quad.v, light.quad.v)};
+        return {rt::dot(q, light.quad.u) / rt::dot(light.quad.u, light.quad.u),
+                rt::dot(q, light.quad.v) / rt::dot(light.quad.v, light.quad.v)};
     const rt::Frame frame = rt::frame_about(light.disc.normal);
     return vec2(rt::dot(q, frame.x), rt::dot(q, frame.y)) / light.disc.radius;
 }
 
-/// Area that a sample stands for: distance^2 / (cosine at the light * density). Its mean is the light's area, whatever the
-/// density, if that is the density of the sample.
+/// Area that a sample stands for: distance^2 / (cosine at the light * density). Its mean is the light's area, whatever
+/// the density, if that is the density of the sample.
 double area_share(const Row& in, const LightSample& s) {
     if (!(s.density > 0)) return 0;
     const double cosine = -rt::dot(s.direction, normal_of(emitter_of(in)));
@@ -60,7 +64,8 @@ double off_light(const Row& in, const Row& out) {
     }
     const vec2 at = on_light(light, p, s);
     const double size = std::sqrt(area_of(light)), off_plane = std::abs(rt::dot(q, normal_of(light))) / size;
-    const double beyond = light.kind == Emitter::Kind::quad ? std::max(std::abs(at.x), std::abs(at.y)) - 1 : std::hypot(at.x, at.y) - 1;
+    const double beyond =
+        light.kind == Emitter::Kind::quad ? std::max(std::abs(at.x), std::abs(at.y)) - 1 : std::hypot(at.x, at.y) - 1;
     return std::max({off_plane, beyond, 0.0});
 }
 
@@ -83,7 +88,8 @@ std::function<Rows(Generator&)> samples_of(const Emitter& light, vec3 p) {
 Check flat_light(Generator& random, Emitter::Kind kind, const char* name, std::vector<std::string> needs) {
     const Emitter light = emitter(random, kind);
     const bool quad = kind == Emitter::Kind::quad;
-    const vec3 p = center_of(light) + between(random, 1, 3) * tilted(random, normal_of(light), between(random, 0.2, 0.8));
+    const vec3 p =
+        center_of(light) + between(random, 1, 3) * tilted(random, normal_of(light), between(random, 0.2, 0.8));
     const double area = area_of(light), second = area / (quad ? 3 : 4);
     const auto moment = [](auto f) {
         return [f](const Row& in, const Row& out) {
@@ -93,24 +99,40 @@ Check flat_light(Generator& random, Emitter::Kind kind, const char* name, std::v
         };
     };
     Statistic on = property("L1", "distance of the samples from the light, in its size", off_light, 1e-3,
-                            quad ? "samples lie beside the light: its points are center + x u + y v with |x|, |y| <= 1, at `distance` along the unit direction"
-                                 : "samples lie beside the light: its points are within the radius of the centre, at `distance` along the unit direction");
+                            quad ? "samples lie beside the light: its points are center + x u + y v with |x|, |y| <= "
+                                   "1, at `distance` along the unit direction"
+                                 : "samples lie beside the light: its points are within the radius of the centre, at "
+                                   "`distance` along the unit direction");
     Statistic size = mean_of("L1", "light gathered, as an area [m2]", moment([](vec2) { return 1.0; }), area, area,
-        by_ratio("the light that is gathered", {{0.25, quad ? "u and v are half edges: the area is 4 |u x v|" : "is the radius used as the diameter?"},
-                                                {4, "the density is that of an area 4 times too large"},
-                                                {1 / area, "the light's area is missing from the density"},
-                                                {2, "is a density halved?"}, {0.5, "is a density doubled?"}, {rt::pi, "is a factor pi missing from the area?"}},
-                 "is the density per solid angle, distance^2 / (cosine at the light * area)?"));
+                             by_ratio("the light that is gathered",
+                                      {{0.25, quad ? "u and v are half edges: the area is 4 |u x v|"
+                                                   : "is the radius used as the diameter?"},
+                                       {4, "the density is that of an area 4 times too large"},
+                                       {1 / area, "the light's area is missing from the density"},
+                                       {2, "is a density halved?"},
+                                       {0.5, "is a density doubled?"},
+                                       {rt::pi, "is a factor pi missing from the area?"}},
+                                      "is the density per solid angle, distance^2 / (cosine at the light * area)?"));
     const Hint corner = [](double value, double) {
-        return std::string(std::abs(value) > 0.05 ? "the light is sampled from its corner, or one half of it more than the other" : "one side of the light is sampled more than the other");
+        return std::string(std::abs(value) > 0.05
+                               ? "the light is sampled from its corner, or one half of it more than the other"
+                               : "one side of the light is sampled more than the other");
     };
-    Statistic x = mean_of("L1", "mean point on the light, across", moment([=](vec2 q) { return q.x / area; }), 0, 1, corner);
-    Statistic y = mean_of("L1", "mean point on the light, along", moment([=](vec2 q) { return q.y / area; }), 0, 1, corner);
-    Statistic xy = mean_of("L3", "covariance of the point on the light", moment([=](vec2 q) { return q.x * q.y / area; }), 0, 1,
-                           always("the two coordinates depend on each other: one needs u.x and the other u.y"));
-    const Hint width = by_ratio("the mean square of the point on the light", {{0.25, "half of the light is sampled"}, {0, "one point of the light is sampled"}, {2.0 / 3, "points crowd in the middle: is a square root missing?"}});
-    Statistic xx = mean_of("L3", "mean square of the point on the light, across", moment([](vec2 q) { return q.x * q.x; }), second, second, width);
-    Statistic yy = mean_of("L3", "mean square of the point on the light, along", moment([](vec2 q) { return q.y * q.y; }), second, second, width);
+    Statistic x =
+        mean_of("L3", "mean point on the light, across", moment([=](vec2 q) { return q.x / area; }), 0, 1, corner);
+    Statistic y =
+        mean_of("L3", "mean point on the light, along", moment([=](vec2 q) { return q.y / area; }), 0, 1, corner);
+    Statistic xy =
+        mean_of("L3", "covariance of the point on the light", moment([=](vec2 q) { return q.x * q.y / area; }), 0, 1,
+                always("the two coordinates depend on each other: one needs u.x and the other u.y"));
+    const Hint width = by_ratio("the mean square of the point on the light",
+                                {{0.25, "half of the light is sampled"},
+                                 {0, "one point of the light is sampled"},
+                                 {2.0 / 3, "points crowd in the middle: is a square root missing?"}});
+    Statistic xx = mean_of("L3", "mean square of the point on the light, across",
+                           moment([](vec2 q) { return q.x * q.x; }), second, second, width);
+    Statistic yy = mean_of("L3", "mean square of the point on the light, along",
+                           moment([](vec2 q) { return q.y * q.y; }), second, second, width);
     const auto one_point = [](const Observation& seen) -> std::string {
         const LightSample first = from_row<LightSample>(seen.outputs[0]);
         for (const Row& out : seen.outputs)
@@ -118,14 +140,16 @@ Check flat_light(Generator& random, Emitter::Kind kind, const char* name, std::v
         return "one point of the light is taken for all samples: u must choose it";
     };
     for (Statistic* s : {&size, &x, &y, &xx, &yy}) s->cause = one_point;
-    return probe_check(name, "light_sample", std::move(needs), samples_of(light, p), {on, size, x, y, xx, yy, xy, purity()});
+    return probe_check(name, "light_sample", std::move(needs), samples_of(light, p),
+                       {on, size, x, y, xx, yy, xy, purity()});
 }
 
 Check sphere_light(Generator& random) {
     const Emitter light = emitter(random, Emitter::Kind::sphere);
     const double distance = light.sphere.radius * between(random, 1.5, 4);
     const vec3 axis = direction(random), p = light.sphere.center - distance * axis;
-    const double sine = light.sphere.radius / distance, cap = 1 - std::sqrt(1 - sine * sine), solid_angle = 2 * rt::pi * cap;
+    const double sine = light.sphere.radius / distance, cap = 1 - std::sqrt(1 - sine * sine),
+                 solid_angle = 2 * rt::pi * cap;
     const rt::Frame frame = rt::frame_about(axis);
     // mean of f / density is the integral of f over the directions towards the sphere
     const auto integral = [](std::function<double(vec3)> f) {
@@ -136,17 +160,23 @@ Check sphere_light(Generator& random) {
     };
     Statistic on = property("L1", "distance of the samples from the light, in its radius", off_light, 1e-3,
                             "samples lie off the near side of the sphere, at `distance` along the unit direction");
-    Statistic size = mean_of("L1", "solid angle of the light [sr]", integral([](vec3) { return 1.0; }), solid_angle, solid_angle,
-        by_ratio("the solid angle", {{2, "is the density halved?"}, {4 * rt::pi / solid_angle, "the density is that of all directions"}},
+    Statistic size = mean_of(
+        "L1", "solid angle of the light [sr]", integral([](vec3) { return 1.0; }), solid_angle, solid_angle,
+        by_ratio("the solid angle",
+                 {{2, "is the density halved?"}, {4 * rt::pi / solid_angle, "the density is that of all directions"}},
                  "is the density the one of the directions that are returned?"));
     Statistic height = mean_of("L1", "mean of 1 - cos(theta) about the axis, over its value",
-        integral([=](vec3 d) { return (1 - rt::dot(d, axis)) * 2 / (cap * solid_angle); }), 1, 1,
-        by_ratio("the mean of 1 - cos(theta)", {{0, "one point of the light is sampled"}}, "the sphere is not sampled evenly as seen from the point"));
-    Statistic x = mean_of("L1", "mean direction, sideways", integral([=](vec3 d) { return rt::dot(d, frame.x) / (sine * solid_angle); }), 0, 1,
+                               integral([=](vec3 d) { return (1 - rt::dot(d, axis)) * 2 / (cap * solid_angle); }), 1, 1,
+                               by_ratio("the mean of 1 - cos(theta)", {{0, "one point of the light is sampled"}},
+                                        "the sphere is not sampled evenly as seen from the point"));
+    Statistic x = mean_of("L1", "mean direction, sideways",
+                          integral([=](vec3 d) { return rt::dot(d, frame.x) / (sine * solid_angle); }), 0, 1,
                           always("one side of the sphere is sampled more than the other"));
-    Statistic y = mean_of("L1", "mean direction, upwards", integral([=](vec3 d) { return rt::dot(d, frame.y) / (sine * solid_angle); }), 0, 1,
+    Statistic y = mean_of("L1", "mean direction, upwards",
+                          integral([=](vec3 d) { return rt::dot(d, frame.y) / (sine * solid_angle); }), 0, 1,
                           always("one side of the sphere is sampled more than the other"));
-    return probe_check("sphere_light", "light_sample", {"sphere_cone"}, samples_of(light, p), {on, size, height, x, y, purity()});
+    return probe_check("sphere_light", "light_sample", {"sphere_cone"}, samples_of(light, p),
+                       {on, size, height, x, y, purity()});
 }
 
 /// Small lights at many places: which powers of distance, cosine and area the estimate has.
@@ -192,43 +222,59 @@ Check layouts() {
         s.truth = 0;
         s.delta0 = 0.02;
         s.delta = 0.3;
-        s.hint = [cause](double value, double) { return std::isnan(value) ? std::string("the light gives no light where it must") : cause(value); };
+        s.hint = [cause](double value, double) {
+            return std::isnan(value) ? std::string("the light gives no light where it must") : cause(value);
+        };
         return s;
     };
-    return probe_check("many_places", "light_sample", {}, inputs,
-        {statistic(1, "power of the distance that is left over", [](double v) {
-             return std::string(std::abs(v - 2) < 0.3 ? "1/r^2 is missing: density per solid angle = density per area * distance^2 / cosine"
-                              : std::abs(v - 1) < 0.3 ? "the distance counts once; expected squared" : "the estimate has a wrong power of the distance");
-         }),
-         statistic(2, "power of the cosine at the light that is left over", [](double v) {
-             return std::string(std::abs(v + 1) < 0.3 ? "the cosine at the light is missing: density per solid angle = density per area * distance^2 / cosine"
-                                                      : "the cosine at the light has a wrong power: is the density multiplied where it must be divided?");
-         }),
+    return probe_check(
+        "many_places", "light_sample", {}, inputs,
+        {statistic(1, "power of the distance that is left over",
+                   [](double v) {
+                       return std::string(
+                           std::abs(v - 2) < 0.3
+                               ? "1/r^2 is missing: density per solid angle = density per area * distance^2 / cosine"
+                           : std::abs(v - 1) < 0.3 ? "the distance counts once; expected squared"
+                                                   : "the estimate has a wrong power of the distance");
+                   }),
+         statistic(2, "power of the cosine at the light that is left over",
+                   [](double v) {
+                       return std::string(std::abs(v + 1) < 0.3 ? "the cosine at the light is missing: density per "
+                                                                  "solid angle = density per area * distance^2 / cosine"
+                                                                : "the cosine at the light has a wrong power: is the "
+                                                                  "density multiplied where it must be divided?");
+                   }),
          statistic(3, "power of the area that is left over", [](double v) {
-             return std::string(std::abs(v + 1) < 0.3 ? "the area is missing: the density per area is 1 / area" : "the estimate has a wrong power of the light's area");
+             return std::string(std::abs(v + 1) < 0.3 ? "the area is missing: the density per area is 1 / area"
+                                                      : "the estimate has a wrong power of the light's area");
          })});
 }
 
-/// Irradiance of a surface, against the formulas of Lambert and others: a quad anywhere, a disc that the surface faces, a
-/// sphere.
+/// Irradiance of a surface, against the formulas of Lambert and others: a quad anywhere, a disc that the surface faces,
+/// a sphere.
 Check irradiance(Generator& random) {
-    const std::array lights = {emitter(random, Emitter::Kind::quad), emitter(random, Emitter::Kind::disc), emitter(random, Emitter::Kind::sphere)};
+    const std::array lights = {emitter(random, Emitter::Kind::quad), emitter(random, Emitter::Kind::disc),
+                               emitter(random, Emitter::Kind::sphere)};
     struct Surface {
         vec3 p, n;
     };
     std::array<Surface, 3> surfaces;
     const vec3 to_quad = tilted(random, normal_of(lights[0]), between(random, 0, 0.6));
-    surfaces[0] = {lights[0].quad.center + between(random, 1.2, 2) * to_quad, tilted(random, -to_quad, between(random, 0.2, 0.5))};
-    const double height = between(random, 0.5, 1.5), distance = lights[2].sphere.radius * between(random, 2, 3), angle = between(random, 0.2, 0.8);
+    surfaces[0] = {lights[0].quad.center + between(random, 1.2, 2) * to_quad,
+                   tilted(random, -to_quad, between(random, 0.2, 0.5))};
+    const double height = between(random, 0.5, 1.5), distance = lights[2].sphere.radius * between(random, 2, 3),
+                 angle = between(random, 0.2, 0.8);
     surfaces[1] = {lights[1].disc.center + height * lights[1].disc.normal, -lights[1].disc.normal};
     const vec3 to_sphere = direction(random);
     surfaces[2] = {lights[2].sphere.center - distance * to_sphere, tilted(random, to_sphere, angle)};
-    const double due[] = {quad_irradiance(lights[0].quad, surfaces[0].p, surfaces[0].n), coaxial_disc_irradiance(lights[1].disc.radius, height),
+    const double due[] = {quad_irradiance(lights[0].quad, surfaces[0].p, surfaces[0].n),
+                          coaxial_disc_irradiance(lights[1].disc.radius, height),
                           sphere_irradiance(lights[2].sphere, surfaces[2].p, surfaces[2].n)};
 
     const auto inputs = [=](Generator& draws) {
         Rows rows;
-        for (int k = 0; k < 3 * 512; ++k) rows.push_back(row(lights[std::size_t(k % 3)], surfaces[std::size_t(k % 3)].p, square(draws)));
+        for (int k = 0; k < 3 * 512; ++k)
+            rows.push_back(row(lights[std::size_t(k % 3)], surfaces[std::size_t(k % 3)].p, square(draws)));
         return rows;
     };
     std::vector<Statistic> statistics;
@@ -237,11 +283,15 @@ Check irradiance(Generator& random) {
         // three times the mean over all rows is the mean over those of one light
         const auto share = [=, kind = lights[k].kind, n = surfaces[k].n, all = due[k]](const Row& in, const Row& out) {
             const LightSample s = from_row<LightSample>(out);
-            return emitter_of(in).kind == kind && s.density > 0 ? 3 * std::max(0.0, rt::dot(n, s.direction)) / s.density / all : 0.0;
+            return emitter_of(in).kind == kind && s.density > 0
+                       ? 3 * std::max(0.0, rt::dot(n, s.direction)) / s.density / all
+                       : 0.0;
         };
-        statistics.push_back(mean_of("L1", "irradiance of a surface by " + name + ", over what it must be", share, 1, 1,
-            by_ratio("the irradiance by " + name, {{0.5, "is the density twice too large?"}, {2, "is the density twice too small?"}},
-                     "is the density per solid angle that of the sample?")));
+        statistics.push_back(
+            mean_of("L1", "irradiance of a surface by " + name + ", over what it must be", share, 1, 1,
+                    by_ratio("the irradiance by " + name,
+                             {{0.5, "is the density twice too large?"}, {2, "is the density twice too small?"}},
+                             "is the density per solid angle that of the sample?")));
         statistics.back().delta = 0.2;
     }
     return probe_check("irradiance", "light_sample", {"uniform_disk", "sphere_cone"}, inputs, statistics);
@@ -251,7 +301,8 @@ Check irradiance(Generator& random) {
 Check dark_side() {
     const auto inputs = rows_of(64, [](Generator& random) {
         const Emitter light = emitter(random, chance(random, 0.5) ? Emitter::Kind::quad : Emitter::Kind::disc);
-        const vec3 p = center_of(light) - between(random, 1, 3) * tilted(random, normal_of(light), between(random, 0, 1));
+        const vec3 p =
+            center_of(light) - between(random, 1, 3) * tilted(random, normal_of(light), between(random, 0, 1));
         return row(light, p, square(random));
     });
     return probe_check("dark_side", "light_sample", {"uniform_disk"}, inputs,
@@ -262,14 +313,19 @@ Check dark_side() {
 }  // namespace
 
 Checks check_light_sample(Generator& random) {
-    Checks checks = {layouts(), flat_light(random, Emitter::Kind::quad, "quad_light", {}),
-                     flat_light(random, Emitter::Kind::disc, "disc_light", {"uniform_disk"}), sphere_light(random), irradiance(random), dark_side()};
+    Checks checks = {layouts(),
+                     flat_light(random, Emitter::Kind::quad, "quad_light", {}),
+                     flat_light(random, Emitter::Kind::disc, "disc_light", {"uniform_disk"}),
+                     sphere_light(random),
+                     irradiance(random),
+                     dark_side()};
     struct Shadow {
         const char* name;
         Emitter::Kind kind;
         std::vector<std::string> needs;
     };
-    for (const Shadow& s : {Shadow{"quad_penumbra", Emitter::Kind::quad, {}}, Shadow{"disc_penumbra", Emitter::Kind::disc, {"uniform_disk"}},
+    for (const Shadow& s : {Shadow{"quad_penumbra", Emitter::Kind::quad, {}},
+                            Shadow{"disc_penumbra", Emitter::Kind::disc, {"uniform_disk"}},
                             Shadow{"sphere_penumbra", Emitter::Kind::sphere, {"sphere_cone", "hit_sphere"}}}) {
         std::vector<std::string> needs = {"hit_quad", "shadow_ray", "direct_light"};
         needs.insert(needs.end(), s.needs.begin(), s.needs.end());

@@ -12,7 +12,8 @@ namespace grade {
 double lobe_light(const Lobe& lobe, const rt::Sphere& lamp, rt::vec3 p) {
     constexpr int rings = 8, turns = 16;
     const rt::vec3 to_lamp = lamp.center - p;
-    const double sine2 = rt::sqr(lamp.radius) / rt::dot(to_lamp, to_lamp), cap = 1 - std::sqrt(1 - sine2);  // 1 - cos of the cone
+    const double sine2 = rt::sqr(lamp.radius) / rt::dot(to_lamp, to_lamp),
+                 cap = 1 - std::sqrt(1 - sine2);  // 1 - cos of the cone
     const rt::Frame frame = rt::frame_about(rt::unit(to_lamp));
     double sum = 0;
     for (int i = 0; i < rings; ++i)
@@ -33,7 +34,8 @@ Blob due_moments(const LobeSurface& surface, const rt::Sphere& lamp, double expo
         for (int x = 0; x < image.width; ++x) {
             const rt::vec2 film(x + 0.5, y + 0.5);
             const Lobe lobe = surface.lobe(view_direction(surface.camera, film), exponent);
-            image.at(x, y) = rt::Color(lobe_light(lobe, lamp, seen_on_plane(surface.camera, film, surface.point, surface.normal)));
+            image.at(x, y) =
+                rt::Color(lobe_light(lobe, lamp, seen_on_plane(surface.camera, film, surface.point, surface.normal)));
         }
     Blob blob = blob_moments(image, whole(image));
     blob.radial_square += 1.0 / 6;  // a pixel is the mean over its area, not its centre's value
@@ -42,32 +44,42 @@ Blob due_moments(const LobeSurface& surface, const rt::Sphere& lamp, double expo
 
 }  // namespace
 
-std::vector<Statistic> blurred_lamp(const LobeSurface& surface, const rt::Sphere& lamp, double exponent, const std::string& lobe_about) {
+std::vector<Statistic> blurred_lamp(const LobeSurface& surface, const rt::Sphere& lamp, double exponent,
+                                    const std::string& lobe_about) {
     const auto moments = [](const rt::Image& image) { return blob_moments(image, whole(image)); };
     const Blob due = due_moments(surface, lamp, exponent);
-    const auto width_of = [&](double wrong) { return due_moments(surface, lamp, wrong).radial_square / due.radial_square; };
+    const auto width_of = [&](double wrong) {
+        return due_moments(surface, lamp, wrong).radial_square / due.radial_square;
+    };
     const double n = exponent;
 
-    Statistic light = of_picture("P2", "light of the blurred lamp, over what must be",
+    Statistic light = of_picture(
+        "P2", "light of the blurred lamp, over what must be",
         [=](const rt::Image& image) { return moments(image).mass / due.mass; }, 1, 0.06,
-        by_ratio("the light of the blurred lamp", {{(n + 1) / (n + 2), "does n + 1 stand for n + 2 in the BRDF?"},
-                                                  {(n + 2) / (n + 1), "is the cosine at the surface missing, or does (n + 2)/(n + 1) count twice?"},
-                                                  {0, "does a ray of the lobe ever meet it?"}},
+        by_ratio("the light of the blurred lamp",
+                 {{(n + 1) / (n + 2), "does n + 1 stand for n + 2 in the BRDF?"},
+                  {(n + 2) / (n + 1), "is the cosine at the surface missing, or does (n + 2)/(n + 1) count twice?"},
+                  {0, "does a ray of the lobe ever meet it?"}},
                  fmt::format("is the lobe about {}, and the weight BRDF x cosine / density?", lobe_about)));
-    Statistic place = of_picture("P1", "distance of the blurred lamp from where it must be [pixel]",
+    Statistic place = of_picture(
+        "P1", "distance of the blurred lamp from where it must be [pixel]",
         [=](const rt::Image& image) {
             const rt::vec2 off = moments(image).centroid - due.centroid;
             return std::hypot(off.x, off.y);
         },
         0, 0.8,
         [=](double value, double) {
-            return fmt::format("the blurred lamp is {:.3g} pixels from where it must be: is the lobe about {}?", value, lobe_about);
+            return fmt::format("the blurred lamp is {:.3g} pixels from where it must be: is the lobe about {}?", value,
+                               lobe_about);
         });
     place.delta0 = 0.4;  // noise never takes a distance below 0
-    Statistic width = of_picture("P1", "mean square width of the blurred lamp, over what must be",
+    Statistic width = of_picture(
+        "P1", "mean square width of the blurred lamp, over what must be",
         [=](const rt::Image& image) { return moments(image).radial_square / due.radial_square; }, 1, 0.06,
-        by_ratio("the mean square width of the blurred lamp",
-                 {{width_of(2 * n), "is the exponent 2n?"}, {width_of(n / 2), "is the exponent n/2?"}, {width_of(n + 1), "is the exponent n + 1?"}, {width_of(n - 1), "is the exponent n - 1?"}}));
+        by_ratio("the mean square width of the blurred lamp", {{width_of(2 * n), "is the exponent 2n?"},
+                                                               {width_of(n / 2), "is the exponent n/2?"},
+                                                               {width_of(n + 1), "is the exponent n + 1?"},
+                                                               {width_of(n - 1), "is the exponent n - 1?"}}));
     return {light, place, width};
 }
 

@@ -23,9 +23,10 @@ struct LobeSurface {
     std::function<Lobe(rt::vec3 d, double exponent)> lobe;  // d the direction of view
 };
 
-/// What such a surface shows of a lamp: brightness, place and width of its blurred image, against those of the picture that
-/// the integrals give. Mistakes in the exponent are known by the width to which they lead.
-std::vector<Statistic> blurred_lamp(const LobeSurface& surface, const rt::Sphere& lamp, double exponent, const std::string& lobe_about);
+/// What such a surface shows of a lamp: brightness, place and width of its blurred image, against those of the picture
+/// that the integrals give. Mistakes in the exponent are known by the width to which they lead.
+std::vector<Statistic> blurred_lamp(const LobeSurface& surface, const rt::Sphere& lamp, double exponent,
+                                    const std::string& lobe_about);
 
 /// phong_albedo of one exponent, from a table.
 std::function<double(double angle)> tabulated_albedo(double exponent);

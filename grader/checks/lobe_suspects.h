@@ -40,13 +40,16 @@ inline std::vector<LobeSuspect> common_lobe_suspects(rt::vec3 axis, rt::vec3 out
         std::string words;
         double value;
     };
-    for (const Exponent& e : {Exponent{"2n", 2 * n}, Exponent{"n + 1", n + 1}, Exponent{"n - 1", n - 1}, Exponent{"n/2", n / 2}})
+    for (const Exponent& e :
+         {Exponent{"2n", 2 * n}, Exponent{"n + 1", n + 1}, Exponent{"n - 1", n - 1}, Exponent{"n/2", n / 2}})
         for (const double factor : {weight, (e.value + 2) / (e.value + 1)})
-            suspects.push_back(lobe_about("the exponent of the lobe is " + e.words + "; expected n", axis, outward, e.value, factor));
+            suspects.push_back(
+                lobe_about("the exponent of the lobe is " + e.words + "; expected n", axis, outward, e.value, factor));
     suspects.push_back({"what goes below the surface is mirrored up; its weight must be 0", [=](rt::vec2 u) {
                             const rt::vec3 d = lobe_direction(axis, n, u);
                             const double cosine = rt::dot(d, outward);
-                            return rt::Scattered{cosine < 0 ? d - 2 * cosine * outward : d, rt::Color(weight * std::abs(cosine))};
+                            return rt::Scattered{cosine < 0 ? d - 2 * cosine * outward : d,
+                                                 rt::Color(weight * std::abs(cosine))};
                         }});
     return suspects;
 }
@@ -73,7 +76,8 @@ inline std::string lobe_cause(const Observation& seen, rt::vec3 axis, const std:
     for (const LobeSuspect& suspect : suspects) {
         constexpr int side = 64;
         std::vector<rt::Scattered> rays;
-        for (int i = 0; i < side * side; ++i) rays.push_back(suspect.sample({(i % side + 0.5) / side, (i / side + 0.5) / side}));
+        for (int i = 0; i < side * side; ++i)
+            rays.push_back(suspect.sample({(i % side + 0.5) / side, (i / side + 0.5) / side}));
         const auto expected = lobe_means(rays, axis);
         double worst = 0;
         for (std::size_t k = 0; k < given.size(); ++k)

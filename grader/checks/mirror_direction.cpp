@@ -25,21 +25,19 @@ Checks check_mirror_direction(Generator& random) {
         const vec3 n = direction(draw);
         return row(log_between(draw, 0.1, 10) * direction(draw), n);
     });
-    Statistic s = formula("W2", "mirrored direction, off by", parts(-1, 1), 1e-4,
-                          {{"the direction is turned round: r has the wrong sign, it must leave the surface", parts(1, -1)},
-                           {"d goes straight on: nothing is mirrored", parts(1, 1)},
-                           {"d goes straight back", parts(-1, -1)},
-                           {"r runs along the surface: the factor 2 is missing", parts(0, 1)},
-                           {"the sign before 2 (d . n) n is wrong", parts(3, 1)},
-                           {"r has unit length; expected the length of d", of<vec3, vec3>([](vec3 d, vec3 n) {
-                                return rt::unit(d - 2 * rt::dot(d, n) * n);
-                            })},
-                           {"the normal is taken to be on the viewer's side: it may be on either side of the surface", of<vec3, vec3>([](vec3 d, vec3 n) {
-                                return vec3(d + 2 * std::abs(rt::dot(d, n)) * n);
-                            })},
-                           {"the normal is turned towards the viewer with the wrong sign", of<vec3, vec3>([](vec3 d, vec3 n) {
-                                return vec3(d - 2 * std::abs(rt::dot(d, n)) * n);
-                            })}});
+    Statistic s =
+        formula("W2", "mirrored direction, off by", parts(-1, 1), 1e-4,
+                {{"the direction is turned round: r has the wrong sign, it must leave the surface", parts(1, -1)},
+                 {"d goes straight on: nothing is mirrored", parts(1, 1)},
+                 {"d goes straight back", parts(-1, -1)},
+                 {"r runs along the surface: the factor 2 is missing", parts(0, 1)},
+                 {"the sign before 2 (d . n) n is wrong", parts(3, 1)},
+                 {"r has unit length; expected the length of d",
+                  of<vec3, vec3>([](vec3 d, vec3 n) { return rt::unit(d - 2 * rt::dot(d, n) * n); })},
+                 {"the normal is taken to be on the viewer's side: it may be on either side of the surface",
+                  of<vec3, vec3>([](vec3 d, vec3 n) { return vec3(d + 2 * std::abs(rt::dot(d, n)) * n); })},
+                 {"the normal is turned towards the viewer with the wrong sign",
+                  of<vec3, vec3>([](vec3 d, vec3 n) { return vec3(d - 2 * std::abs(rt::dot(d, n)) * n); })}});
     return {probe_check("mirrored", "mirror_direction", {}, inputs, {s}), mirror_image(random)};
 }
 

@@ -11,7 +11,8 @@ bool on_quad(const rt::Quad& quad, rt::vec3 origin, rt::vec3 direction) {
     const rt::vec3 n = rt::cross(quad.u, quad.v);
     const double t = rt::dot(quad.center - origin, n) / rt::dot(direction, n);
     const rt::vec3 p = origin + t * direction - quad.center;
-    return t > 0 && std::abs(rt::dot(p, quad.u)) <= rt::dot(quad.u, quad.u) && std::abs(rt::dot(p, quad.v)) <= rt::dot(quad.v, quad.v);
+    return t > 0 && std::abs(rt::dot(p, quad.u)) <= rt::dot(quad.u, quad.u) &&
+           std::abs(rt::dot(p, quad.v)) <= rt::dot(quad.v, quad.v);
 }
 
 std::vector<Statistic> figure_statistics(const rt::Camera& camera, const Sight& sight, const std::string& figure) {
@@ -27,22 +28,31 @@ std::vector<Statistic> figure_statistics(const rt::Camera& camera, const Sight& 
         };
     };
     return {
-        of_picture("A1", "place of the " + figure + ", to the right by [pixel]", [=](const rt::Image& i) { return blob(i).centroid.x - due.centroid.x; }, 0,
-                   0.15, shift("to the right")),
-        of_picture("A1", "place of the " + figure + ", downwards by [pixel]", [=](const rt::Image& i) { return blob(i).centroid.y - due.centroid.y; }, 0,
-                   0.15, shift("downwards")),
-        of_picture("A1", "width of the " + figure + ", over what must be", [=](const rt::Image& i) { return std::sqrt(blob(i).variance.x / due.variance.x); }, 1,
-                   0.02, by_ratio("the width of the " + figure, {})),
-        of_picture("A1", "height of the " + figure + ", over what must be", [=](const rt::Image& i) { return std::sqrt(blob(i).variance.y / due.variance.y); }, 1,
-                   0.02, by_ratio("the height of the " + figure, {})),
-        of_picture("A1", "light of the " + figure + ", over what must be", [=](const rt::Image& i) { return blob(i).mass / due.mass; }, 1, 0.03,
-                   by_ratio("the light of the " + figure, {{0, "it is not seen"}}))};
+        of_picture(
+            "A1", "place of the " + figure + ", to the right by [pixel]",
+            [=](const rt::Image& i) { return blob(i).centroid.x - due.centroid.x; }, 0, 0.15, shift("to the right")),
+        of_picture(
+            "A1", "place of the " + figure + ", downwards by [pixel]",
+            [=](const rt::Image& i) { return blob(i).centroid.y - due.centroid.y; }, 0, 0.15, shift("downwards")),
+        of_picture(
+            "A1", "width of the " + figure + ", over what must be",
+            [=](const rt::Image& i) { return std::sqrt(blob(i).variance.x / due.variance.x); }, 1, 0.02,
+            by_ratio("the width of the " + figure, {})),
+        of_picture(
+            "A1", "height of the " + figure + ", over what must be",
+            [=](const rt::Image& i) { return std::sqrt(blob(i).variance.y / due.variance.y); }, 1, 0.02,
+            by_ratio("the height of the " + figure, {})),
+        of_picture(
+            "A1", "light of the " + figure + ", over what must be",
+            [=](const rt::Image& i) { return blob(i).mass / due.mass; }, 1, 0.03,
+            by_ratio("the light of the " + figure, {{0, "it is not seen"}}))};
 }
 
-Check figure_check(const std::string& name, const std::string& fragment, std::vector<std::string> needs, const std::string& scene,
-                   const std::string& figure, std::function<Sight(const rt::Camera&)> sight) {
+Check figure_check(const std::string& name, const std::string& fragment, std::vector<std::string> needs,
+                   const std::string& scene, const std::string& figure, std::function<Sight(const rt::Camera&)> sight) {
     const rt::Camera camera = rt::parse_scene(scene, name).camera;
-    return render_check(name, fragment, std::move(needs), {scene, 16, "sobol"}, figure_statistics(camera, sight(camera), figure));
+    return render_check(name, fragment, std::move(needs), {scene, 16, "sobol"},
+                        figure_statistics(camera, sight(camera), figure));
 }
 
 }  // namespace grade

@@ -12,8 +12,10 @@ namespace {
 using rt::Color, rt::Material, rt::vec3;
 
 RowFunction modelled(Model model) {
-    return of<Material, Color, Color, vec3, vec3, vec3>([=](const Material& m, Color ambient, Color irradiance, vec3 n, vec3 d, vec3 c) {
-        return Color((model.ambient || (model.ambient_below && rt::dot(n, d) <= 0) ? m.ambient * ambient : Color(0)) + irradiance * reflected(m, n, d, c, model));
+    return of<Material, Color, Color, vec3, vec3, vec3>([=](const Material& m, Color ambient, Color irradiance, vec3 n,
+                                                            vec3 d, vec3 c) {
+        return Color((model.ambient || (model.ambient_below && rt::dot(n, d) <= 0) ? m.ambient * ambient : Color(0)) +
+                     irradiance * reflected(m, n, d, c, model));
     });
 }
 
@@ -32,8 +34,10 @@ Checks check_phong(Generator& random) {
     });
     std::vector<Suspect> suspects;
     for (const Mistake& mistake : reflection_mistakes()) suspects.push_back({mistake.words, modelled(mistake.model)});
-    return {probe_check("reflected_radiance", "phong", {}, inputs, {formula("P4", "radiance, off by", modelled({}), 1e-4, suspects)}),
-            shadow_check(random, "lit_floor", "phong", {"hit_quad", "shadow_ray", "point_irradiance"}, any_shadow(random, std::nullopt))};
+    return {probe_check("reflected_radiance", "phong", {}, inputs,
+                        {formula("P4", "radiance, off by", modelled({}), 1e-4, suspects)}),
+            shadow_check(random, "lit_floor", "phong", {"hit_quad", "shadow_ray", "point_irradiance"},
+                         any_shadow(random, std::nullopt))};
 }
 
 }  // namespace grade

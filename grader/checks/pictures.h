@@ -18,7 +18,8 @@ Check adding_up(Generator& random);      // lens_ray
 Check passing_train(Generator& random);  // shutter_time
 Check streak(Generator& random);         // shutter_time
 
-/// G1: whether pixels share random numbers. `what` is drawn: "position in the pixel".
-Statistic own_numbers(const Region& region, int samples, const std::string& what);
+/// G1: whether pixels share random numbers. `what` is drawn, "position in the pixel", or is always `otherwise`, "the
+/// middle", which looks the same.
+Statistic own_numbers(const Region& region, int samples, const std::string& what, const std::string& otherwise);
 
 }  // namespace grade

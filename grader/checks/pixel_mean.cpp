@@ -45,31 +45,57 @@ Checks check_pixel_mean(Generator& random) {
         return sum;
     };
     const std::vector<Suspect> suspects = {
-        {"the sum is not divided by the number of samples", mean(weighted, [](Color sum, const Weights&) { return sum; })},
-        {"the sum is divided by the sum of the weights; expected the number of samples", mean(weighted, [=](Color sum, const Weights& w) { return sum / total(w); })},
+        {"the sum is not divided by the number of samples",
+         mean(weighted, [](Color sum, const Weights&) { return sum; })},
+        {"the sum is divided by the sum of the weights; expected the number of samples",
+         mean(weighted, [=](Color sum, const Weights& w) { return sum / total(w); })},
         {"the weights are ignored", mean([](Color c, double) { return c; }, over_n)},
-        {"each sample is clamped to 1 before the mean: radiance has no upper bound", mean([](Color c, double w) { return w * glm::min(c, Color(1)); }, over_n)},
-        {"the mean is clamped to 1: a preview does that, the image is linear", mean(weighted, [=](Color sum, const Weights& w) { return glm::min(over_n(sum, w), Color(1)); })},
-        {"a gamma of 2.2 is applied to each sample: the image is linear", mean([](Color c, double w) { return w * glm::pow(c, Color(1 / 2.2)); }, over_n)},
-        {"a gamma of 2.2 is applied to the mean: the image is linear", mean(weighted, [=](Color sum, const Weights& w) { return glm::pow(over_n(sum, w), Color(1 / 2.2)); })},
-        {"samples are rounded to 8 bits before the mean", mean([](Color c, double w) { return w * quantised(c); }, over_n)},
-        {"samples are rounded to 8 bits before the mean", mean([](Color c, double w) { return glm::floor(w * c * 255.0 + 0.5) / 255.0; }, over_n)},
-        {"the mean is rounded to 8 bits: a preview does that, the image keeps all digits", mean(weighted, [=](Color sum, const Weights& w) { return glm::floor(over_n(sum, w) * 255.0 + 0.5) / 255.0; })},
+        {"each sample is clamped to 1 before the mean: radiance has no upper bound",
+         mean([](Color c, double w) { return w * glm::min(c, Color(1)); }, over_n)},
+        {"the mean is clamped to 1: a preview does that, the image is linear",
+         mean(weighted, [=](Color sum, const Weights& w) { return glm::min(over_n(sum, w), Color(1)); })},
+        {"a gamma of 2.2 is applied to each sample: the image is linear",
+         mean([](Color c, double w) { return w * glm::pow(c, Color(1 / 2.2)); }, over_n)},
+        {"a gamma of 2.2 is applied to the mean: the image is linear",
+         mean(weighted, [=](Color sum, const Weights& w) { return glm::pow(over_n(sum, w), Color(1 / 2.2)); })},
+        {"samples are rounded to 8 bits before the mean",
+         mean([](Color c, double w) { return w * quantised(c); }, over_n)},
+        {"samples are rounded to 8 bits before the mean",
+         mean([](Color c, double w) { return glm::floor(w * c * 255.0 + 0.5) / 255.0; }, over_n)},
+        {"the mean is rounded to 8 bits: a preview does that, the image keeps all digits",
+         mean(weighted, [=](Color sum, const Weights& w) { return glm::floor(over_n(sum, w) * 255.0 + 0.5) / 255.0; })},
         {"only floor(sqrt n)^2 of the n samples are added", of<Colors, Weights>([](const Colors& c, const Weights& w) {
              const auto root = std::size_t(std::sqrt(double(c.size())));
              Color sum(0);
              for (std::size_t i = 0; i < root * root; ++i) sum += w[i] * c[i] / double(c.size());
              return sum;
          })},
-        {"the sum is divided by floor(sqrt n)^2; expected n", mean(weighted, [](Color sum, const Weights& w) { return sum / rt::sqr(std::floor(std::sqrt(double(w.size())))); })},
-        {"the sum is divided by n - 1; expected n", mean(weighted, [](Color sum, const Weights& w) { return sum / (double(w.size()) - 1); })},
-        {"the sum is divided by sqrt(n); expected n", mean(weighted, [](Color sum, const Weights& w) { return sum / std::sqrt(double(w.size())); })},
-        {"the channels are exchanged: red for blue", mean(weighted, [=](Color sum, const Weights& w) { const Color c = over_n(sum, w); return Color(c.z, c.y, c.x); })},
-        {"the channels are exchanged", mean(weighted, [=](Color sum, const Weights& w) { const Color c = over_n(sum, w); return Color(c.y, c.z, c.x); })},
-        {"the channels are exchanged", mean(weighted, [=](Color sum, const Weights& w) { const Color c = over_n(sum, w); return Color(c.z, c.x, c.y); })},
+        {"the sum is divided by floor(sqrt n)^2; expected n",
+         mean(weighted,
+              [](Color sum, const Weights& w) { return sum / rt::sqr(std::floor(std::sqrt(double(w.size())))); })},
+        {"the sum is divided by n - 1; expected n",
+         mean(weighted, [](Color sum, const Weights& w) { return sum / (double(w.size()) - 1); })},
+        {"the sum is divided by sqrt(n); expected n",
+         mean(weighted, [](Color sum, const Weights& w) { return sum / std::sqrt(double(w.size())); })},
+        {"the channels are exchanged: red for blue", mean(weighted,
+                                                          [=](Color sum, const Weights& w) {
+                                                              const Color c = over_n(sum, w);
+                                                              return Color(c.z, c.y, c.x);
+                                                          })},
+        {"the channels are exchanged", mean(weighted,
+                                            [=](Color sum, const Weights& w) {
+                                                const Color c = over_n(sum, w);
+                                                return Color(c.y, c.z, c.x);
+                                            })},
+        {"the channels are exchanged", mean(weighted,
+                                            [=](Color sum, const Weights& w) {
+                                                const Color c = over_n(sum, w);
+                                                return Color(c.z, c.x, c.y);
+                                            })},
         {"only the first sample counts", of<Colors, Weights>([](const Colors& c, const Weights&) { return c[0]; })},
         {"only the last sample counts", of<Colors, Weights>([](const Colors& c, const Weights&) { return c.back(); })}};
-    return {probe_check("linear_mean", "pixel_mean", {}, inputs, {formula("G4", "mean, off by", mean(weighted, over_n), 1e-4, suspects)}),
+    return {probe_check("linear_mean", "pixel_mean", {}, inputs,
+                        {formula("G4", "mean, off by", mean(weighted, over_n), 1e-4, suspects)}),
             lamp_steps(random), thin_lamps(random)};
 }
 

@@ -26,7 +26,11 @@ Checks check_point_irradiance(Generator& random) {
     const auto inputs = [](bool directional) {
         return rows_of(64, [=](Generator& draw) {
             const vec3 p = box(draw, -3, 3), n = direction(draw);
-            const vec3 d = tilted(draw, n, between(draw, 0, chance(draw, 0.75) ? 1.45 : 3));
+            // some right above, and grazing: a fault there is seen in few pixels
+            const double angle = chance(draw, 0.2)   ? std::abs(close_to_zero(draw, 1e-4))
+                                 : chance(draw, 0.1) ? rt::pi / 2 - close_to_zero(draw, 1e-3)
+                                                     : between(draw, 0, chance(draw, 0.75) ? 1.45 : 3);
+            const vec3 d = tilted(draw, n, angle);
             const double r = log_between(draw, 0.3, 10);
             return row(PointLight{directional ? d : p + r * d, box(draw, 0.5, 20), directional}, p, n);
         });
@@ -34,15 +38,20 @@ Checks check_point_irradiance(Generator& random) {
     const std::vector<Suspect> suspects = {
         {"1/r^2 is missing: the light does not grow fainter with its distance", law(0, clamped)},
         {"the light fades with 1/r; expected 1/r^2", law(1, clamped)},
-        {"the light fades with 1/r^3: is n . d taken with a vector that is not of unit length, or the other way round?", law(3, clamped)},
+        {"the light fades with 1/r^3: is n . d taken with a vector that is not of unit length, or the other way round?",
+         law(3, clamped)},
         {"the cosine n . d is missing", law(2, [](double) { return 1.0; })},
         {"the cosine n . d is missing, but for the horizon", law(2, [](double c) { return c > 0 ? 1.0 : 0.0; })},
         {"the cosine counts twice", law(2, [](double c) { return c > 0 ? c * c : 0.0; })},
-        {"light from below the horizon counts: |n . d| is not max(0, n . d)", law(2, [](double c) { return std::abs(c); })},
+        {"light from below the horizon counts: |n . d| is not max(0, n . d)",
+         law(2, [](double c) { return std::abs(c); })},
         {"light from below the horizon is negative: max(0, n . d) is missing", law(2, [](double c) { return c; })},
-        {"the light is on the wrong side of the surface: n . d has the wrong sign", law(2, [](double c) { return std::max(0.0, -c); })},
-        {"a factor 4 pi too small: the intensity is in W/sr already", law(2, [](double c) { return std::max(0.0, c) / (4 * rt::pi); })},
-        {"a directional light is treated as a point light", of<PointLight, vec3, vec3>([](const PointLight& light, vec3 p, vec3 n) {
+        {"the light is on the wrong side of the surface: n . d has the wrong sign",
+         law(2, [](double c) { return std::max(0.0, -c); })},
+        {"a factor 4 pi too small: the intensity is in W/sr already",
+         law(2, [](double c) { return std::max(0.0, c) / (4 * rt::pi); })},
+        {"a directional light is treated as a point light",
+         of<PointLight, vec3, vec3>([](const PointLight& light, vec3 p, vec3 n) {
              const vec3 d = light.position - p;
              return Color(light.intensity * std::max(0.0, rt::dot(n, rt::unit(d))) / rt::dot(d, d));
          })}};
@@ -55,9 +64,12 @@ Checks check_point_irradiance(Generator& random) {
             return rt::dot(way, n) < 0 ? rt::largest(from_row<Color>(out)) : 0.0;
         },
         0, "light from below the horizon must give exactly 0");
-    return {probe_check("point_light", "point_irradiance", {}, inputs(false), {formula("L2", "irradiance, off by", right, 1e-4, suspects), horizon}),
-            probe_check("directional_light", "point_irradiance", {}, inputs(true), {formula("L2", "irradiance, off by", right, 1e-4, suspects), horizon}),
-            shadow_check(random, "lit_floor", "point_irradiance", {"hit_quad", "shadow_ray", "phong"}, any_shadow(random, std::nullopt))};
+    return {probe_check("point_light", "point_irradiance", {}, inputs(false),
+                        {formula("L2", "irradiance, off by", right, 1e-4, suspects), horizon}),
+            probe_check("directional_light", "point_irradiance", {}, inputs(true),
+                        {formula("L2", "irradiance, off by", right, 1e-4, suspects), horizon}),
+            shadow_check(random, "lit_floor", "point_irradiance", {"hit_quad", "shadow_ray", "phong"},
+                         any_shadow(random, std::nullopt))};
 }
 
 }  // namespace grade

@@ -44,17 +44,22 @@ Checks check_refracted_direction(Generator& random) {
         {"the ratio of the indices is inverted: e = ior_from / ior_to", bent(inverted, 1, zero)},
         {"the ray stays on its side of the surface", bent(snell, -1, zero)},
         {"the ray is not bent", of<vec3, vec3, double, double>([](vec3 d, vec3, double, double) { return d; })},
-        {"total internal reflection gives nan: the square root's argument is negative there; expected the zero vector", bent(snell, 1, not_a_number)},
+        {"total internal reflection gives nan: the square root's argument is negative there; expected the zero vector",
+         bent(snell, 1, not_a_number)},
         {"total internal reflection gives the mirrored ray; expected the zero vector", bent(snell, 1, mirror)},
         {"total internal reflection lets the ray pass; expected the zero vector", bent(snell, 1, on)},
-        {"the ratio of the indices is inverted, and total internal reflection is not noticed", bent(inverted, 1, not_a_number)},
-        {"a ray that leaves the denser side is not bent", of<vec3, vec3, double, double>([=](vec3 d, vec3 n, double from, double to) {
+        {"the ratio of the indices is inverted, and total internal reflection is not noticed",
+         bent(inverted, 1, not_a_number)},
+        {"a ray that leaves the denser side is not bent",
+         of<vec3, vec3, double, double>([=](vec3 d, vec3 n, double from, double to) {
              return from > to ? d : from_row<vec3>(right(row(d, n, from, to)));
          })}};
     const auto crossing = rows_of(64, [](Generator& draw) { return ordinary(draw, false); });
     const auto total = rows_of(32, [](Generator& draw) { return ordinary(draw, true); });
-    return {probe_check("snell", "refracted_direction", {}, crossing, {formula("F4", "refracted direction, off by", right, 1e-3, suspects)}),
-            probe_check("total_reflection", "refracted_direction", {}, total, {formula("F3", "direction at total internal reflection, off by", right, 1e-6, suspects)}),
+    return {probe_check("snell", "refracted_direction", {}, crossing,
+                        {formula("F4", "refracted direction, off by", right, 1e-3, suspects)}),
+            probe_check("total_reflection", "refracted_direction", {}, total,
+                        {formula("F3", "direction at total internal reflection, off by", right, 1e-6, suspects)}),
             through_a_slab(random)};
 }
 

@@ -11,8 +11,9 @@ std::string toml(double x) { return fmt::format("{:.17g}", x); }
 std::string toml(rt::vec3 v) { return fmt::format("[{:.17g}, {:.17g}, {:.17g}]", v.x, v.y, v.z); }
 
 std::string toml(const View& view) {
-    std::string text = fmt::format("[camera]\neye = {}\ntarget = {}\nup = {}\nvfov = {}\nsize = [{}, {}]\n", toml(view.eye),
-                                   toml(view.target), toml(view.up), toml(view.vfov), view.size.x, view.size.y);
+    std::string text =
+        fmt::format("[camera]\neye = {}\ntarget = {}\nup = {}\nvfov = {}\nsize = [{}, {}]\n", toml(view.eye),
+                    toml(view.target), toml(view.up), toml(view.vfov), view.size.x, view.size.y);
     if (view.lens_radius > 0) text += fmt::format("lens_radius = {}\n", toml(view.lens_radius));
     if (view.focus > 0) text += fmt::format("focus = {}\n", toml(view.focus));
     return text + "\n";
@@ -32,12 +33,14 @@ std::string sphere(const std::string& material, rt::vec3 center, double radius, 
 }
 
 std::string disc(const std::string& material, rt::vec3 center, rt::vec3 normal, double radius, rt::vec3 velocity) {
-    const std::string keys = fmt::format("center = {}\nnormal = {}\nradius = {}\n", toml(center), toml(normal), toml(radius));
+    const std::string keys =
+        fmt::format("center = {}\nnormal = {}\nradius = {}\n", toml(center), toml(normal), toml(radius));
     return shape("disc", keys, material, velocity);
 }
 
 std::string quad(const std::string& material, rt::vec3 center, rt::vec3 u, rt::vec3 v, rt::vec3 velocity) {
-    return shape("quad", fmt::format("center = {}\nu = {}\nv = {}\n", toml(center), toml(u), toml(v)), material, velocity);
+    return shape("quad", fmt::format("center = {}\nu = {}\nv = {}\n", toml(center), toml(u), toml(v)), material,
+                 velocity);
 }
 
 Place any_place(Generator& random) {
@@ -48,8 +51,8 @@ Place any_place(Generator& random) {
 
 rt::vec3 view_direction(const rt::Camera& camera, rt::vec2 film) {
     const double scale = 2 * camera.tan_half_fov / camera.size.y;
-    return rt::unit(scale * (film.x - 0.5 * camera.size.x) * camera.right - scale * (film.y - 0.5 * camera.size.y) * camera.up -
-                    camera.back);
+    return rt::unit(scale * (film.x - 0.5 * camera.size.x) * camera.right -
+                    scale * (film.y - 0.5 * camera.size.y) * camera.up - camera.back);
 }
 
 rt::vec3 seen_on_plane(const rt::Camera& camera, rt::vec2 film, rt::vec3 point, rt::vec3 normal) {
@@ -64,8 +67,8 @@ Check render_check(std::string name, std::string fragment, std::vector<std::stri
     return {std::move(name), std::move(fragment), std::move(needs), std::move(render), std::move(statistics), share};
 }
 
-Statistic of_picture(std::string id, std::string what, std::function<double(const rt::Image&)> number, double truth, double delta,
-                     Hint hint) {
+Statistic of_picture(std::string id, std::string what, std::function<double(const rt::Image&)> number, double truth,
+                     double delta, Hint hint) {
     Statistic s;
     s.id = std::move(id);
     s.what = std::move(what);

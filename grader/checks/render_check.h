@@ -23,7 +23,8 @@ struct View {
 
 std::string toml(const View& view);
 std::string sphere(const std::string& material, rt::vec3 center, double radius, rt::vec3 velocity = rt::vec3(0));
-std::string disc(const std::string& material, rt::vec3 center, rt::vec3 normal, double radius, rt::vec3 velocity = rt::vec3(0));
+std::string disc(const std::string& material, rt::vec3 center, rt::vec3 normal, double radius,
+                 rt::vec3 velocity = rt::vec3(0));
 std::string quad(const std::string& material, rt::vec3 center, rt::vec3 u, rt::vec3 v, rt::vec3 velocity = rt::vec3(0));
 
 /// A scene is set up in a frame of its own, and stands anywhere, turned in any way: place({x, y, z}) is in the world.
@@ -57,11 +58,11 @@ Check render_check(std::string name, std::string fragment, std::vector<std::stri
                    std::vector<Statistic> statistics, int share = 1);
 
 /// A number of the picture; a tenth of delta is right in any case.
-Statistic of_picture(std::string id, std::string what, std::function<double(const rt::Image&)> number, double truth, double delta,
-                     Hint hint);
+Statistic of_picture(std::string id, std::string what, std::function<double(const rt::Image&)> number, double truth,
+                     double delta, Hint hint);
 
-/// A hint for a statistic that has known wrong values: the words of those that are nearest, where they are near, or else
-/// `else_words`.
+/// A hint for a statistic that has known wrong values: the words of those that are nearest, where they are near, or
+/// else `else_words`.
 Hint by_value(std::string what, std::vector<KnownValue> known, double near, std::string else_words = "");
 
 }  // namespace grade

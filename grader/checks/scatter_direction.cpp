@@ -37,14 +37,17 @@ Statistic density() {
         double (*density)(double c, double g);
     };
     static constexpr Mistake mistakes[] = {
-        {"is 4 pi times too large: expected the density per solid angle", [](double c, double g) { return 4 * rt::pi * phase(c, g); }},
+        {"is 4 pi times too large: expected the density per solid angle",
+         [](double c, double g) { return 4 * rt::pi * phase(c, g); }},
         {"is 2 pi times too large: expected the density per solid angle, not that of the cosine",
          [](double c, double g) { return 2 * rt::pi * phase(c, g); }},
         {"has g with the wrong sign", [](double c, double g) { return phase(-c, g); }},
         {"is that of isotropic scattering, 1/(4 pi)", [](double, double) { return 1 / (4 * rt::pi); }},
         {"lacks the factor 1 - g^2", [](double c, double g) { return phase(c, g) / (1 - g * g); }},
-        {"has the exponent 1/2; expected 3/2", [](double c, double g) { return phase(c, g) * (1 + g * g - 2 * g * c); }},
-        {"has the exponent 1; expected 3/2", [](double c, double g) { return phase(c, g) * std::sqrt(1 + g * g - 2 * g * c); }}};
+        {"has the exponent 1/2; expected 3/2",
+         [](double c, double g) { return phase(c, g) * (1 + g * g - 2 * g * c); }},
+        {"has the exponent 1; expected 3/2",
+         [](double c, double g) { return phase(c, g) * std::sqrt(1 + g * g - 2 * g * c); }}};
     Statistic s = property("V3", "returned density over that of the returned direction, off 1 by",
                            [](const Row& in, const Row& out) { return density_error(in, out, phase); }, 1e-3,
                            "the density is not that of the returned direction");
@@ -61,9 +64,10 @@ Statistic density() {
 }
 
 Statistic unit_length() {
-    return property("V3", "length of the direction, off 1 by",
-                    [](const Row&, const Row& out) { return std::abs(glm::length(from_row<DirectionSample>(out).direction) - 1); }, 1e-4,
-                    "the direction is no unit vector");
+    return property(
+        "V3", "length of the direction, off 1 by",
+        [](const Row&, const Row& out) { return std::abs(glm::length(from_row<DirectionSample>(out).direction) - 1); },
+        1e-4, "the direction is no unit vector");
 }
 
 Check directions(const std::string& name, double g) {
@@ -71,11 +75,12 @@ Check directions(const std::string& name, double g) {
         const vec3 d = direction(random);
         return row(d, g, square(random));
     });
-    Statistic mean = mean_of("B1", "mean cosine of the scattering angle", cosine, g, 1,
-                             by_value("the mean cosine of the scattering angle",
-                                      {{-g, "is it measured from d, the direction of travel, or from where the light came from?"},
-                                       {0, "is g used, and is the direction turned from its own frame into that about d?"}},
-                                      0.05));
+    Statistic mean =
+        mean_of("B1", "mean cosine of the scattering angle", cosine, g, 1,
+                by_value("the mean cosine of the scattering angle",
+                         {{-g, "is it measured from d, the direction of travel, or from where the light came from?"},
+                          {0, "is g used, and is the direction turned from its own frame into that about d?"}},
+                         0.05));
     Statistic spread = uniform_in_square(
         "V3", "chi squared of the directions per degree of freedom",
         [=](const Row& in, const Row& out) {
@@ -84,12 +89,14 @@ Check directions(const std::string& name, double g) {
             const double turn = std::atan2(rt::dot(w, frame.y), rt::dot(w, frame.x)) / (2 * rt::pi);
             return vec2(cosine_distribution(rt::dot(w, d), g), turn < 0 ? turn + 1 : turn);
         },
-        8, 8, always("the directions are not spread as the phase function says: the cosine depends on one coordinate of u, the angle about d on the other"));
+        8, 8,
+        always("the directions are not spread as the phase function says: the cosine depends on one coordinate of u, "
+               "the angle about d on the other"));
     return probe_check(name, "scatter_direction", {}, inputs, {mean, spread, density(), unit_length()});
 }
 
-/// Light scattered once into the half space ahead (sign 1) or behind (sign -1) on the way through the middle of a ball of
-/// medium, without its albedo; R = 1:
+/// Light scattered once into the half space ahead (sign 1) or behind (sign -1) on the way through the middle of a ball
+/// of medium, without its albedo; R = 1:
 ///
 ///     integral of s exp(-s t) over t, of 2 pi phase(c) exp(-s r(t, c)) over the c of that sign,
 ///
@@ -111,17 +118,20 @@ double share_ahead(double extinction, double g) {
     return ahead / (ahead + scattered_once(extinction, g, -1));
 }
 
-/// A thin ball of medium between two large lamps, one ahead and one behind the camera. The medium's albedo is so small that
-/// only what was scattered once is seen; blue is not scattered at all, and is taken from red.
+/// A thin ball of medium between two large lamps, one ahead and one behind the camera. The medium's albedo is so small
+/// that only what was scattered once is seen; blue is not scattered at all, and is taken from red.
 Check ahead_and_behind(Generator& random) {
     const Place place = any_place(random);
     const double g = (chance(random, 0.5) ? 1 : -1) * between(random, 0.3, 0.5), extinction = between(random, 0.4, 0.7);
     constexpr double albedo = 0.002;
     const View view{place({0, 0, 1.5}), place({0, 0, 0}), place.turned({0, 1, 0}), 4, {24, 24}};
-    const std::string scene = toml(view) +
-        fmt::format("[materials.mist]\ntransmittance = 1\nmedium = {{ extinction = {}, albedo = [{}, {}, 0], g = {} }}\n\n",
-                    toml(extinction), albedo, albedo, toml(g)) +
-        "[materials.ahead]\nemission = [1, 0, 1]\nsampled = false\n\n[materials.behind]\nemission = [0, 1, 0]\nsampled = false\n\n" +
+    const std::string scene =
+        toml(view) +
+        fmt::format(
+            "[materials.mist]\ntransmittance = 1\nmedium = {{ extinction = {}, albedo = [{}, {}, 0], g = {} }}\n\n",
+            toml(extinction), albedo, albedo, toml(g)) +
+        "[materials.ahead]\nemission = [1, 0, 1]\nsampled = false\n\n[materials.behind]\nemission = [0, 1, 0]\nsampled "
+        "= false\n\n" +
         sphere("mist", place({0, 0, 0}), 1) + disc("ahead", place({0, 0, -1.1}), place.turned({0, 0, 1}), 1000) +
         disc("behind", place({0, 0, 1.6}), place.turned({0, 0, -1}), 1000);
 
@@ -130,18 +140,23 @@ Check ahead_and_behind(Generator& random) {
         return vec2((mean.r - mean.b) / albedo, mean.g / albedo);
     };
     const double all = scattered_once(extinction, g, 1) + scattered_once(extinction, g, -1);
-    Statistic share = of_picture("B1", "share of the scattered light that goes on ahead",
-        [=](const rt::Image& image) { return parts(image).x / (parts(image).x + parts(image).y); }, share_ahead(extinction, g), 0.04,
+    Statistic share = of_picture(
+        "B1", "share of the scattered light that goes on ahead",
+        [=](const rt::Image& image) { return parts(image).x / (parts(image).x + parts(image).y); },
+        share_ahead(extinction, g), 0.04,
         by_value("the share of the scattered light that goes on ahead",
                  {{share_ahead(extinction, -g), "is g taken with the wrong sign, or from where the light came from?"},
                   {share_ahead(extinction, 0), "is g used?"}},
                  0.04));
-    Statistic sum = of_picture("B1", "light scattered once, over what must be",
+    Statistic sum = of_picture(
+        "B1", "light scattered once, over what must be",
         [=](const rt::Image& image) { return (parts(image).x + parts(image).y) / all; }, 1, 0.06,
-        by_ratio("the light that is scattered once", {{4 * rt::pi, "is the density 4 pi times too small?"}, {1 / (4 * rt::pi), "is the density 4 pi times too large?"}}));
-    return render_check("ahead_and_behind", "scatter_direction",
-                        {"hit_sphere", "refracted_direction", "fresnel_dielectric", "whitted", "free_flight", "emission_counts"},
-                        {scene, 48, "sobol"}, {share, sum});
+        by_ratio("the light that is scattered once", {{4 * rt::pi, "is the density 4 pi times too small?"},
+                                                      {1 / (4 * rt::pi), "is the density 4 pi times too large?"}}));
+    return render_check(
+        "ahead_and_behind", "scatter_direction",
+        {"hit_sphere", "refracted_direction", "fresnel_dielectric", "whitted", "free_flight", "emission_counts"},
+        {scene, 48, "sobol"}, {share, sum});
 }
 
 }  // namespace
@@ -156,7 +171,8 @@ Checks check_scatter_direction(Generator& random) {
         return row(d, g, square(draw));
     });
     return {directions("forward", forward), directions("backward", backward),
-            probe_check("any_g", "scatter_direction", {}, extremes, {unit_length(), density()}), white_medium(random, "scatter_direction"), ahead_and_behind(random)};
+            probe_check("any_g", "scatter_direction", {}, extremes, {unit_length(), density()}),
+            white_medium(random, "scatter_direction"), ahead_and_behind(random)};
 }
 
 }  // namespace grade

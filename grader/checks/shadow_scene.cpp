@@ -25,12 +25,15 @@ std::string text(Generator& random, const ShadowScene& s, double camera_height) 
     const double half_view = 1.6 * penumbra_of(s) + 0.35;  // of the floor, across the edge
     const double vfov = 2 * std::atan(half_view * size.y / size.x / camera_height) * 180 / rt::pi;
     const View view{place({0, 0, camera_height}), place({0, 0, 0}), y, vfov, size};
-    std::string scene = toml(view) + fmt::format("[materials.floor]\nalbedo = {}\n\n[materials.black]\n\n", toml(s.albedo));
+    std::string scene =
+        toml(view) + fmt::format("[materials.floor]\nalbedo = {}\n\n[materials.black]\n\n", toml(s.albedo));
     scene += quad("floor", place({0, 0, 0}), 5.0 * x, 5.0 * y);
     scene += quad("black", place({-2.5, 0, s.blocker_height}), 2.5 * x, 5.0 * y);
     scene += quad("black", place({0, 0, s.light_height + 0.7}), 5.0 * x, 5.0 * y);
     const vec3 light = place({0, 0, s.light_height});
-    if (!s.kind) return scene + fmt::format("[[light]]\ntype = \"point\"\nposition = {}\nintensity = {}\n\n", toml(light), toml(s.radiance));
+    if (!s.kind)
+        return scene + fmt::format("[[light]]\ntype = \"point\"\nposition = {}\nintensity = {}\n\n", toml(light),
+                                   toml(s.radiance));
     scene += fmt::format("[materials.lamp]\nemission = {}\n\n", toml(s.radiance));
     if (*s.kind == Kind::quad) return scene + quad("lamp", light, s.half_width * x, -s.half_length * y);
     if (*s.kind == Kind::disc) return scene + disc("lamp", light, -z, s.half_width);
@@ -38,14 +41,16 @@ std::string text(Generator& random, const ShadowScene& s, double camera_height) 
 }
 
 /// The mean of each column of the picture that must come out.
-std::vector<double> expected_profile(const ShadowScene& s, const rt::Camera& camera, double camera_height, bool blocked) {
+std::vector<double> expected_profile(const ShadowScene& s, const rt::Camera& camera, double camera_height,
+                                     bool blocked) {
     constexpr int across = 4, along = 2;  // points of a pixel's width, and of the column
     const double metre = 2 * camera_height * camera.tan_half_fov / size.y;  // a pixel on the floor
     std::vector<double> profile(size.x, 0);
     for (int column = 0; column < size.x; ++column)
         for (int i = 0; i < across; ++i)
             for (int j = 0; j < along; ++j) {
-                const double x = (column + (i + 0.5) / across - 0.5 * size.x) * metre, y = ((j + 0.5) / along - 0.5) * size.y * metre;
+                const double x = (column + (i + 0.5) / across - 0.5 * size.x) * metre,
+                             y = ((j + 0.5) / along - 0.5) * size.y * metre;
                 profile[column] += floor_radiance(s, x, y, blocked) / (across * along);
             }
     return profile;
@@ -91,13 +96,16 @@ double floor_radiance(const ShadowScene& s, double x, double y, bool blocked) {
     if (!s.kind) {
         const vec3 to(-x, -y, s.light_height);
         const double squared = rt::dot(to, to);
-        return seen({0, 0, s.light_height}) ? s.albedo / rt::pi * s.radiance * s.light_height / (squared * std::sqrt(squared)) : 0;
+        return seen({0, 0, s.light_height})
+                   ? s.albedo / rt::pi * s.radiance * s.light_height / (squared * std::sqrt(squared))
+                   : 0;
     }
     if (*s.kind == Kind::quad) {
         const double edge = blocked ? x * (1 - s.light_height / s.blocker_height) : -s.half_width;
         const double low = std::clamp(edge, -s.half_width, s.half_width);
         if (low >= s.half_width) return 0;
-        const rt::Quad part{{(low + s.half_width) / 2, 0, s.light_height}, {(s.half_width - low) / 2, 0, 0}, {0, -s.half_length, 0}};
+        const rt::Quad part{
+            {(low + s.half_width) / 2, 0, s.light_height}, {(s.half_width - low) / 2, 0, 0}, {0, -s.half_length, 0}};
         return s.albedo / rt::pi * s.radiance * quad_irradiance(part, p, up);
     }
     // by a grid of equal parts: of the disc's area, or of the solid angle of the sphere's cone
@@ -123,7 +131,8 @@ double floor_radiance(const ShadowScene& s, double x, double y, bool blocked) {
     return s.albedo / rt::pi * s.radiance * sum / (rings * turns);
 }
 
-Check shadow_check(Generator& random, const std::string& name, const std::string& fragment, std::vector<std::string> needs, const ShadowScene& s) {
+Check shadow_check(Generator& random, const std::string& name, const std::string& fragment,
+                   std::vector<std::string> needs, const ShadowScene& s) {
     const double camera_height = 0.8 * s.blocker_height;
     const std::string scene = text(random, s, camera_height);
     const rt::Camera camera = rt::parse_scene(scene, name).camera;
@@ -148,22 +157,41 @@ Check shadow_check(Generator& random, const std::string& name, const std::string
         return most;
     }, 0, 0, always("light falls into the umbra, where the blocker hides the whole light"));
     darkness.exact = true;
-    Statistic brightness_of_lit = of_picture("L1", "light of the open floor, over what must be",
+    Statistic brightness_of_lit = of_picture(
+        "L1", "light of the open floor, over what must be",
         [=](const rt::Image& image) { return brightness(region_mean(image, open)) / light; }, 1, 0.04,
-        by_ratio("the light of the open floor", {{0, "all is in shadow: is the shadow ray bounded by the light, and does it start off the surface?"},
-                                                 {0.25, "a quarter of the light is sampled, or its area is too small by 4"}, {4, "its area is too large by 4"},
-                                                 {2, "is a factor 2 in the density?"}, {0.5, "is a factor 1/2 in the density?"}},
+        by_ratio("the light of the open floor",
+                 {{0, "all is in shadow: is the shadow ray bounded by the light, and does it start off the surface?"},
+                  {0.25, "a quarter of the light is sampled, or its area is too small by 4"},
+                  {4, "its area is too large by 4"},
+                  {2, "is a factor 2 in the density?"},
+                  {0.5, "is a factor 1/2 in the density?"}},
                  "is the density per solid angle that of the sample?"));
-    Statistic place = of_picture("L3", "place of the shadow's edge, off by [pixel]",
-        [=](const rt::Image& image) { return penumbra(column_profile(image, whole(image)), unblocked, reach).mean - due.mean; }, 0, 0.6,
-        always("the shadow's edge is shifted: the light is sampled more on one side, or the ray starts too far from the floor"));
-    if (!s.kind) return render_check(name, fragment, std::move(needs), {scene, 32, "sobol"}, {darkness, brightness_of_lit, place});
-    Statistic width = of_picture("L3", "width of the penumbra, over what must be",
-        [=](const rt::Image& image) { return std::sqrt(std::max(0.0, penumbra(column_profile(image, whole(image)), unblocked, reach).variance) / due.variance); }, 1, 0.05,
-        by_ratio("the width of the penumbra", {{2, "is a half width or a radius used as the whole?"}, {0.5, "is the light's half-width used as its width, or its diameter as its radius?"},
-                                               {0.816, "samples crowd in the middle of the light"}},
+    Statistic place = of_picture(
+        "L3", "place of the shadow's edge, off by [pixel]",
+        [=](const rt::Image& image) {
+            return penumbra(column_profile(image, whole(image)), unblocked, reach).mean - due.mean;
+        },
+        0, 0.6,
+        always("the shadow's edge is shifted: the light is sampled more on one side, or the ray starts too far from "
+               "the floor"));
+    if (!s.kind)
+        return render_check(name, fragment, std::move(needs), {scene, 32, "sobol"},
+                            {darkness, brightness_of_lit, place});
+    Statistic width = of_picture(
+        "L3", "width of the penumbra, over what must be",
+        [=](const rt::Image& image) {
+            return std::sqrt(std::max(0.0, penumbra(column_profile(image, whole(image)), unblocked, reach).variance) /
+                             due.variance);
+        },
+        1, 0.05,
+        by_ratio("the width of the penumbra",
+                 {{2, "is a half width or a radius used as the whole?"},
+                  {0.5, "is the light's half-width used as its width, or its diameter as its radius?"},
+                  {0.816, "samples crowd in the middle of the light"}},
                  "are samples spread evenly over the light?"));
-    return render_check(name, fragment, std::move(needs), {scene, 32, "sobol"}, {darkness, brightness_of_lit, width, place});
+    return render_check(name, fragment, std::move(needs), {scene, 32, "sobol"},
+                        {darkness, brightness_of_lit, width, place});
 }
 
 }  // namespace grade

@@ -25,11 +25,13 @@ struct Box {
 /// The boxes around the points of each cell; the rows' i are the cells.
 std::vector<Box> boxes(const Observation& seen, int n) {
     std::vector<Box> all(n);
-    for (std::size_t k = 0; k < seen.inputs.size(); ++k) all[int(seen.inputs[k][0])].add({seen.outputs[k][0], seen.outputs[k][1]});
+    for (std::size_t k = 0; k < seen.inputs.size(); ++k)
+        all[int(seen.inputs[k][0])].add({seen.outputs[k][0], seen.outputs[k][1]});
     return all;
 }
 
-Statistic about_cells(int n, std::string what, std::function<double(const std::vector<Box>&)> worst, double tolerance, std::string hint) {
+Statistic about_cells(int n, std::string what, std::function<double(const std::vector<Box>&)> worst, double tolerance,
+                      std::string hint) {
     Statistic s = property("G2", std::move(what), nullptr, tolerance, std::move(hint));
     s.measure = [=](const Observation& seen) { return worst(boxes(seen, n)); };
     return s;
@@ -58,22 +60,32 @@ Checks check_stratified_2d(Generator& random) {
                 return worst;
             };
         };
-        Statistic inside = property("G2", "distance outside the unit square",
-            [](const Row&, const Row& out) { return std::max({0.0, -out[0], -out[1], out[0] >= 1 ? 1.0 : 0.0, out[1] >= 1 ? 1.0 : 0.0}); }, 0,
-            "points fall outside the unit square, 0 <= x < 1");
-        Statistic area = about_cells(n, "area of a cell, off 1/n by its share",
+        Statistic inside = property(
+            "G2", "distance outside the unit square",
+            [](const Row&, const Row& out) {
+                return std::max({0.0, -out[0], -out[1], out[0] >= 1 ? 1.0 : 0.0, out[1] >= 1 ? 1.0 : 0.0});
+            },
+            0, "points fall outside the unit square, 0 <= x < 1");
+        Statistic area = about_cells(
+            n, "area of a cell, off 1/n by its share",
             worst_of([n](const std::vector<Box>& all, std::size_t i) { return std::abs(all[i].area() * n - 1); }), 0.05,
-            "a cell does not have the area 1/n: is u stretched over the cell, and is the number of columns a whole number, not an integer division?");
+            "a cell does not have the area 1/n: is u stretched over the cell, and is the number of columns a whole "
+            "number, not an integer division?");
         area.cause = [n](const Observation& seen) -> std::string {
             const std::vector<Box> all = boxes(seen, n);
             double largest = 0;
             for (const Box& box : all) largest = std::max(largest, box.area());
-            if (largest * n < 0.01) return "all points of a cell are one point, a regular grid: u says where in the cell";
+            if (largest * n < 0.01)
+                return "all points of a cell are one point, a regular grid: u says where in the cell";
             if (largest > 0.99) return "the cells are not used: the points are independent, anywhere in the square";
             return "";
         };
-        Statistic shape = about_cells(n, "longest side of a cell, over 1/sqrt(n), beyond 2",
-            worst_of([n](const std::vector<Box>& all, std::size_t i) { return std::max(0.0, all[i].longest() * std::sqrt(double(n)) - 2); }), 0,
+        Statistic shape = about_cells(
+            n, "longest side of a cell, over 1/sqrt(n), beyond 2",
+            worst_of([n](const std::vector<Box>& all, std::size_t i) {
+                return std::max(0.0, all[i].longest() * std::sqrt(double(n)) - 2);
+            }),
+            0,
             "the cells are strips: only one axis is stratified; expected about sqrt(n) columns of about sqrt(n) cells");
         Statistic overlap = about_cells(n, "overlap of two cells, over their area",
             worst_of([n](const std::vector<Box>& all, std::size_t i) {
@@ -91,11 +103,14 @@ Checks check_stratified_2d(Generator& random) {
             6, 6, always("the points of all cells together do not fill the square evenly"));
         even.delta0 = 1;  // stratified points are more even than random ones
         even.delta = 1.5;
-        checks.push_back(probe_check(n == odd ? "any_number_of_cells" : "grid_of_cells", "stratified_2d", {}, inputs, {inside, area, overlap, shape, even, purity()}));
+        checks.push_back(probe_check(n == odd ? "any_number_of_cells" : "grid_of_cells", "stratified_2d", {}, inputs,
+                                     {inside, area, overlap, shape, even, purity()}));
     }
     checks.push_back(edge_noise(random));
     const SamplesOfASquare samples{[](rt::vec2, int i, int n, rt::vec2 u) { return row(i, n, u); },
-                                   [](const Row&, const Row& out) { return SamplesOfASquare::Sample{{out[0], out[1]}}; }};
+                                   [](const Row&, const Row& out) {
+                                       return SamplesOfASquare::Sample{{out[0], out[1]}};
+                                   }};
     checks.push_back(error_orders(random, "stratified_2d", {}, samples));
     checks.push_back(rings(random, "stratified_2d", {}, samples));
     return checks;

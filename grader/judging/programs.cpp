@@ -10,14 +10,6 @@ namespace grade {
 
 namespace {
 
-bool is_blank(const std::string& text, const fs::path& blank) {
-    const std::string code = code_only(text);
-    // the blank's first statement returns: whatever follows it never runs
-    if (code.empty() || code.find("){returnnot_started(") != code.npos) return true;
-    const auto original = read_text(blank);
-    return original && code == code_only(*original);
-}
-
 std::string not_started(const Submission& submission, const std::string& fragment) {
     if (const auto complaint = submission.complaints.find(fragment); complaint != submission.complaints.end())
         return fmt::format("{}.cpp is {}", fragment, complaint->second);

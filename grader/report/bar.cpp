@@ -16,8 +16,10 @@ constexpr double width = 260, height = 34, middle = 15;
 }  // namespace
 
 std::string bar(const StatisticRecord& statistic) {
-    if (!statistic.value || !statistic.truth || !std::isfinite(*statistic.value) || !std::isfinite(*statistic.truth)) return {};
-    const double value = *statistic.value, truth = *statistic.truth, low = statistic.low.value_or(value), high = statistic.high.value_or(value);
+    if (!statistic.value || !statistic.truth || !std::isfinite(*statistic.value) || !std::isfinite(*statistic.truth))
+        return {};
+    const double value = *statistic.value, truth = *statistic.truth, low = statistic.low.value_or(value),
+                 high = statistic.high.value_or(value);
     const double band = std::max(statistic.tolerance, statistic.delta0);
 
     // truth in the middle; a value that is very far off stands at the edge, as an arrow
@@ -26,19 +28,25 @@ std::string bar(const StatisticRecord& statistic) {
     if (band > 0) reach = std::min(reach, 12 * band);
     const auto at = [&](double x) { return width / 2 * (1 + std::clamp((x - truth) / reach, -1.0, 1.0) * 0.96); };
     const bool off = std::abs(value - truth) > reach;
-    const char* color = statistic.verdict == Verdict::passed ? "good" : statistic.verdict == Verdict::failed ? "bad" : "open";
+    const char* color = statistic.verdict == Verdict::passed   ? "good"
+                        : statistic.verdict == Verdict::failed ? "bad"
+                                                               : "open";
 
     std::string svg = fmt::format(
-        "<svg class=\"bar\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" role=\"img\" aria-label=\"{2}: {3:.4g}, interval "
+        "<svg class=\"bar\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" role=\"img\" "
+        "aria-label=\"{2}: {3:.4g}, interval "
         "{4:.4g} to {5:.4g}; expected {6:.4g} within {7:.3g}\">",
         width, height, html(statistic.what), value, low, high, truth, band);
     svg += fmt::format("<line class=\"axis\" x1=\"0\" x2=\"{:g}\" y1=\"{:g}\" y2=\"{:g}\"/>", width, middle, middle);
-    svg += fmt::format("<rect class=\"band\" x=\"{:.1f}\" y=\"5\" width=\"{:.1f}\" height=\"20\"/>", at(truth - band) - 0.5, at(truth + band) - at(truth - band) + 1);
+    svg += fmt::format("<rect class=\"band\" x=\"{:.1f}\" y=\"5\" width=\"{:.1f}\" height=\"20\"/>",
+                       at(truth - band) - 0.5, at(truth + band) - at(truth - band) + 1);
     svg += fmt::format("<line class=\"truth\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"2\" y2=\"28\"/>", at(truth));
-    svg += fmt::format("<line class=\"interval {}\" x1=\"{:.1f}\" x2=\"{:.1f}\" y1=\"{}\" y2=\"{}\"/>", color, at(low), at(high), middle, middle);
+    svg += fmt::format("<line class=\"interval {}\" x1=\"{:.1f}\" x2=\"{:.1f}\" y1=\"{}\" y2=\"{}\"/>", color, at(low),
+                       at(high), middle, middle);
     if (off) {
         const double tip = at(value), back = tip + (value > truth ? -9 : 9);
-        svg += fmt::format("<path class=\"dot {}\" d=\"M{:.1f} {} L{:.1f} {} L{:.1f} {} Z\"/>", color, tip, middle, back, middle - 6, back, middle + 6);
+        svg += fmt::format("<path class=\"dot {}\" d=\"M{:.1f} {} L{:.1f} {} L{:.1f} {} Z\"/>", color, tip, middle,
+                           back, middle - 6, back, middle + 6);
     } else {
         svg += fmt::format("<circle class=\"dot {}\" cx=\"{:.1f}\" cy=\"{}\" r=\"4.5\"/>", color, at(value), middle);
     }

@@ -36,7 +36,8 @@ std::string number(const Statistics& statistics, double Statistic::*field) {
 
 std::string truth(const Statistics& statistics) {
     std::set<std::string> values;
-    for (const Statistic* s : statistics) values.insert(s->truth ? fmt::format("{:.4g}", *s->truth) : "as the solution");
+    for (const Statistic* s : statistics)
+        values.insert(s->truth ? fmt::format("{:.4g}", *s->truth) : "as the solution");
     return values.size() == 1 ? *values.begin() : "by scene";
 }
 
@@ -69,7 +70,8 @@ std::string describe_points(const Assignment& assignment) {
         double sum = 0;
         for (const Fragment& fragment : assignment.fragments) {
             if (fragment.part != part.name) continue;
-            names.push_back(fragment.given ? fmt::format("`{}` given", fragment.name) : fmt::format("`{}` {}", fragment.name, points(fragment.points)));
+            names.push_back(fragment.given ? fmt::format("`{}` given", fragment.name)
+                                           : fmt::format("`{}` {}", fragment.name, points(fragment.points)));
             sum += fragment.points;
         }
         all += sum;
@@ -89,11 +91,13 @@ std::string describe_checks(const Assignment& assignment, const std::string& fra
     for (const Check& check : checks_of_seeds().front()) {
         if (check.fragment != fragment) continue;
         needs.insert(check.needs.begin(), check.needs.end());
-        std::string name = fmt::format("`{}` ({}): {}", check.name, points(entry.points * check.share / shares), experiment(check));
+        std::string name =
+            fmt::format("`{}` ({}): {}", check.name, points(entry.points * check.share / shares), experiment(check));
         for (std::size_t k = 0; k < check.statistics.size(); ++k) {
             Statistics same;
             for (const auto& checks : checks_of_seeds()) {
-                const auto twin = std::ranges::find_if(checks, [&](const Check& c) { return c.fragment == fragment && c.name == check.name; });
+                const auto twin = std::ranges::find_if(
+                    checks, [&](const Check& c) { return c.fragment == fragment && c.name == check.name; });
                 if (twin != checks.end() && k < twin->statistics.size()) same.push_back(&twin->statistics[k]);
             }
             rows += row(name, same);
@@ -102,7 +106,10 @@ std::string describe_checks(const Assignment& assignment, const std::string& fra
     }
     std::string text = fmt::format("{} point{}.", points(entry.points), entry.points == 1 ? "" : "s");
     if (!needs.empty()) text += fmt::format(" At home these must be right first: `{}`.", fmt::join(needs, "`, `"));
-    return text + "\n\n| check (points) | id | measures | must be | right within | wrong beyond |\n|---|---|---|---|---|---|\n" + rows;
+    return text +
+           "\n\n| check (points) | id | measures | must be | right within | wrong beyond "
+           "|\n|---|---|---|---|---|---|\n" +
+           rows;
 }
 
 std::string with_new_tables(const std::string& handout, const Assignment& assignment, const std::string& path) {

@@ -55,15 +55,18 @@ std::string section_of(const std::string& fragment, Verdict verdict, const std::
 
 Family family_of(std::string_view id) {
     static const std::map<std::string_view, Family> families = {
-        {"G1", Family::sharing},    {"M2", Family::sharing},    {"V0", Family::not_an_image}, {"G4", Family::tone},
-        {"A1", Family::geometry},   {"A2", Family::geometry},   {"L3", Family::geometry},     {"D1", Family::geometry},
-        {"D2", Family::geometry},   {"D3", Family::geometry},   {"M1", Family::geometry},     {"M3", Family::geometry},
-        {"P1", Family::geometry},   {"F4", Family::geometry},   {"W1", Family::geometry},     {"W2", Family::geometry},
-        {"I1", Family::radiometry}, {"L1", Family::radiometry}, {"L2", Family::factor},   {"L4", Family::radiometry},
-        {"P2", Family::radiometry}, {"P3", Family::geometry}, {"P4", Family::radiometry},   {"F1", Family::radiometry},
-        {"F2", Family::radiometry}, {"F3", Family::radiometry}, {"B1", Family::radiometry},   {"W3", Family::radiometry},
-        {"G2", Family::variance},   {"G3", Family::variance},   {"V1", Family::variance},     {"V3", Family::variance},
-        {"D4", Family::variance},   {"M4", Family::variance}};
+        {"G1", Family::sharing},    {"M2", Family::sharing},    {"V0", Family::not_an_image},
+        {"G4", Family::tone},       {"A1", Family::geometry},   {"A2", Family::geometry},
+        {"L3", Family::geometry},   {"D1", Family::geometry},   {"D2", Family::geometry},
+        {"D3", Family::geometry},   {"M1", Family::geometry},   {"M3", Family::geometry},
+        {"P1", Family::geometry},   {"F4", Family::geometry},   {"W1", Family::geometry},
+        {"W2", Family::geometry},   {"I1", Family::radiometry}, {"L1", Family::radiometry},
+        {"L2", Family::factor},     {"L4", Family::radiometry}, {"P2", Family::radiometry},
+        {"P3", Family::geometry},   {"P4", Family::radiometry}, {"F1", Family::radiometry},
+        {"F2", Family::radiometry}, {"F3", Family::radiometry}, {"B1", Family::radiometry},
+        {"W3", Family::radiometry}, {"G2", Family::variance},   {"G3", Family::variance},
+        {"V1", Family::variance},   {"V3", Family::variance},   {"D4", Family::variance},
+        {"M4", Family::variance}};
     return families.at(id);
 }
 
@@ -89,17 +92,21 @@ Diagnosis diagnose(const FragmentRecord& fragment) {
         tell(rank_of(check.verdict, check, Family::not_an_image), check.message, section_of(check, nullptr));
         for (const StatisticRecord& statistic : check.statistics)
             if (statistic.verdict != Verdict::passed)
-                tell(rank_of(statistic.verdict, check, family_of(statistic.id)), statistic.hint, section_of(check, &statistic));
+                tell(rank_of(statistic.verdict, check, family_of(statistic.id)), statistic.hint,
+                     section_of(check, &statistic));
     }
     return first;
 }
 
-std::string reading(const std::string& section) { return section.empty() ? section : fmt::format("handout.md, \"{}\"", section); }
+std::string reading(const std::string& section) {
+    return section.empty() ? section : fmt::format("handout.md, \"{}\"", section);
+}
 
 std::string anchor(const std::string& section) {
     std::string text;
     for (const char c : section) {
-        if (std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_') text += char(std::tolower(static_cast<unsigned char>(c)));
+        if (std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_')
+            text += char(std::tolower(static_cast<unsigned char>(c)));
         else if (c == ' ') text += '-';
     }
     return text;

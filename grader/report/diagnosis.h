@@ -8,8 +8,8 @@
 namespace grade {
 
 /// What a statistic speaks of, in the order in which mistakes are told: of two statistics that fail, the earlier one
-/// explains the later one more often than the other way round. A missing factor, as the regression over many layouts finds
-/// it, bends where a lamp's light seems to come from, so it is told before all geometry.
+/// explains the later one more often than the other way round. A missing factor, as the regression over many layouts
+/// finds it, bends where a lamp's light seems to come from, so it is told before all geometry.
 enum class Family { sharing, not_an_image, tone, factor, geometry, radiometry, variance };
 
 /// The family of a statistic's id: of "A1", geometry. Throws std::out_of_range for an id that has none.
@@ -21,9 +21,9 @@ struct Diagnosis {
     std::string section;  // heading in the handout; empty where nothing is wrong
 };
 
-/// From all that does not pass: a program that ends by itself first, then shared numbers and what is no image, then what
-/// calls of the fragment show, since there is nothing else in them, then pictures; each in the order of the families, and
-/// of one family in the order of the checks.
+/// From all that does not pass: a program that ends by itself first, then shared numbers and what is no image, then
+/// what calls of the fragment show, since there is nothing else in them, then pictures; each in the order of the
+/// families, and of one family in the order of the checks.
 Diagnosis diagnose(const FragmentRecord& fragment);
 
 /// Where to read about one statistic or check that does not pass.

@@ -10,13 +10,19 @@ namespace {
 std::size_t sequence(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned char first = byte(0);
-    const std::size_t length = first < 0x80 ? 1 : first >= 0xc2 && first < 0xe0 ? 2 : first >= 0xe0 && first < 0xf0 ? 3 : first >= 0xf0 && first < 0xf5 ? 4 : 0;
+    const std::size_t length = first < 0x80                    ? 1
+                               : first >= 0xc2 && first < 0xe0 ? 2
+                               : first >= 0xe0 && first < 0xf0 ? 3
+                               : first >= 0xf0 && first < 0xf5 ? 4
+                                                               : 0;
     if (length == 0 || text.size() < length) return 0;
     for (std::size_t i = 1; i < length; ++i)
         if ((byte(i) & 0xc0) != 0x80) return 0;
     // C1 controls, and marks that change the direction of the text around them
     if (length == 2 && first == 0xc2 && byte(1) < 0xa0) return 0;
-    if (length == 3 && first == 0xe2 && ((byte(1) == 0x80 && (byte(2) & 0xf0) == 0xa0 && byte(2) >= 0xa8) || (byte(1) == 0x81 && byte(2) >= 0xa6))) return 0;
+    if (length == 3 && first == 0xe2 &&
+        ((byte(1) == 0x80 && (byte(2) & 0xf0) == 0xa0 && byte(2) >= 0xa8) || (byte(1) == 0x81 && byte(2) >= 0xa6)))
+        return 0;
     return length;
 }
 

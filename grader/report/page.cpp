@@ -16,10 +16,13 @@ namespace grade {
 
 namespace {
 
-std::string badge(Verdict verdict) { return fmt::format("<span class=\"badge {}\">{}</span>", name(verdict), in_words(verdict)); }
+std::string badge(Verdict verdict) {
+    return fmt::format("<span class=\"badge {}\">{}</span>", name(verdict), in_words(verdict));
+}
 
 std::string figure(const std::string& source, const std::string& alt, const std::string& caption) {
-    return fmt::format("<figure><img loading=\"lazy\" src=\"{}\" alt=\"{}\"><figcaption>{}</figcaption></figure>\n", source, html(alt), caption);
+    return fmt::format("<figure><img loading=\"lazy\" src=\"{}\" alt=\"{}\"><figcaption>{}</figcaption></figure>\n",
+                       source, html(alt), caption);
 }
 
 std::string number(std::optional<double> x) {
@@ -30,30 +33,41 @@ std::string number(std::optional<double> x) {
 std::string pictures(const CheckRecord& check, bool student) {
     if (check.picture.pixels.empty()) return {};
     // both alike, so that most of what is right can be seen
-    const double exposure = preview_exposure(check.solution_picture.pixels.empty() ? check.picture : check.solution_picture);
+    const double exposure =
+        preview_exposure(check.solution_picture.pixels.empty() ? check.picture : check.solution_picture);
     std::string text = "<div class=\"pictures\">\n";
-    text += figure(data_uri(check.picture, exposure), "the submission's picture for " + check.name, student ? "yours" : "submission");
+    text += figure(data_uri(check.picture, exposure), "the submission's picture for " + check.name,
+                   student ? "yours" : "submission");
     if (!check.solution_picture.pixels.empty()) {
-        text += figure(data_uri(check.solution_picture, exposure), "the solution's picture for " + check.name, "solution");
+        text +=
+            figure(data_uri(check.solution_picture, exposure), "the solution's picture for " + check.name, "solution");
         const Difference map = difference(check.picture, check.solution_picture);
-        text += figure(data_uri(map.image, 1), "where the submission's picture for " + check.name + " is darker or brighter than the solution's",
-                       fmt::format("difference: darker <span class=\"scale\" role=\"img\" aria-label=\"blue over white to orange\"></span> brighter; full colour "
-                                   "at ±{:.2g}",
-                                   map.full));
+        text +=
+            figure(data_uri(map.image, 1),
+                   "where the submission's picture for " + check.name + " is darker or brighter than the solution's",
+                   fmt::format("difference: darker <span class=\"scale\" role=\"img\" aria-label=\"blue over white to "
+                               "orange\"></span> brighter; full colour "
+                               "at ±{:.2g}",
+                               map.full));
     }
     return text + "</div>\n";
 }
 
 std::string statistics(const CheckRecord& check) {
     if (check.statistics.empty()) return {};
-    std::string text = "<table><tr><th>statistic</th><th class=\"number\">value</th><th class=\"number\">expected</th><th class=\"number\">within ±</th><th></th>"
-                       "<th class=\"number\">replicates</th><th>verdict</th></tr>\n";
+    std::string text =
+        "<table><tr><th>statistic</th><th class=\"number\">value</th><th class=\"number\">expected</th><th "
+        "class=\"number\">within ±</th><th></th>"
+        "<th class=\"number\">replicates</th><th>verdict</th></tr>\n";
     for (const StatisticRecord& s : check.statistics) {
         const bool interval = s.low && s.high && *s.high > *s.low;
-        text += fmt::format("<tr><td><b>{}</b> {}</td><td class=\"number\">{}{}</td><td class=\"number\">{}</td><td class=\"number\">{:.3g}</td><td>{}</td>"
-                            "<td class=\"number\">{}</td><td>{}</td></tr>\n",
-                            html(s.id), html(s.what), number(s.value), interval ? fmt::format("<br><span class=\"soft\">{} to {}</span>", number(s.low), number(s.high)) : "",
-                            number(s.truth), s.tolerance, bar(s), s.replicates, badge(s.verdict));
+        text += fmt::format(
+            "<tr><td><b>{}</b> {}</td><td class=\"number\">{}{}</td><td class=\"number\">{}</td><td "
+            "class=\"number\">{:.3g}</td><td>{}</td>"
+            "<td class=\"number\">{}</td><td>{}</td></tr>\n",
+            html(s.id), html(s.what), number(s.value),
+            interval ? fmt::format("<br><span class=\"soft\">{} to {}</span>", number(s.low), number(s.high)) : "",
+            number(s.truth), s.tolerance, bar(s), s.replicates, badge(s.verdict));
     }
     text += "</table>\n";
     for (const StatisticRecord& s : check.statistics)
@@ -62,14 +76,18 @@ std::string statistics(const CheckRecord& check) {
 }
 
 std::string check_section(const CheckRecord& check, bool student) {
-    std::string text = fmt::format("<details class=\"check\"{}><summary><h4>{}</h4>{}</summary>\n", check.verdict == Verdict::passed ? "" : " open", html(check.name),
-                                   badge(check.verdict));
-    if (!check.message.empty()) text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(check.verdict), html(check.message));
-    if (!check.excerpt.empty()) text += fmt::format("<p class=\"soft\">It printed:</p><pre>{}</pre>\n", html(check.excerpt));
+    std::string text =
+        fmt::format("<details class=\"check\"{}><summary><h4>{}</h4>{}</summary>\n",
+                    check.verdict == Verdict::passed ? "" : " open", html(check.name), badge(check.verdict));
+    if (!check.message.empty())
+        text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(check.verdict), html(check.message));
+    if (!check.excerpt.empty())
+        text += fmt::format("<p class=\"soft\">It printed:</p><pre>{}</pre>\n", html(check.excerpt));
     text += pictures(check, student) + statistics(check);
     if (!check.scene.empty())
-        text += fmt::format("<details><summary class=\"soft\">scene, {} samples a pixel, {}</summary><pre>{}</pre></details>\n", check.samples, html(check.sampler),
-                            html(check.scene));
+        text += fmt::format(
+            "<details><summary class=\"soft\">scene, {} samples a pixel, {}</summary><pre>{}</pre></details>\n",
+            check.samples, html(check.sampler), html(check.scene));
     return text + "</details>\n";
 }
 
@@ -80,10 +98,13 @@ std::string read_link(const std::string& section, const std::string& handout) {
 }
 
 std::string fragment_section(const FragmentRecord& fragment, bool student, const std::string& handout) {
-    std::string text = fmt::format("<section class=\"card\" id=\"{0}\"><div class=\"head\"><h3>{0}</h3>{1}<span class=\"points\"><b>{2:g}</b> of {3:g}</span></div>\n",
-                                   html(fragment.name), badge(fragment.verdict), fragment.points, fragment.max_points);
+    std::string text = fmt::format(
+        "<section class=\"card\" id=\"{0}\"><div class=\"head\"><h3>{0}</h3>{1}<span class=\"points\"><b>{2:g}</b> of "
+        "{3:g}</span></div>\n",
+        html(fragment.name), badge(fragment.verdict), fragment.points, fragment.max_points);
     if (fragment.verdict == Verdict::did_not_build) text += fmt::format("<pre>{}</pre>\n", html(fragment.message));
-    else if (!fragment.message.empty()) text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(fragment.verdict), html(fragment.message));
+    else if (!fragment.message.empty())
+        text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(fragment.verdict), html(fragment.message));
     if (const std::string link = read_link(diagnose(fragment).section, handout); !link.empty())
         text += fmt::format("<p class=\"soft\">Read: {}</p>\n", link);
     if (fragment.verdict != Verdict::did_not_build && fragment.verdict != Verdict::not_started)
@@ -101,37 +122,55 @@ std::string overview(const Record& record, const Assignment& assignment, const s
             have += fragment.points, most += fragment.max_points;
             const Diagnosis diagnosis = fragment.verdict == Verdict::passed ? Diagnosis{} : diagnose(fragment);
             const std::string message = diagnosis.words.substr(0, diagnosis.words.find('\n'));
-            rows += fmt::format("<tr><td><a href=\"#{0}\">{0}</a></td><td>{1}</td><td class=\"number\">{2:g} of {3:g}</td><td class=\"soft\">{4} {5}</td></tr>\n",
-                                html(fragment.name), badge(fragment.verdict), fragment.points, fragment.max_points, html(message),
-                                read_link(diagnosis.section, handout));
+            rows += fmt::format(
+                "<tr><td><a href=\"#{0}\">{0}</a></td><td>{1}</td><td class=\"number\">{2:g} of {3:g}</td><td "
+                "class=\"soft\">{4} {5}</td></tr>\n",
+                html(fragment.name), badge(fragment.verdict), fragment.points, fragment.max_points, html(message),
+                read_link(diagnosis.section, handout));
         }
         if (!rows.empty())
-            text += fmt::format("<tr class=\"part\"><td colspan=\"2\">{}</td><td class=\"number\">{:g} of {:g}</td><td></td></tr>\n{}", html(part.title), have, most, rows);
+            text += fmt::format(
+                "<tr class=\"part\"><td colspan=\"2\">{}</td><td class=\"number\">{:g} of {:g}</td><td></td></tr>\n{}",
+                html(part.title), have, most, rows);
     }
     return text + "</table></section>\n";
 }
 
 std::string own_picture(const Record& record) {
     if (!record.own_picture_fault.empty())
-        return fmt::format("<h2>The submission's own picture</h2><section class=\"card\"><p class=\"hint crashed\">No picture: {}</p></section>\n", html(record.own_picture_fault));
+        return fmt::format(
+            "<h2>The submission's own picture</h2><section class=\"card\"><p class=\"hint crashed\">No picture: "
+            "{}</p></section>\n",
+            html(record.own_picture_fault));
     if (record.own_picture.pixels.empty()) return {};
-    return fmt::format("<h2>The submission's own picture</h2><section class=\"card own\"><img src=\"{}\" alt=\"{} as drawn with all of the submission's fragments\">"
-                       "<p class=\"soft\">{}, with all fragments of the submission; blanks stand in for those that are missing or do not build{}.</p></section>\n",
-                       data_uri(record.own_picture, record.own_picture_exposure), html(record.own_picture_scene), html(record.own_picture_scene),
-                       record.left_out.empty() ? "" : html(fmt::format(", and for {}, which crashed or did not end", fmt::join(record.left_out, ", "))));
+    return fmt::format(
+        "<h2>The submission's own picture</h2><section class=\"card own\"><img src=\"{}\" alt=\"{} as drawn with all "
+        "of the submission's fragments\">"
+        "<p class=\"soft\">{}, with all fragments of the submission; blanks stand in for those that are missing or do "
+        "not build{}.</p></section>\n",
+        data_uri(record.own_picture, record.own_picture_exposure), html(record.own_picture_scene),
+        html(record.own_picture_scene),
+        record.left_out.empty()
+            ? ""
+            : html(fmt::format(", and for {}, which crashed or did not end", fmt::join(record.left_out, ", "))));
 }
 
 }  // namespace
 
 std::string page(const Record& record, const Assignment& assignment, const std::string& handout) {
     const double share = record.max_score() > 0 ? record.score() / record.max_score() : 0;
-    std::string text = fmt::format("<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\">"
-                                   "<title>{:g} of {:g}: {}</title><style>{}</style></head><body><main>\n",
-                                   record.score(), record.max_score(), html(record.submission), page_style);
-    text += fmt::format("<header><div><h1>{}</h1><p>{}</p><p class=\"soft\">{} mode, seed {}</p></div><div class=\"score\"><b>{:g}</b> <span>of {:g}</span>"
-                        "<div class=\"meter\" role=\"img\" aria-label=\"{:.0f} percent\"><i style=\"width:{:.1f}%\"></i></div></div></header>\n",
-                        html(record.title), html(record.submission), record.student_mode ? "student" : "instructor", record.seed, record.score(), record.max_score(),
-                        100 * share, 100 * share);
+    std::string text = fmt::format(
+        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+        "content=\"width=device-width\">"
+        "<title>{:g} of {:g}: {}</title><style>{}</style></head><body><main>\n",
+        record.score(), record.max_score(), html(record.submission), page_style);
+    text += fmt::format(
+        "<header><div><h1>{}</h1><p>{}</p><p class=\"soft\">{} mode, seed {}</p></div><div class=\"score\"><b>{:g}</b> "
+        "<span>of {:g}</span>"
+        "<div class=\"meter\" role=\"img\" aria-label=\"{:.0f} percent\"><i "
+        "style=\"width:{:.1f}%\"></i></div></div></header>\n",
+        html(record.title), html(record.submission), record.student_mode ? "student" : "instructor", record.seed,
+        record.score(), record.max_score(), 100 * share, 100 * share);
     text += overview(record, assignment, handout) + own_picture(record);
     for (const Part& part : assignment.parts) {
         std::string sections;
@@ -139,9 +178,12 @@ std::string page(const Record& record, const Assignment& assignment, const std::
             if (fragment.part == part.name) sections += fragment_section(fragment, record.student_mode, handout);
         if (!sections.empty()) text += fmt::format("<h2>{}</h2>\n{}", html(part.title), sections);
     }
-    text += fmt::format("<h2>About this grading</h2><section class=\"card soft\"><p>Again: <code>{}</code></p><p>Toolchain: {}. Grader {}. Sandbox: {}.</p>"
-                        "<p>A dot is the measured value on its 99.8 % interval, the line what is expected, the band what may differ.</p></section>\n</main></body></html>\n",
-                        html(record.command), html(record.toolchain), html(record.version), html(record.sandbox));
+    text += fmt::format(
+        "<h2>About this grading</h2><section class=\"card soft\"><p>Again: <code>{}</code></p><p>Toolchain: {}. Grader "
+        "{}. Sandbox: {}.</p>"
+        "<p>A dot is the measured value on its 99.8 % interval, the line what is expected, the band what may "
+        "differ.</p></section>\n</main></body></html>\n",
+        html(record.command), html(record.toolchain), html(record.version), html(record.sandbox));
     return text;
 }
 

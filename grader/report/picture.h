@@ -12,8 +12,8 @@ std::string data_uri(const rt::Image& image, double exposure);
 /// The exposure that shows most of a picture, none of it too dark.
 double preview_exposure(const rt::Image& image);
 
-/// Where one picture is brighter (orange) or darker (blue) than another, white where they agree; colours that colour-blind
-/// eyes tell apart too.
+/// Where one picture is brighter (orange) or darker (blue) than another, white where they agree; colours that
+/// colour-blind eyes tell apart too.
 struct Difference {
     rt::Image image;  // already as the colours are to be seen: exposure 1
     double full;      // luminance difference that has the full colour

@@ -35,7 +35,8 @@ Json statistic_json(const CheckRecord& check, const StatisticRecord* statistic) 
     json["verdict"] = name(statistic ? statistic->verdict : check.verdict);
     json["cause"] = statistic ? statistic->hint : check.message;
     json["hint"] = statistic ? statistic->hint : check.message;
-    if ((statistic ? statistic->verdict : check.verdict) != Verdict::passed) json["read"] = reading(section_of(check, statistic));
+    if ((statistic ? statistic->verdict : check.verdict) != Verdict::passed)
+        json["read"] = reading(section_of(check, statistic));
     json["check_verdict"] = name(check.verdict);
     json["share"] = check.share;
     if (!check.blocked_by.empty()) json["blocked_by"] = check.blocked_by;
@@ -58,7 +59,8 @@ Json fragment_json(const FragmentRecord& fragment) {
     json["checks"] = Json::array();
     for (const CheckRecord& check : fragment.checks) {
         if (check.statistics.empty()) json["checks"].push_back(statistic_json(check, nullptr));
-        for (const StatisticRecord& statistic : check.statistics) json["checks"].push_back(statistic_json(check, &statistic));
+        for (const StatisticRecord& statistic : check.statistics)
+            json["checks"].push_back(statistic_json(check, &statistic));
     }
     return json;
 }
@@ -101,8 +103,9 @@ std::string to_json(const Record& record) {
 }
 
 Verdict worse(Verdict a, Verdict b) {
-    constexpr std::array order{Verdict::did_not_build, Verdict::not_started, Verdict::crashed,      Verdict::timed_out, Verdict::not_an_image,
-                               Verdict::failed,        Verdict::blocked,     Verdict::inconclusive, Verdict::passed};
+    constexpr std::array order{Verdict::did_not_build, Verdict::not_started,  Verdict::crashed,
+                               Verdict::timed_out,     Verdict::not_an_image, Verdict::failed,
+                               Verdict::blocked,       Verdict::inconclusive, Verdict::passed};
     return *std::ranges::find_if(order, [&](Verdict verdict) { return verdict == a || verdict == b; });
 }
 

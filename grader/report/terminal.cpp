@@ -59,7 +59,9 @@ std::string in_words(Verdict verdict) {
 }
 
 std::string table(const Record& record, const Assignment& assignment, bool color) {
-    const auto paint = [&](Verdict verdict, const std::string& text) { return color ? color_of(verdict) + text + "\033[0m" : text; };
+    const auto paint = [&](Verdict verdict, const std::string& text) {
+        return color ? color_of(verdict) + text + "\033[0m" : text;
+    };
     std::string text;
     for (const Part& part : assignment.parts) {
         double have = 0, most = 0;
@@ -67,7 +69,8 @@ std::string table(const Record& record, const Assignment& assignment, bool color
         for (const FragmentRecord& fragment : record.fragments) {
             if (fragment.part != part.name) continue;
             have += fragment.points, most += fragment.max_points;
-            rows += fmt::format("  {:<24}{} {:>6} of {}\n", fragment.name, paint(fragment.verdict, fmt::format("{:<16}", in_words(fragment.verdict))),
+            rows += fmt::format("  {:<24}{} {:>6} of {}\n", fragment.name,
+                                paint(fragment.verdict, fmt::format("{:<16}", in_words(fragment.verdict))),
                                 points(fragment.points), points(fragment.max_points));
             if (fragment.verdict == Verdict::passed) continue;
             const Diagnosis diagnosis = diagnose(fragment);
@@ -78,9 +81,11 @@ std::string table(const Record& record, const Assignment& assignment, bool color
                 rows += "      " + reading(diagnosis.section) + "\n";
         }
         if (rows.empty()) continue;
-        text += fmt::format("{}{:<43}{:>6} of {}{}\n{}\n", color ? "\033[1m" : "", part.title, points(have), points(most), color ? "\033[0m" : "", rows);
+        text += fmt::format("{}{:<43}{:>6} of {}{}\n{}\n", color ? "\033[1m" : "", part.title, points(have),
+                            points(most), color ? "\033[0m" : "", rows);
     }
-    text += fmt::format("{}{:<43}{:>6} of {}{}\n", color ? "\033[1m" : "", "Total", points(record.score()), points(record.max_score()), color ? "\033[0m" : "");
+    text += fmt::format("{}{:<43}{:>6} of {}{}\n", color ? "\033[1m" : "", "Total", points(record.score()),
+                        points(record.max_score()), color ? "\033[0m" : "");
     return text;
 }
 

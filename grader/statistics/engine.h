@@ -40,9 +40,9 @@ struct Judgement {
 ///             fresh ones, on the same side
 ///
 /// where t are quantiles of Student's distribution, and the alpha_k and beta_k of all looks add up to alpha and beta. A
-/// failure needs 16 replicates, since means of fewer are not normal enough; only a gross one is seen with 8: all of them
-/// beyond delta on the same side, 20 standard deviations away, and 8 fresh ones again. Equal replicates are compared as
-/// they are. With no decision at the cap the verdict is inconclusive.
+/// failure needs 16 replicates, since means of fewer are not normal enough; only a gross one is seen with 8: all of
+/// them beyond delta on the same side, 20 standard deviations away, and 8 fresh ones again. Equal replicates are
+/// compared as they are. With no decision at the cap the verdict is inconclusive.
 ///
 /// Source: Schuirmann, "A comparison of the two one-sided tests procedure...", J. Pharmacokin. Biopharm. 15, 1987;
 /// Welch, "The generalization of Student's problem...", Biometrika 34, 1947.

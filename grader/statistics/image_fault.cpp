@@ -18,8 +18,12 @@ std::optional<std::string> image_fault(const rt::Image& image, int width, int he
         for (int x = 0; x < width; ++x)
             for (int channel = 0; channel < 3; ++channel) {
                 const double value = image.at(x, y)[channel];
-                const char* fault = std::isnan(value) ? "not a number" : std::isinf(value) ? "infinite" : value < 0 ? "negative" : nullptr;
-                if (fault) return fmt::format("pixel ({}, {}), channel {}, is {} ({})", x, y, "RGB"[channel], fault, value);
+                const char* fault = std::isnan(value)   ? "not a number"
+                                    : std::isinf(value) ? "infinite"
+                                    : value < 0         ? "negative"
+                                                        : nullptr;
+                if (fault)
+                    return fmt::format("pixel ({}, {}), channel {}, is {} ({})", x, y, "RGB"[channel], fault, value);
             }
     return std::nullopt;
 }
@@ -52,7 +56,9 @@ bool is_same(const rt::Image& a, const rt::Image& b) {
     if (a.width != b.width || a.height != b.height || a.pixels.size() != b.pixels.size()) return false;
     for (std::size_t k = 0; k < a.pixels.size(); ++k)
         for (int channel = 0; channel < 3; ++channel)
-            if (std::bit_cast<std::uint64_t>(a.pixels[k][channel]) != std::bit_cast<std::uint64_t>(b.pixels[k][channel])) return false;
+            if (std::bit_cast<std::uint64_t>(a.pixels[k][channel]) !=
+                std::bit_cast<std::uint64_t>(b.pixels[k][channel]))
+                return false;
     return true;
 }
 

@@ -11,9 +11,11 @@ namespace grade {
 
 /// By a quad, seen from its front and wholly above the horizon:
 ///
-///     1/2 |sum over edges of Theta_i Gamma_i . n|,  Theta_i the edge's angle, Gamma_i the unit normal of its plane with p
+///     1/2 |sum over edges of Theta_i Gamma_i . n|,  Theta_i the edge's angle, Gamma_i the unit normal of its plane
+///     with p
 ///
-/// Source: Lambert, "Photometria", 1760; Arvo, "The Irradiance Jacobian for Partially Occluded Polyhedral Sources", 1994.
+/// Source: Lambert, "Photometria", 1760; Arvo, "The Irradiance Jacobian for Partially Occluded Polyhedral Sources",
+/// 1994.
 double quad_irradiance(const rt::Quad& quad, rt::vec3 p, rt::vec3 n);
 
 /// By a disc of radius r that faces the element at height h above it: pi r^2 / (r^2 + h^2).

@@ -45,8 +45,8 @@ inline double streak_variance(double length, double blur, double lamp) {
     return length * length / 12 + blur * blur / 4 + lamp * lamp / 4 + 1.0 / 12;
 }
 
-/// Mean number of scatterings of light that falls from all sides alike on a ball of medium, whatever the phase function:
-/// the mean length of its ways is 4 V / S.
+/// Mean number of scatterings of light that falls from all sides alike on a ball of medium, whatever the phase
+/// function: the mean length of its ways is 4 V / S.
 ///
 ///     4/3 radius * scattering
 ///

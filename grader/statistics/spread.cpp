@@ -30,7 +30,8 @@ Spread edge_spread(std::span<const double> profile) {
     return s;
 }
 
-SlantedSpread slanted_spread(const rt::Image& image, const Region& region, const Edge& edge, double left, double right) {
+SlantedSpread slanted_spread(const rt::Image& image, const Region& region, const Edge& edge, double left,
+                             double right) {
     SlantedSpread s{0, 1.0 / 12};
     for (int y = region.y; y < region.y + region.height; ++y)
         for (int x = region.x; x < region.x + region.width; ++x) {

@@ -19,8 +19,8 @@ struct Spread {
 Spread light_spread(std::span<const double> profile);
 
 /// Moments of the line-spread function of an edge: of the derivative of its profile, rising or falling. The profile
-/// must be flat at both ends. The pixels add 1/6 to the variance where the edge falls anywhere in a pixel: 1/12 by their
-/// width, 1/12 by the differences.
+/// must be flat at both ends. The pixels add 1/6 to the variance where the edge falls anywhere in a pixel: 1/12 by
+/// their width, 1/12 by the differences.
 Spread edge_spread(std::span<const double> profile);
 
 /// A straight edge, x = offset + slope y in pixels.

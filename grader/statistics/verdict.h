@@ -18,8 +18,9 @@ enum class Verdict {
     blocked,        // a fragment that the experiment needs does not pass yet
 };
 
-constexpr std::array<std::string_view, 9> verdict_names = {
-    "passed", "failed", "not_started", "did_not_build", "crashed", "timed_out", "not_an_image", "inconclusive", "blocked"};
+constexpr std::array<std::string_view, 9> verdict_names = {"passed",        "failed",       "not_started",
+                                                           "did_not_build", "crashed",      "timed_out",
+                                                           "not_an_image",  "inconclusive", "blocked"};
 
 /// The verdict as the record spells it.
 constexpr std::string_view name(Verdict verdict) { return verdict_names[static_cast<std::size_t>(verdict)]; }

@@ -11,7 +11,8 @@ namespace {
 /// The mean of exp(i rate x^2) between low and high.
 std::complex<double> mean_of_axis(double rate, double low, double high) {
     const auto part = [=](double (*f)(double)) {
-        return boost::math::quadrature::gauss<double, 30>::integrate([=](double x) { return f(rate * x * x); }, low, high) /
+        return boost::math::quadrature::gauss<double, 30>::integrate([=](double x) { return f(rate * x * x); }, low,
+                                                                     high) /
                (high - low);
     };
     return {part([](double x) { return std::cos(x); }), part([](double x) { return std::sin(x); })};

@@ -16,7 +16,8 @@ namespace rt {
 /// Near the critical angle and at grazing incidence 1 - c1^2 loses the digits that matter: take
 /// (e2 c2)^2 = (e2 - e1)(e2 + e1) + (e1 c1)^2.
 ///
-/// Source: Born and Wolf, "Principles of Optics", section 1.5.
+/// Source: Born and Wolf, "Principles of Optics", section 1.5; Higham,
+/// "Accuracy and Stability of Numerical Algorithms", 2nd ed., section 1.7.
 Real fresnel_dielectric(Real cosine, Real ior_from, Real ior_to) {
     // YOUR CODE HERE
     return not_started(Real(0));

@@ -11,8 +11,9 @@ namespace rt {
 /// returns  t in units of |d|, near < t < far; else inf, also for a ray in the plane of the quad
 /// blank    inf
 ///
-/// Far from the world's origin o + t d would be rounded to the large numbers there: p comes from the difference o - center,
-/// which is small where the quad is near. No test for a ray in the plane: t is then inf or NaN, and every comparison with it says no.
+/// Far from the world's origin o + t d would be rounded to the large numbers there: p comes from the difference o -
+/// center, which is small where the quad is near. No test for a ray in the plane: t is then inf or NaN, and every
+/// comparison with it says no.
 ///
 /// Source: Ericson, "Real-Time Collision Detection", section 5.3.
 Real hit_quad(const Quad& quad, const Ray& ray) {

@@ -13,10 +13,12 @@ namespace rt {
 /// returns   unit direction [world]; the zero vector at total internal reflection
 /// blank     d
 ///
-/// At grazing incidence 1 - c^2 forgets c, and with almost equal indices 1 - e^2 forgets their difference. With a = ior_from c
-/// and b = sqrt((ior_to - ior_from)(ior_to + ior_from) + a^2), t = (ior_from d + (a - b) n)/ior_to forgets neither.
+/// At grazing incidence 1 - c^2 forgets c, and with almost equal indices 1 - e^2 forgets their difference. With a =
+/// ior_from c and b = sqrt((ior_to - ior_from)(ior_to + ior_from) + a^2), t = (ior_from d + (a - b) n)/ior_to forgets
+/// neither.
 ///
-/// Source: Heckbert, "Writing a Ray Tracer", An Introduction to Ray Tracing, chapter 7.
+/// Source: Heckbert, "Writing a Ray Tracer", An Introduction to Ray Tracing, chapter 7; Higham,
+/// "Accuracy and Stability of Numerical Algorithms", 2nd ed., section 1.7.
 vec3 refracted_direction(vec3 d, vec3 n, Real ior_from, Real ior_to) {
     // YOUR CODE HERE
     return not_started(d);

@@ -6,8 +6,9 @@ namespace rt {
 ///
 ///     density = (1 - g^2) / (4 pi (1 + g^2 - 2 g c)^(3/2)),    c = cosine of the angle between old and new direction
 ///
-/// With s = 2 u.x - 1 the cosine is (2 s + g (3 + s^2) + 2 g^2 s + g^3 (s^2 - 1)) / (2 (1 + g s)^2), which is s for g = 0:
-/// all directions alike. Close to |g| = 1 all light is within a tiny angle of d or -d: there 1 - c, or 1 + c, has the digits,
+/// With s = 2 u.x - 1 the cosine is (2 s + g (3 + s^2) + 2 g^2 s + g^3 (s^2 - 1)) / (2 (1 + g s)^2), which is s for g =
+/// 0: all directions alike. Close to |g| = 1 all light is within a tiny angle of d or -d: there 1 - c, or 1 + c, has
+/// the digits,
 ///
 ///     1 - c = 2 (1 - u.x) (1 + g u.x) ((1 - g)/(1 - g + 2 g u.x))^2,    1 + g^2 - 2 g c = (1 - g)^2 + 2 g (1 - c)
 ///

@@ -134,12 +134,12 @@ TEST_CASE("37 a shading point on the light: finite", "[extremes]") {
 
 TEST_CASE("38 orthonormal frames: axes, poles, 1e7 random normals within 4u", "[extremes]") {
     Random random(38);
-    Greatest worst;
-    const auto look = [&](vec3 n) {
+    Greatest worst, worst_of_unit;
+    const auto look = [](vec3 n, Greatest& greatest) {
         const Frame f = frame_about(n);
         const Long x(f.x), y(f.y), z(n);
         for (const long double off : {exact_dot(x, y), exact_dot(x, z), exact_dot(y, z), exact_length(x) - 1, exact_length(y) - 1})
-            worst.see(double(std::abs(off)) / roundoff);
+            greatest.see(double(std::abs(off)) / roundoff);
         return f;
     };
     for (int axis = 0; axis < 3; ++axis)
@@ -147,15 +147,21 @@ TEST_CASE("38 orthonormal frames: axes, poles, 1e7 random normals within 4u", "[
             for (const Real zero : {0.0, -0.0}) {
                 vec3 n(zero);
                 n[axis] = sign;
-                const Frame f = look(n);
+                const Frame f = look(n, worst);
                 CHECK(cross(f.x, f.y) == n);
             }
     for (int k = 0; k < 100000; ++k) {
         const vec2 near = random.scale(1e-20, 1e-3) * unit_circle(random.number());
-        look(unit({near.x, near.y, k % 2 ? -1 : 1}));
+        look({near.x, near.y, k % 2 ? -std::sqrt(1 - dot(near, near)) : std::sqrt(1 - dot(near, near))}, worst);
     }
     const std::int64_t n = count_of(1e7, 1e8);
-    for (std::int64_t k = 0; k < n; ++k) look(unit(random.direction()));
+    for (std::int64_t k = 0; k < n; ++k) {
+        const vec3 v = random.in_cube();
+        if (v == vec3(0)) continue;
+        look(vec3(Long(v) / exact_length(Long(v))), worst);
+        look(unit(v), worst_of_unit);
+    }
+    figure(38, "frames about normals that unit() made, whose length is off by up to 3u", worst_of_unit.value, 8);
     figure(38, "frames: dot products and lengths off by, in u", worst.value, 4);
 }
 
