@@ -32,7 +32,7 @@ bool is_fault(Swarm kind, double answer) { return kind == Swarm::mesh ? !(answer
 
 }  // namespace
 
-std::vector<CountRecord> big_counts(Programs& programs, const Sandbox& sandbox, const fs::path& meshes, const StressSettings& settings) {
+std::vector<CountRecord> big_counts(FamilyPrograms& programs, const Sandbox& sandbox, const fs::path& meshes, const StressSettings& settings) {
     std::vector<CountRecord> all;
     for (auto& [kind, record] : kinds(settings.rays)) {
         for (const std::string& name : record.fragments)

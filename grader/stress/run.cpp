@@ -11,7 +11,7 @@
 #include "build/runner.h"
 #include "judging/parallel.h"
 #include "stress/count.h"
-#include "stress/programs.h"
+#include "stress/family_programs.h"
 
 namespace grade {
 
@@ -32,7 +32,7 @@ Value value_of(Outcome<Value> outcome) {
 
 /// A family on one program. A decade without an answer fails, and the next one starts a new process; after one that did
 /// not end, those beyond it are not tried.
-void sweep_family(FamilyRecord& record, const Programs& programs, const fs::path& program, const Sandbox& sandbox, const fs::path& meshes,
+void sweep_family(FamilyRecord& record, const FamilyPrograms& programs, const fs::path& program, const Sandbox& sandbox, const fs::path& meshes,
                   double time_limit, double& cpu_seconds) {
     const Family& family = *record.family;
     std::unique_ptr<Runner> runner;
@@ -100,7 +100,7 @@ StressRecord stress_submission(const Submission& submission, const Assignment& a
         fragments.insert(family.fragments.begin(), family.fragments.end());
     }
     std::ranges::stable_sort(record.families, {}, [&](const FamilyRecord& one) { return assignment.place(one.family->fragments.front()); });
-    Programs programs(submission, chain, sandbox, settings.student);
+    FamilyPrograms programs(submission, chain, sandbox, settings.student);
     if (settings.progress) settings.progress(0, int(record.families.size()), "compiling");
     programs.compile(fragments, settings.jobs);
 
