@@ -99,6 +99,7 @@ StressRecord stress_submission(const Submission& submission, const Assignment& a
         record.families.push_back(std::move(one));
         fragments.insert(family.fragments.begin(), family.fragments.end());
     }
+    if (settings.rays > 0) fragments.insert({"shadow_ray", "hit_sphere", "hit_quad", "hit_triangle"});
     std::ranges::stable_sort(record.families, {}, [&](const FamilyRecord& one) { return assignment.place(one.family->fragments.front()); });
     FamilyPrograms programs(submission, chain, sandbox, settings.student);
     if (settings.progress) settings.progress(0, int(record.families.size()), "compiling");

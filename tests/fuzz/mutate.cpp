@@ -1,5 +1,6 @@
 #include "mutate.h"
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
