@@ -1,35 +1,55 @@
 #!/bin/sh
-# A picture has the same bits however it is made: fragments inlined or linked as objects, 1, 2 or 7 threads, GCC or Clang.
-# one_hash_test.sh BUILD
+# A picture has the same bits however it is made: fragments inlined or linked as objects; 1, 2, 3, 7 or 16 threads; GCC or
+# Clang; without optimisation or with all of it.
+# one_hash_test.sh BUILD [--levels]: with --levels also -O2, and -O0 and -O2 by Clang, which take minutes to build
 build=$1
 scenes="scenes/gallery/cornell.toml scenes/gallery/still_life.toml scenes/gallery/motion.toml scenes/gallery/candle.toml"
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 
-renderers="$build/raytrace $build/raytrace_linked"
-if command -v clang++ >/dev/null; then
-    if ! { cmake -S starter -B "$build/clang" -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DFRAGMENTS="$PWD/solution" &&
-        cmake --build "$build/clang"; } >"$work/log" 2>&1; then
+# renderer COMPILER FOLDER OPTIONS...: builds the renderer, once, and adds it to the list
+renderer() {
+    compiler=$1 folder=$build/$2
+    shift 2
+    if ! { cmake -S starter -B "$folder" -G Ninja -DCMAKE_CXX_COMPILER="$compiler" -DFRAGMENTS="$PWD/solution" "$@" &&
+        cmake --build "$folder" -j "$(nproc)"; } >"$work/log" 2>&1; then
         tail -n 30 "$work/log"
-        echo "the renderer does not build with clang++"
+        echo "the renderer does not build with $compiler $*"
         exit 1
     fi
-    renderers="$renderers $build/clang/raytrace"
+    renderers="$renderers $folder/raytrace"
+}
+
+renderers="$build/raytrace $build/raytrace_linked"
+# Debug and RelWithDebInfo have neither -O3 nor the instructions of this machine alone.
+renderer c++ gcc_O0 -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DRT_INLINE=OFF
+[ "$2" != --levels ] || renderer c++ gcc_O2 -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O2
+if command -v clang++ >/dev/null; then
+    renderer clang++ clang
+    if [ "$2" = --levels ]; then
+        renderer clang++ clang_O0 -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DRT_INLINE=OFF
+        renderer clang++ clang_O2 -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O2
+    fi
 else
     echo "clang++ is missing: GCC alone is tested; apt-get install clang for both"
 fi
 
 status=0
+pictures=0
 for scene in $scenes; do
     first=""
     for renderer in $renderers; do
-        for threads in 1 2 7; do
+        threads_of_it="1 2 3 7 16"
+        case $renderer in *_O*) threads_of_it="1 7" ;; esac
+        for threads in $threads_of_it; do
             "$renderer" "$scene" -o "$work/image.exr" --size 48x48 --samples 20 --threads "$threads" --quiet || exit 1
             hash=$(sha256sum <"$work/image.exr" | cut -c 1-16)
             echo "$scene $(basename "$(dirname "$renderer")")/$(basename "$renderer") $threads threads: $hash"
             [ "${first:=$hash}" = "$hash" ] || status=1
+            pictures=$((pictures + 1))
         done
     done
 done
 [ $status = 0 ] || echo "the hashes of one scene differ"
+[ $status != 0 ] || echo "$pictures pictures, one hash for each scene"
 exit $status

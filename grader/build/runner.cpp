@@ -120,6 +120,16 @@ Outcome<rt::Image> Runner::render(const Render& experiment, std::uint64_t seed, 
     return image;
 }
 
+Outcome<std::vector<double>> Runner::swarm(const SwarmRequest& request) {
+    auto outcome = ask(frame(FrameKind::swarm, bytes_of<SwarmRequest>({&request, 1})), int(FrameKind::rows), 1 + request.count);
+    if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
+    auto& numbers = std::get<std::vector<double>>(outcome);
+    if (numbers.size() != 1 + request.count) return Fault{Verdict::crashed, "the fragment wrote into the grader's channel", {}};
+    last_seconds_ = numbers.front();
+    numbers.erase(numbers.begin());
+    return std::move(numbers);
+}
+
 Outcome<Rows> Runner::probe(const std::string& fragment, const Rows& rows) {
     constexpr std::size_t most_results = 16;  // numbers that a fragment returns
     if (fragment != fragment_) {

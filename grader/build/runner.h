@@ -8,6 +8,7 @@
 
 #include "build/process.h"
 #include "build/sandbox.h"
+#include "child/swarm.h"
 #include "checks/check.h"
 #include "statistics/verdict.h"
 
@@ -35,6 +36,9 @@ public:
     /// Throws rt::InputError for a scene that is none.
     Outcome<rt::Image> render(const Render& experiment, std::uint64_t seed, double seconds = 0);
     Outcome<Rows> probe(const std::string& fragment, const Rows& rows);
+
+    /// Calls whose arguments the child makes up.
+    Outcome<std::vector<double>> swarm(const SwarmRequest& request);
 
     /// CPU time of the last answer, by the child's own account.
     double seconds() const { return last_seconds_; }

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "build/process.h"
+#include "build/refuse.h"
 
 namespace grade {
 
@@ -71,6 +72,7 @@ Toolchain read_toolchain(const fs::path& path) try {
         if (!fs::exists(archive)) throw std::runtime_error(fmt::format("{}: not built yet", archive.string()));
     if (chain.archives.empty()) throw std::runtime_error(fmt::format("{}: names no archives", path.string()));
     chain.symbols = fragment_symbols(chain.archives.front());
+    refuse_other_arithmetic(chain);
     return chain;
 } catch (const toml::parse_error& error) {
     throw std::runtime_error(fmt::format("{}: {}; expected the file that the build writes", path.string(), error.description()));

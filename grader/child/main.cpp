@@ -11,6 +11,8 @@
 
 #include "child/probes.h"
 #include "child/protocol.h"
+#include "child/self_test.h"
+#include "child/swarm.h"
 #include "rt/render.h"
 #include "rt/scene_reader.h"
 
@@ -88,6 +90,16 @@ std::string call(const std::string& fragment, const std::string& payload) {
     return frame(FrameKind::rows, bytes_of<double>(numbers));
 }
 
+std::string call_many(const std::string& payload) {
+    SwarmRequest request{};
+    if (payload.size() != sizeof request) throw std::runtime_error("a request for many calls of the wrong size");
+    std::memcpy(&request, payload.data(), sizeof request);
+    const double start = cpu_seconds();
+    std::vector<double> numbers = swarm(request);
+    numbers.insert(numbers.begin(), cpu_seconds() - start);
+    return frame(FrameKind::rows, bytes_of<double>(numbers));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -95,6 +107,8 @@ int main(int argc, char** argv) {
     close(3);
     const double seconds = argc > 1 ? std::atof(argv[1]) : 10;
 
+    // the grader has tested its own: what is different here is a fragment's doing
+    const std::string fault = arithmetic_fault();
     std::optional<rt::Scene> scene;
     std::string fragment;
     for (FrameHeader header{}; read_all(&header, sizeof header);) {
@@ -102,6 +116,7 @@ int main(int argc, char** argv) {
         if (!read_all(payload.data(), payload.size())) return 0;
         allow(seconds);
         try {
+            if (!fault.empty()) throw std::runtime_error("the fragment changes the arithmetic of its program: " + fault);
             switch (header.kind) {
                 case FrameKind::scene:
                     // argv[2]: where the scene's meshes are looked for
@@ -113,6 +128,7 @@ int main(int argc, char** argv) {
                     write_all(frame(FrameKind::done, {}));
                     break;
                 case FrameKind::render: write_all(render(scene.value(), payload)); break;
+                case FrameKind::swarm: write_all(call_many(payload)); break;
                 case FrameKind::rows: write_all(call(fragment, payload)); break;
                 default: return 1;
             }

@@ -12,10 +12,11 @@
 ///     scene  TOML text     done, or error with a text
 ///     render settings      image: width, height, CPU seconds, then red, green, blue of each pixel
 ///     fragment  name       done
+///     swarm  which         rows: CPU seconds, then one number for each call; see swarm.h
 ///     rows   rows          rows: CPU seconds, then one row of results for each
 namespace grade {
 
-enum class FrameKind : std::uint32_t { scene = 1, render, fragment, rows, done, image, error };
+enum class FrameKind : std::uint32_t { scene = 1, render, fragment, rows, done, image, error, swarm };
 
 struct FrameHeader {
     FrameKind kind;

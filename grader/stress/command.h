@@ -13,7 +13,7 @@ struct StressArguments {
     std::string submission, mode, json, html, toolchain = GRADE_TOOLCHAIN;
     std::vector<std::string> only;
     int jobs = 0;
-    double time_limit = 10;
+    double time_limit = 10, rays = 0;
     bool trusted = false, list = false, store = false, require = false;
 };
 

@@ -27,7 +27,7 @@ Wall wall(Surface kind, double size, Generator& random) {
     const double radius = size * log_between(random, 0.5, 2);
     const rt::Quad quad{center, radius * frame.x, radius * frame.y};
     return {kind, {center, radius}, quad, {center - quad.u - quad.v, center + quad.u - quad.v, center + 2.0 * quad.v},
-            rt::largest(center) + 3 * radius};
+            rt::largest(vec3(std::abs(center.x), std::abs(center.y), std::abs(center.z)) + radius)};
 }
 
 vec3 normal_at(const Wall& w, vec3 p) {
@@ -61,7 +61,7 @@ double self_hits(Surface kind, double size, Generator& random, const Asker& ask)
         const Ray& ray = rays[i];
         const vec3 p = ray.origin + t * ray.direction;
         const vec3 outside = normal_at(walls[i], p), n = dot(ray.direction, outside) > 0 ? -outside : outside;
-        const double error = 16 * rt::roundoff * (rt::largest(ray.origin) + rt::largest(p) + walls[i].reach);
+        const double error = 32 * rt::roundoff * (rt::largest(p) + walls[i].reach);
         const bool sphere = kind == Surface::sphere;
         const vec3 to = tilted(random, sphere || chance(random, 0.5) ? n : -n, std::acos(between(random, 0, 1)));
         leaving.push_back(row(Hit{p, n, error}, to, rt::inf));

@@ -53,6 +53,14 @@ std::string overview(const StressRecord& record) {
     return text + "</table></section>\n";
 }
 
+std::string counts(const StressRecord& record) {
+    if (record.counts.empty()) return {};
+    std::string text = "<h2>Big counts</h2><section class=\"card\"><table><tr><th></th><th class=\"number\">calls</th><th class=\"number\">faults</th></tr>\n";
+    for (const CountRecord& c : record.counts)
+        text += fmt::format("<tr><td>{} {}</td><td class=\"number\">{:.3g}</td><td class=\"number\">{:.0f}</td></tr>\n", html(c.what), html(c.message), c.calls, c.faults);
+    return text + "</table></section>\n";
+}
+
 std::string plots(const StressRecord& record) {
     std::string text = "<h2>How the errors grow</h2><section class=\"card\"><p class=\"soft\">Each dot is the greatest error at that decade over the one that is allowed there; "
                        "triangles fail. The foot of a plot is 1e-8 and less, its head a wrong verdict or no number. In the shade, the allowed error is what a picture "
@@ -77,7 +85,7 @@ std::string page(const StressRecord& record, const std::string& title) {
                         "<p class=\"soft\">bonus: {} decades beyond ordinary scenes{}</p></div></header>\n",
                         html(title), html(record.submission), record.student_mode ? "student" : "instructor", record.scored(), record.most_scored(), 100 * share, 100 * share,
                         record.bonus(), record.most_bonus() > 0 ? fmt::format("; the solution {}", record.most_bonus()) : "");
-    text += overview(record) + plots(record);
+    text += overview(record) + counts(record) + plots(record);
     return text + fmt::format("<h2>About this run</h2><section class=\"card soft\"><p>Again: <code>{}</code></p><p>Toolchain: {}. Grader {}. Sandbox: {}.</p></section>\n</main></body></html>\n",
                               html(record.command), html(record.toolchain), html(record.version), html(record.sandbox));
 }

@@ -82,6 +82,9 @@ std::string to_json(const StressRecord& record) {
         }
         json["families"].push_back(family);
     }
+    for (const CountRecord& c : record.counts)
+        json["counts"].push_back({{"name", c.name}, {"what", c.what}, {"fragments", c.fragments}, {"calls", c.calls}, {"faults", c.faults},
+                                  {"cpu_seconds", c.seconds}, {"message", c.message}});
     json["cpu_seconds"] = record.cpu_seconds;
     json["sandbox"] = record.sandbox;
     json["toolchain"] = record.toolchain;

@@ -35,11 +35,21 @@ struct FamilyRecord {
     int bonus() const;
 };
 
+/// One of the big counts of a long run.
+struct CountRecord {
+    std::string name, what;               // "mesh", "rays from within a closed mesh that get out"
+    std::vector<std::string> fragments;   // that took part
+    double calls = 0, faults = 0;
+    double seconds = 0;                   // CPU time
+    std::string message;                  // why it ended early
+};
+
 struct StressRecord {
     std::string submission, toolchain, version, command, sandbox;
     bool student_mode = false;
     std::vector<FamilyRecord> families;
-    double cpu_seconds = 0;  // of the submission's program
+    std::vector<CountRecord> counts;  // of a long run
+    double cpu_seconds = 0;           // of the submission's program
 
     int scored() const;         // families whose ordinary decades all pass
     int most_scored() const;

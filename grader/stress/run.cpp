@@ -10,7 +10,8 @@
 
 #include "build/runner.h"
 #include "judging/parallel.h"
-#include "stress/programs.h"
+#include "stress/count.h"
+#include "stress/family_programs.h"
 
 namespace grade {
 
@@ -31,7 +32,7 @@ Value value_of(Outcome<Value> outcome) {
 
 /// A family on one program. A decade without an answer fails, and the next one starts a new process; after one that did
 /// not end, those beyond it are not tried.
-void sweep_family(FamilyRecord& record, const Programs& programs, const fs::path& program, const Sandbox& sandbox, const fs::path& meshes,
+void sweep_family(FamilyRecord& record, const FamilyPrograms& programs, const fs::path& program, const Sandbox& sandbox, const fs::path& meshes,
                   double time_limit, double& cpu_seconds) {
     const Family& family = *record.family;
     std::unique_ptr<Runner> runner;
@@ -98,11 +99,13 @@ StressRecord stress_submission(const Submission& submission, const Assignment& a
         record.families.push_back(std::move(one));
         fragments.insert(family.fragments.begin(), family.fragments.end());
     }
+    if (settings.rays > 0) fragments.insert({"shadow_ray", "hit_sphere", "hit_quad", "hit_triangle"});
     std::ranges::stable_sort(record.families, {}, [&](const FamilyRecord& one) { return assignment.place(one.family->fragments.front()); });
-    Programs programs(submission, chain, sandbox, settings.student);
+    FamilyPrograms programs(submission, chain, sandbox, settings.student);
     if (settings.progress) settings.progress(0, int(record.families.size()), "compiling");
     programs.compile(fragments, settings.jobs);
 
+    if (settings.rays > 0) record.counts = big_counts(programs, sandbox, chain.source / "scenes", settings);
     std::mutex lock;
     int done = 0;
     in_parallel(int(record.families.size()), settings.jobs, [&](int i) {

@@ -16,6 +16,7 @@ struct StressSettings {
     bool trusted = false;
     int jobs = 0;                // at a time; 0: one for each core
     double time_limit = 10;      // CPU time of one answer [s]
+    double rays = 0;             // of the big counts on meshes; twice as many that leave surfaces; 0: none
     std::function<void(int done, int all, const std::string& doing)> progress;  // never called twice at a time
 };
 

@@ -22,6 +22,10 @@ std::string table(const StressRecord& record, bool color) {
                 break;
             }
     }
+    for (const CountRecord& c : record.counts) {
+        text += fmt::format("{:.3g} {}: {}{:.0f}{} ({:.0f} s)\n", c.calls, c.what, color ? c.faults > 0 ? "\033[31m" : "\033[32m" : "", c.faults, color ? "\033[0m" : "", c.seconds);
+        if (!c.message.empty()) text += fmt::format("    {}\n", printable(c.message, 90));
+    }
     text += fmt::format("\nScored tier (ordinary scenes): {} of {} families. Bonus: {} decades beyond", record.scored(), record.most_scored(), record.bonus());
     if (record.most_bonus() > 0) text += fmt::format("; the solution {}", record.most_bonus());
     return text + ".\n";

@@ -1,4 +1,4 @@
-#include "stress/programs.h"
+#include "stress/family_programs.h"
 
 #include <fmt/format.h>
 
@@ -10,10 +10,10 @@
 
 namespace grade {
 
-Programs::Programs(const Submission& submission, const Toolchain& chain, const Sandbox& sandbox, bool student)
+FamilyPrograms::FamilyPrograms(const Submission& submission, const Toolchain& chain, const Sandbox& sandbox, bool student)
     : submission_(submission), chain_(chain), sandbox_(sandbox), student_(student) {}
 
-void Programs::compile(const std::set<std::string>& fragments, int jobs) {
+void FamilyPrograms::compile(const std::set<std::string>& fragments, int jobs) {
     std::vector<std::pair<std::string, const std::string*>> sources;
     for (const std::string& name : fragments) {
         const std::string file = name + ".cpp";
@@ -38,12 +38,12 @@ void Programs::compile(const std::set<std::string>& fragments, int jobs) {
     });
 }
 
-std::string Programs::complaint(const std::string& fragment) const {
+std::string FamilyPrograms::complaint(const std::string& fragment) const {
     const auto found = complaints_.find(fragment);
     return found == complaints_.end() ? "" : found->second;
 }
 
-fs::path Programs::with(const std::set<std::string>& fragments) {
+fs::path FamilyPrograms::with(const std::set<std::string>& fragments) {
     const std::scoped_lock lock(lock_);
     // in student mode all that is there; else what differs from the solution
     std::set<std::string> own;
@@ -69,7 +69,7 @@ fs::path Programs::with(const std::set<std::string>& fragments) {
     return linked_[own] = program;
 }
 
-fs::path Programs::copy_for(const std::string& name, const fs::path& program) const {
+fs::path FamilyPrograms::copy_for(const std::string& name, const fs::path& program) const {
     const fs::path folder = work_.path() / "runs" / name;
     fs::remove_all(folder);
     fs::create_directories(folder);

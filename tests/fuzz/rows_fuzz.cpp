@@ -1,0 +1,40 @@
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+
+#include "child/protocol.h"
+#include "child/rows.h"
+
+/// The numbers of an answer are rows, or none; a value in them is read, or the reader throws.
+namespace {
+
+template <class Value>
+void read_as(std::span<const double> row) {
+    try {
+        grade::from_row<Value>(row);
+    } catch (const std::out_of_range&) {
+    } catch (const std::domain_error&) {
+    }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    std::vector<double> numbers(size / sizeof(double));
+    if (!numbers.empty()) std::memcpy(numbers.data(), data, numbers.size() * sizeof(double));
+    std::vector<std::vector<double>> rows;
+    if (grade::unflatten(numbers, rows)) {
+        const std::vector<double> again = grade::flatten(rows);
+        if (again.size() != numbers.size() || std::memcmp(again.data() + 1, numbers.data() + 1, (again.size() - 1) * sizeof(double)) != 0) {
+            std::fprintf(stderr, "rows_fuzz: other numbers came back\n");
+            std::abort();
+        }
+        for (const auto& row : rows) {
+            read_as<rt::Ray>(row), read_as<rt::vec3>(row), read_as<rt::LightSample>(row), read_as<rt::Scattered>(row), read_as<rt::Outgoing>(row);
+            read_as<std::vector<double>>(row), read_as<std::vector<grade::StratumOf>>(row), read_as<grade::Integrand>(row);
+        }
+    }
+    return 0;
+}
