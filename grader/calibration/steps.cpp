@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double patience = 30;      // CPU seconds of a picture
 constexpr int pictures_of_a_variant = 16, pictures_of_the_solution = 64;
-constexpr std::size_t gradings_at_once = 10;  // of one compilation
+constexpr std::size_t gradings_at_once = 25;  // of one compilation
 
 void write_json(const fs::path& path, const Json& json) {
     fs::create_directories(path.parent_path());
