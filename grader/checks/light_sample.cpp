@@ -127,7 +127,10 @@ Check flat_light(Generator& random, Emitter::Kind kind, const char* name, std::v
         mean_of("L3", "covariance of the point on the light", moment([=](vec2 q) { return q.x * q.y / area; }), 0, 1,
                 always("the two coordinates depend on each other: one needs u.x and the other u.y"));
     const Hint width = by_ratio("the mean square of the point on the light",
-                                {{0.25, "half of the light is sampled"},
+                                {{1.0 / 16, quad ? "u and v are half edges, which are used as whole ones"
+                                                 : "the radius is used as the diameter"},
+                                 {16, quad ? "u and v are half edges already" : "the diameter is used as the radius"},
+                                 {0.25, "half of the light is sampled"},
                                  {0, "one point of the light is sampled"},
                                  {2.0 / 3, "points crowd in the middle: is a square root missing?"}});
     Statistic xx = mean_of("L3", "mean square of the point on the light, across",

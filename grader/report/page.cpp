@@ -94,7 +94,7 @@ std::string check_section(const CheckRecord& check, bool student) {
 /// Where to read about what is wrong.
 std::string read_link(const std::string& section, const std::string& handout) {
     if (section.empty()) return {};
-    return fmt::format("<a href=\"{}#{}\">{}</a>", html(handout), html(anchor(section)), html(reading(section)));
+    return fmt::format("See <a href=\"{}#{}\">{}</a>", html(handout), html(anchor(section)), html(reading(section)));
 }
 
 std::string fragment_section(const FragmentRecord& fragment, bool student, const std::string& handout) {
@@ -106,7 +106,7 @@ std::string fragment_section(const FragmentRecord& fragment, bool student, const
     else if (!fragment.message.empty())
         text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(fragment.verdict), html(fragment.message));
     if (const std::string link = read_link(diagnose(fragment).section, handout); !link.empty())
-        text += fmt::format("<p class=\"soft\">Read: {}</p>\n", link);
+        text += fmt::format("<p class=\"soft\">{}</p>\n", link);
     if (fragment.verdict != Verdict::did_not_build && fragment.verdict != Verdict::not_started)
         for (const CheckRecord& check : fragment.checks) text += check_section(check, student);
     return text + "</section>\n";
