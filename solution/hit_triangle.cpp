@@ -18,9 +18,9 @@ namespace rt {
 /// both of its triangles the same number with opposite signs, bit by bit. A product's rounding never swaps which of two
 /// is larger, so the sign is right or the number is 0, and 0 counts for both triangles.
 ///
-/// For a needle u, v and w have few digits left, so t comes from the plane, o + t d on (b - a) x (c - a): that is as
-/// good for a needle as for any other, and a ray that leaves the triangle meets it behind. Seen edge-on the plane is no
-/// help; but a hit is never nearer than the nearest corner, nor farther than the farthest.
+/// For a needle u, v and w have few digits left, so t comes from the plane, o + t d on (b - a) x (c - a), which is as good
+/// for a needle as for any other as long as the cross product does not cancel: then a ray that leaves the triangle meets
+/// it behind.
 ///
 /// Source: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
 Real hit_triangle(const Triangle& triangle, const Ray& ray) {
@@ -44,14 +44,15 @@ Real hit_triangle(const Triangle& triangle, const Ray& ray) {
     // Inside, all three edge functions have one sign.
     const Real u = cx * by - cy * bx, v = ax * cy - ay * cx, w = bx * ay - by * ax;
     if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return inf;
-    const vec3 n = cross(triangle.b - triangle.a, triangle.c - triangle.a);
-    if (u + v + w == 0 || n == vec3(0)) return inf;
+    if (u + v + w == 0) return inf;
 
-    // How far: to the plane, between the corners also where that is 0/0.
+    // How far: to the plane, but between the corners. Edge-on there is nothing that the neighbours do not cover.
+    const vec3 n = exact_cross(triangle.b - triangle.a, triangle.c - triangle.a);
+    const Real slope = dot(d, n);
+    if (!(slope * slope > sqr(16 * roundoff) * dot(d, d) * dot(n, n))) return inf;
     const Real ta = a.z / to.z, tb = b.z / to.z, tc = c.z / to.z;
     const Real low = std::min(ta, std::min(tb, tc)), high = std::max(ta, std::max(tb, tc));
-    const Real plane = dot(triangle.a - ray.origin, n) / dot(d, n);
-    const Real t = plane >= low ? std::min(plane, high) : low;
+    const Real t = std::clamp(dot(triangle.a - ray.origin, n) / slope, low, high);
     return t > ray.near && t < ray.far ? t : inf;
     // END SOLUTION: return not_started(inf);
 }

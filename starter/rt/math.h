@@ -59,6 +59,21 @@ inline vec2 unit_circle(Real turn) {
     return {quarter == 1 || quarter == 2 ? -x : x, quarter == 2 || quarter == 3 ? -y : y};
 }
 
+/// a b - c d with an error of two roundings of the result, where plain arithmetic may have no digit right.
+///
+/// Source: Cornea, Harrison, Tang, "Scientific Computing on Itanium-based Systems", 2002; Jeannerod, "A Radix-Independent
+/// Error Analysis of the Cornea-Harrison-Tang Method", ACM TOMS 42(3), 2016.
+inline Real difference_of_products(Real a, Real b, Real c, Real d) {
+    const Real ab = a * b, cd = c * d;
+    return (ab - cd) + (std::fma(a, b, -ab) - std::fma(c, d, -cd));
+}
+
+/// v cross w, each coordinate to two roundings, also where v and w are almost parallel.
+inline vec3 exact_cross(vec3 v, vec3 w) {
+    return {difference_of_products(v.y, w.z, v.z, w.y), difference_of_products(v.z, w.x, v.x, w.z),
+            difference_of_products(v.x, w.y, v.y, w.x)};
+}
+
 /// The largest of |x|, |y|, |z|.
 inline Real largest(vec3 v) {
     const Real x = std::abs(v.x), y = std::abs(v.y), z = std::abs(v.z);

@@ -28,7 +28,7 @@ Quad at(Quad q, vec3 shift) { return {q.center + shift, q.u, q.v}; }
 Disc at(Disc d, vec3 shift) { return {d.center + shift, d.normal, d.radius}; }
 
 SurfaceRecord record(const Sphere& s) { return {.center = s.center, .radius = s.radius}; }
-SurfaceRecord record(const Triangle& t) { return {.center = t.a, .normal = unit(cross(t.b - t.a, t.c - t.a))}; }
+SurfaceRecord record(const Triangle& t) { return {.center = t.a, .normal = unit(exact_cross(t.b - t.a, t.c - t.a))}; }
 SurfaceRecord record(const Quad& q) { return {.center = q.center, .normal = unit(cross(q.u, q.v))}; }
 SurfaceRecord record(const Disc& d) { return {.center = d.center, .normal = d.normal}; }
 
