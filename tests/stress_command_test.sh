@@ -47,14 +47,14 @@ sed -i 's|return point|return punkt|' "$work/mine/moved.cpp"
 expect 0 "did not build" "$grade" stress "$work/mine" --only moved
 
 # big counts, small here
-expect 0 "closed mesh that get out: 0" "$grade" stress solution --only moved --long=2e5
-expect 0 "leave a sphere and meet it: 0" "$grade" stress solution --only moved --long=2e5
-expect 0 "leave a quad and meet it: 0" "$grade" stress solution --only moved --long=2e5
-expect 0 "leave a triangle and meet it: 0" "$grade" stress solution --only moved --long=2e5
+expect 0 "closed mesh that get out: 0" "$grade" stress solution --only moved --long --rays 2e5
+expect 0 "leave a sphere and meet it: 0" "$grade" stress solution --only moved --long --rays 2e5
+expect 0 "leave a quad and meet it: 0" "$grade" stress solution --only moved --long --rays 2e5
+expect 0 "leave a triangle and meet it: 0" "$grade" stress solution --only moved --long --rays 2e5
 mkdir "$work/naive" && cp -r solution "$work/naive/solution"
 patch -s -d "$work/naive" -p1 <tests/variants/naive/shadow_no_offset.patch
 patch -s -d "$work/naive" -p1 <tests/variants/naive/triangle_moller_trumbore.patch
-"$grade" stress "$work/naive/solution" --only moved --long=2e5 --json "$work/e.json" >/dev/null 2>&1
+"$grade" stress "$work/naive/solution" --only moved --long --rays 2e5 --json "$work/e.json" >/dev/null 2>&1
 expect 0 "[True, True, True, True]" python3 -c "import json; print([c['faults'] > 0 for c in json.load(open('$work/e.json'))['counts']])"
 
 # the same again but for the times

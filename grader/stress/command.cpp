@@ -33,8 +33,7 @@ StressSettings settings_of(const StressArguments& arguments, const Toolchain& ch
     settings.trusted = arguments.trusted;
     settings.jobs = arguments.jobs;
     settings.time_limit = arguments.time_limit;
-    if (!(arguments.rays >= 0 && arguments.rays <= 1e12)) throw rt::InputError(fmt::format("--long={}: expected a number of rays, up to 1e12", arguments.rays));
-    settings.rays = arguments.rays;
+    settings.rays = arguments.many ? arguments.rays : 0;
     return settings;
 }
 
@@ -54,7 +53,8 @@ CLI::App* add_stress_command(CLI::App& app, StressArguments& arguments) {
     stress->add_option("--html", arguments.html, "write a page with plots into this folder")->type_name("DIR");
     stress->add_option("--jobs", arguments.jobs, "how many programs run at a time; default: one for each core")->check(CLI::Range(1, 1024));
     stress->add_option("--time-limit", arguments.time_limit, "CPU seconds for one answer")->capture_default_str()->check(CLI::Range(1.0, 600.0));
-    stress->add_flag("--long{1e8}", arguments.rays, "also so many rays against closed meshes, and twice as many that leave surfaces")->type_name("=RAYS");
+    stress->add_flag("--long", arguments.many, "also the big counts: 1e8 rays against closed meshes, 2e8 that leave surfaces");
+    stress->add_option("--rays", arguments.rays, "of --long against meshes; twice as many leave surfaces")->type_name("N")->check(CLI::Range(1.0, 1e12));
     stress->add_flag("--trusted", arguments.trusted, "the code is your own: limits, but no sandbox");
     stress->add_flag("--list", arguments.list, "print the families and leave");
     stress->add_flag("--require", arguments.require, "exit with 1 unless the scored tier is full");

@@ -13,8 +13,8 @@ struct StressArguments {
     std::string submission, mode, json, html, toolchain = GRADE_TOOLCHAIN;
     std::vector<std::string> only;
     int jobs = 0;
-    double time_limit = 10, rays = 0;
-    bool trusted = false, list = false, store = false, require = false;
+    double time_limit = 10, rays = 1e8;
+    bool trusted = false, many = false, list = false, store = false, require = false;
 };
 
 /// grade stress: how extreme a scene a submission's fragments survive.
