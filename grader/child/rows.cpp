@@ -33,6 +33,17 @@ std::size_t RowReader::count() {
     return std::size_t(n);
 }
 
+namespace {
+
+/// A number that an int can hold: a position in an enum, a count of pixels.
+int whole(RowReader& in) {
+    const double x = in.number();
+    if (!(x >= -2147483648.0 && x <= 2147483647.0)) throw std::domain_error("a whole number is none");
+    return int(x);
+}
+
+}  // namespace
+
 // The members of each type, in the order of rows.h: once, for writing and for reading.
 namespace {
 
@@ -125,13 +136,13 @@ void append(Numbers& row, const Integrand& f) {
 }
 
 double read(RowReader& in, Tag<double>) { return in.number(); }
-int read(RowReader& in, Tag<int>) { return int(in.number()); }
+int read(RowReader& in, Tag<int>) { return whole(in); }
 bool read(RowReader& in, Tag<bool>) { return in.number() != 0; }
-rt::Event read(RowReader& in, Tag<rt::Event>) { return rt::Event(int(in.number())); }
+rt::Event read(RowReader& in, Tag<rt::Event>) { return rt::Event(whole(in)); }
 
 // A braced list is read from left to right.
 rt::vec2 read(RowReader& in, Tag<rt::vec2>) { return rt::vec2{in.number(), in.number()}; }
-rt::ivec2 read(RowReader& in, Tag<rt::ivec2>) { return rt::ivec2{int(in.number()), int(in.number())}; }
+rt::ivec2 read(RowReader& in, Tag<rt::ivec2>) { return rt::ivec2{whole(in), whole(in)}; }
 rt::vec3 read(RowReader& in, Tag<rt::vec3>) { return rt::vec3{in.number(), in.number(), in.number()}; }
 
 rt::Ray read(RowReader& in, Tag<rt::Ray>) { return read_members<rt::Ray>(in); }
@@ -155,7 +166,7 @@ StratumOf read(RowReader& in, Tag<StratumOf>) { return read_members<StratumOf>(i
 
 rt::Emitter read(RowReader& in, Tag<rt::Emitter>) {
     rt::Emitter light;
-    light.kind = rt::Emitter::Kind(int(in.number()));
+    light.kind = rt::Emitter::Kind(whole(in));
     light.quad = read(in, Tag<rt::Quad>{});
     light.disc = read(in, Tag<rt::Disc>{});
     light.sphere = read(in, Tag<rt::Sphere>{});
@@ -165,7 +176,7 @@ rt::Emitter read(RowReader& in, Tag<rt::Emitter>) {
 
 Integrand read(RowReader& in, Tag<Integrand>) {
     Integrand f;
-    f.kind = Integrand::Kind(int(in.number()));
+    f.kind = Integrand::Kind(whole(in));
     f.parameters = read(in, Tag<std::vector<double>>{});
     return f;
 }

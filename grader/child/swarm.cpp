@@ -57,7 +57,7 @@ Octahedron octahedron(Draw d) {
 }
 
 Real meets(const Octahedron& mesh, Draw d) {
-    const vec3 origin = mesh.size * d.box(0.15);
+    const vec3 origin = mesh.size * d.box(0.05);
     const rt::Triangle& face = mesh.faces[std::size_t(d.unit() * 8)];
     const Real how = d.unit(), along = d.unit();
     vec3 target = face.a;  // a corner

@@ -30,7 +30,7 @@ double missed(vec3 center, double size, bool at_edges, Generator& random, const 
     for (int mesh = 0; mesh < meshes; ++mesh) {
         const auto faces = octahedron(random, center, size);
         for (int i = 0; i < rays; ++i) {
-            const vec3 origin = center + size * box(random, -0.15, 0.15);
+            const vec3 origin = center + size * box(random, -0.05, 0.05);
             const Triangle& face = faces[std::size_t(whole_between(random, 0, 7))];
             const double s = i % 10 == 0 ? 0 : between(random, 0, 1);
             const vec3 target = face.a + s * (face.b - face.a);
