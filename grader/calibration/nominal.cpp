@@ -45,7 +45,8 @@ std::vector<Nominal> nominal_rates(const PooledChecks& checks, int draws, std::u
     std::vector<Nominal> rates;
     for (const auto& [check, pool] : checks)
         for (std::size_t i = 0; i < check->statistics.size(); ++i)
-            if (!check->statistics[i].exact && pool->replicates() > 1) rates.push_back(nominal_rate(*check, i, *pool, draws, random));
+            if (!check->statistics[i].exact && pool->replicates() > 1)
+                if (const Nominal rate = nominal_rate(*check, i, *pool, draws, random); rate.spread > 1e-6) rates.push_back(rate);
     return rates;
 }
 

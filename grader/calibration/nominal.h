@@ -17,7 +17,7 @@ struct Nominal {
     double spread = 0;          // of a replicate, over delta
 };
 
-/// For each statistic with noise of one grading seed.
+/// For each statistic of one grading seed whose noise is more than rounding.
 ///
 /// draws  tests of each, of 16 replicates: the fewest that a failure may rest on
 std::vector<Nominal> nominal_rates(const PooledChecks& checks, int draws, std::uint64_t random);

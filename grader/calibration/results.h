@@ -11,7 +11,7 @@ namespace grade {
 inline std::uint64_t pool_seed(int part) { return 1001 + std::uint64_t(part); }
 
 inline fs::path pool_file(const Workshop& workshop, const std::string& variant, const Check& check, std::uint64_t seed) {
-    return workshop.results() / "pools" / variant / (key_of(check) + "-" + std::to_string(seed));
+    return workshop.results(check.fragment) / "pools" / variant / (key_of(check) + "-" + std::to_string(seed));
 }
 
 inline std::vector<Bundle> wrong_bundles(const Workshop& workshop) {
@@ -49,7 +49,7 @@ inline fs::path real_file(const Workshop& workshop, const Bundle& bundle, std::u
 }
 
 inline fs::path peer_file(const Workshop& workshop, const Variant& variant) {
-    return workshop.results() / "peers" / (variant.name + ".json");
+    return workshop.results(variant.fragment) / "peers" / (variant.name + ".json");
 }
 
 inline fs::path dose_file(const Workshop& workshop, const Variant& variant) { return workshop.results() / (variant.name + ".json"); }

@@ -13,14 +13,22 @@ namespace grade {
 
 namespace {
 
-/// Of all that decides what a fragment's replicates are, and what is said about them.
+/// Of all that decides what a fragment's replicates are: its own checks, and what all share. Without a fragment, of all
+/// that decides what becomes of a submission.
 ///
 /// Source: Fowler, Noll, Vo, "The FNV Non-Cryptographic Hash Algorithm", RFC 9923.
-std::string stamp(const fs::path& source) {
+std::string stamp(const fs::path& source, const std::vector<std::string>& fragments, const std::string& fragment) {
     std::vector<fs::path> files;
-    for (const char* folder : {"starter/rt", "solution", "scenes", "grader/checks", "grader/statistics", "grader/judging", "grader/child"})
-        for (const auto& entry : fs::recursive_directory_iterator(source / folder))
-            if (const auto type = entry.path().extension(); type == ".cpp" || type == ".h" || type == ".toml") files.push_back(entry.path());
+    std::vector<std::string> folders{"starter/rt", "solution", "scenes", "grader/checks", "grader/statistics", "grader/child"};
+    if (fragment.empty()) folders.push_back("grader/judging");
+    for (const std::string& folder : folders)
+        for (const auto& entry : fs::recursive_directory_iterator(source / folder)) {
+            const fs::path& path = entry.path();
+            const bool read = path.extension() == ".cpp" || path.extension() == ".h" || path.extension() == ".toml";
+            const bool of_another = !fragment.empty() && folder == "grader/checks" && path.stem() != fragment &&
+                                    std::ranges::count(fragments, path.stem().string()) > 0;
+            if (read && !of_another) files.push_back(path);
+        }
     std::ranges::sort(files);
     std::uint64_t hash = 0xcbf29ce484222325;
     for (const fs::path& file : files)
@@ -44,8 +52,16 @@ Workshop::Workshop(const fs::path& toolchain, const fs::path& results, Amount am
       assignment_(read_assignment((chain_.source / "assignment.toml").string())),
       sandbox_(find_sandbox(true)),
       amount_(amount),
-      results_(results / stamp(chain_.source)),
+      results_(results),
       variants_(chosen(read_variants(chain_.source / "tests/variants"), words)) {}
+
+fs::path Workshop::results(const std::string& fragment) const {
+    const std::scoped_lock lock(lock_);
+    fs::path& folder = folders_[fragment];
+    if (folder.empty())
+        folder = results_ / fmt::format("{}-{}", fragment.empty() ? "whole" : fragment, stamp(chain_.source, assignment_.names(), fragment));
+    return folder;
+}
 
 std::vector<const Variant*> Workshop::variants(Variant::Kind kind) const {
     std::vector<const Variant*> list;
@@ -73,7 +89,7 @@ std::string Workshop::solution_text(const std::string& fragment) const {
 }
 
 fs::path Workshop::program(const std::string& name, const std::string& fragment, const std::string& text) const {
-    const fs::path folder = results_ / "programs" / name, program = folder / "child";
+    const fs::path folder = results(fragment) / "programs" / name, program = folder / "child";
     if (fs::exists(program)) return program;
     fs::create_directories(folder);
     std::vector<fs::path> objects;

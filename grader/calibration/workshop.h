@@ -26,8 +26,8 @@ struct Amount {
 /// What all steps of a calibration share: variants, checks, programs, and the folder where results are kept.
 class Workshop {
 public:
-    /// results  where results are kept: below it a folder for each state of the sources, so that old results are never
-    ///          taken for new ones
+    /// results  where results are kept: below it a folder for each fragment and state of the sources, so that old results
+    ///          are never taken for new ones, and an edited check costs only its own
     /// words    only variants whose name holds one of them, or whose fragment is one; empty: all
     Workshop(const fs::path& toolchain, const fs::path& results, Amount amount, const std::vector<std::string>& words);
 
@@ -35,7 +35,7 @@ public:
     const Assignment& assignment() const { return assignment_; }
     const Sandbox& sandbox() const { return sandbox_; }
     const Amount& amount() const { return amount_; }
-    fs::path results() const { return results_; }
+    fs::path results(const std::string& fragment = {}) const;
     fs::path meshes() const { return chain_.source / "scenes"; }
 
     const std::vector<Variant>& variants() const { return variants_; }
@@ -63,6 +63,7 @@ private:
     std::vector<Variant> variants_;
     mutable std::mutex lock_;
     mutable std::map<std::uint64_t, std::vector<Check>> checks_;
+    mutable std::map<std::string, fs::path> folders_;
 };
 
 /// One piece of work, whose result is a file: done when the file is there.

@@ -14,15 +14,17 @@ CheckJudge::CheckJudge(const Check& check, const Settings& settings) : check_(ch
 
 void CheckJudge::add(const Scalars& scalars, const std::function<std::optional<double>(std::size_t)>& exact) {
     for (std::size_t i = 0; i < judges_.size(); ++i) {
-        if (!is_open(i)) continue;
         const Statistic& statistic = check_.statistics[i];
-        const double value = scalars(i);
-        if (!statistic.exact) {
-            judges_[i].add(value);
+        if (statistic.exact) {
+            if (first_) {
+                const std::optional<double> truth = statistic.truth ? statistic.truth : exact ? exact(i) : std::nullopt;
+                judgements_[i] = truth ? judge_exact(scalars(i), *truth, statistic.delta) : Judgement{};
+            } else if (statistic.truth && judgements_[i]->verdict == Verdict::passed) {
+                judgements_[i] = judge_exact(scalars(i), *statistic.truth, statistic.delta);
+            }
+        } else if (is_open(i)) {
+            judges_[i].add(scalars(i));
             judgements_[i] = judges_[i].decide();
-        } else if (first_) {
-            const std::optional<double> truth = statistic.truth ? statistic.truth : exact ? exact(i) : std::nullopt;
-            judgements_[i] = truth ? judge_exact(value, *truth, statistic.delta) : Judgement{};
         }
     }
     first_ = false;

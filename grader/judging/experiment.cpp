@@ -74,6 +74,17 @@ bool is_same(const Observation& a, const Observation& b) {
     return is_same(a.image, b.image) && same_rows(a.outputs, b.outputs);
 }
 
+bool differs(const Observation& a, const Observation& b) {
+    const auto apart = [](double x, double y) { return std::abs(x - y) > 1e-6 * std::max(std::abs(x), std::abs(y)); };
+    for (std::size_t i = 0; i < a.image.pixels.size(); ++i)
+        for (int c = 0; c < 3; ++c)
+            if (apart(a.image.pixels[i][c], b.image.pixels[i][c])) return true;
+    for (std::size_t i = 0; i < a.outputs.size(); ++i)
+        for (std::size_t k = 0; k < a.outputs[i].size(); ++k)
+            if (apart(a.outputs[i][k], b.outputs[i][k])) return true;
+    return false;
+}
+
 double measured(const Statistic& statistic, const Observation& observation) try {
     return statistic.measure(observation);
 } catch (const std::exception&) {

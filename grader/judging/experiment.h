@@ -20,6 +20,9 @@ Outcome<Observation> observe(Runner& runner, const Check& check, std::uint64_t s
 /// Whether two observations agree bit by bit.
 bool is_same(const Observation& a, const Observation& b);
 
+/// Whether two observations differ by more than rounding: by more than a millionth of a number.
+bool differs(const Observation& a, const Observation& b);
+
 /// A statistic of an observation; nan where it cannot be measured.
 double measured(const Statistic& statistic, const Observation& observation);
 

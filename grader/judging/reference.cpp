@@ -50,7 +50,7 @@ std::optional<std::vector<double>> Reference::replicate(int which) {
 }
 
 std::optional<bool> Reference::noisy() {
-    if (live_) return !is_same(live_->with_seed_of_submission(0), live_->with_seed_of_submission(1));
+    if (live_) return differs(live_->with_seed_of_submission(0), live_->with_seed_of_submission(1));
     return stored_ ? std::optional(stored_->noisy) : std::nullopt;
 }
 

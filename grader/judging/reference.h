@@ -35,6 +35,7 @@ public:
     /// Of every statistic, in a replicate of its own. None: not known.
     std::optional<std::vector<double>> replicate(int which);
 
+    /// Whether two seeds give two pictures, beyond rounding. None: not known.
     std::optional<bool> noisy();
     std::optional<double> cpu_seconds();
 
