@@ -71,9 +71,9 @@ Real meets(const Octahedron& mesh, Draw d) {
 
 // ---- surfaces that are left ----
 
-/// As the framework's surface stage has it.
-Hit hit_at(const Ray& ray, Real t, vec3 outside, Real reach) {
-    const vec3 p = ray.origin + t * ray.direction;
+/// As the framework's surface stage has it: the point is put back onto the surface, of which it is so far above.
+Hit hit_at(const Ray& ray, vec3 reached, Real above, vec3 outside, Real reach) {
+    const vec3 p = reached - above * outside;
     const bool behind = dot(ray.direction, outside) > 0;
     return {p, behind ? -outside : outside, 32 * rt::roundoff * (rt::largest(p) + reach)};
 }
@@ -92,8 +92,9 @@ Real leaves_sphere(Draw d) {
     const Ray ray{inside ? target : target - size * d.between(3, 6) * way, way, 0, rt::inf};
     const Real t = rt::hit_sphere(sphere, ray);
     if (!(t < rt::inf)) return NAN;
-    const vec3 round = ray.origin + t * way - sphere.center;
-    const Hit hit = hit_at(ray, t, rt::unit(round), rt::largest(rt::vec3(std::abs(sphere.center.x), std::abs(sphere.center.y), std::abs(sphere.center.z)) + sphere.radius));
+    const vec3 reached = ray.origin + t * way, round = reached - sphere.center;
+    const Real length = std::sqrt(dot(round, round)), reach = rt::largest(sphere.center) + sphere.radius;
+    const Hit hit = hit_at(ray, reached, length - sphere.radius, round / length, reach);
     const vec3 to = away_from(hit.normal, d);
     const Real again = rt::hit_sphere(sphere, rt::shadow_ray(hit, to, rt::inf));
     // from within, the far side is rightly met, a chord away
@@ -116,7 +117,8 @@ Real leaves_flat(Draw d, bool is_quad) {
     if (!(t < rt::inf)) return NAN;
     const Real reach = std::max({rt::largest(center + u + v), rt::largest(center + u - v), rt::largest(center - u + v), rt::largest(center - u - v)});
     const vec3 normal = is_quad ? rt::unit(cross(u, v)) : rt::unit(cross(triangle.b - triangle.a, triangle.c - triangle.a));
-    const Hit hit = hit_at(ray, t, normal, reach);
+    const vec3 reached = ray.origin + t * way;
+    const Hit hit = hit_at(ray, reached, dot(reached - center, normal), normal, reach);
     const vec3 side = d.unit() < 0.5 ? hit.normal : -hit.normal;  // mirrored or let through
     return hit_by(rt::shadow_ray(hit, away_from(side, d), rt::inf));
 }
