@@ -38,7 +38,8 @@ Assignment read_assignment(const std::string& path) {
             Fragment fragment{entry.text("name"), part.text("name"), 0, entry.flag("given", false)};
             if (std::ranges::count(assignment.fragments, fragment.name, &Fragment::name) > 0)
                 entry.fail("name", "a second fragment \"" + fragment.name + "\"", "each name once");
-            fragment.points = entry.number("points", rt::not_negative, fragment.given ? std::optional(0.0) : std::nullopt);
+            fragment.points =
+                entry.number("points", rt::not_negative, fragment.given ? std::optional(0.0) : std::nullopt);
             if (fragment.given) fragment.points = 0;
             assignment.fragments.push_back(fragment);
         }

@@ -49,7 +49,9 @@ std::string command_of(int argc, char** argv) {
     std::string command = "grade";
     for (int i = 1; i < argc; ++i) {
         const std::string word = argv[i];
-        const bool plain = !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+") == word.npos;
+        const bool plain =
+            !word.empty() && word.find_first_not_of(
+                                 "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+") == word.npos;
         std::string quoted = "'";
         for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
         command += " " + (plain ? word : quoted + "'");
@@ -71,10 +73,12 @@ GradingSettings settings_of(const Arguments& arguments, const Assignment& assign
         settings.only.insert(name);
     }
     settings.student = arguments.mode.empty() ? !chain.has_solution() : arguments.mode == "student";
-    if (!settings.student && !chain.has_solution()) throw UsageError("--mode instructor needs the folder solution/, which is not here");
+    if (!settings.student && !chain.has_solution())
+        throw UsageError("--mode instructor needs the folder solution/, which is not here");
     if (settings.student && arguments.seed && *arguments.seed != student_seed)
-        throw UsageError(fmt::format("--seed {}: in student mode the seed is {}, which the stored statistics of the solution belong to",
-                                     *arguments.seed, student_seed));
+        throw UsageError(fmt::format(
+            "--seed {}: in student mode the seed is {}, which the stored statistics of the solution belong to",
+            *arguments.seed, student_seed));
     settings.seed = settings.student ? student_seed : arguments.seed ? *arguments.seed : fresh_seed();
     settings.jobs = arguments.jobs;
     settings.time_limit = arguments.time_limit;
@@ -82,10 +86,15 @@ GradingSettings settings_of(const Arguments& arguments, const Assignment& assign
     settings.keep = arguments.keep;
     settings.pictures = !arguments.html.empty();
     const fs::path folder = fs::path(arguments.json).parent_path();
-    if (!folder.empty() && !fs::is_directory(folder)) throw UsageError(fmt::format("--json {}: there is no folder {}", arguments.json, folder.string()));
+    if (!folder.empty() && !fs::is_directory(folder))
+        throw UsageError(fmt::format("--json {}: there is no folder {}", arguments.json, folder.string()));
     const fs::path gallery = chain.source / "scenes/gallery/everything.toml";
-    if (!arguments.own_scene.empty()) rt::read_scene(arguments.own_scene);  // says what is wrong with it, before all the work
-    if (settings.pictures) settings.own_scene = !arguments.own_scene.empty() ? fs::path(arguments.own_scene) : fs::exists(gallery) ? gallery : fs::path();
+    if (!arguments.own_scene.empty())
+        rt::read_scene(arguments.own_scene);  // says what is wrong with it, before all the work
+    if (settings.pictures)
+        settings.own_scene = !arguments.own_scene.empty() ? fs::path(arguments.own_scene)
+                             : fs::exists(gallery)        ? gallery
+                                                          : fs::path();
     return settings;
 }
 
@@ -94,7 +103,8 @@ int grade_one(Arguments arguments, std::string command) {
     if (arguments.submission.empty()) arguments.submission = (chain.source / "starter").string();
     // Whoever edits the starter always gets the pictures as well.
     std::error_code missing;
-    if (arguments.html.empty() && arguments.only.empty() && fs::equivalent(arguments.submission, chain.source / "starter", missing))
+    if (arguments.html.empty() && arguments.only.empty() &&
+        fs::equivalent(arguments.submission, chain.source / "starter", missing))
         arguments.html = (fs::path(arguments.toolchain).parent_path() / "report").string();
     const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
     GradingSettings settings = settings_of(arguments, assignment, chain);
@@ -130,8 +140,9 @@ int store_references(const Arguments& arguments) {
     if (!chain.has_solution()) throw UsageError("references are made from the folder solution/, which is not here");
     const std::vector<Check> checks = all_checks(student_seed);
     ProgressLine line;
-    const auto stored = make_references(chain, checks, arguments.replicates, arguments.jobs,
-                                        [&](int done, int all, const std::string& doing) { line.show(done, all, doing); });
+    const auto stored =
+        make_references(chain, checks, arguments.replicates, arguments.jobs,
+                        [&](int done, int all, const std::string& doing) { line.show(done, all, doing); });
     line.clear();
     const fs::path folder = chain.source / "scenes/reference";
     write_references(folder, checks, stored, student_seed);
@@ -140,10 +151,12 @@ int store_references(const Arguments& arguments) {
 }
 
 int describe(const Arguments& arguments) {
-    const Assignment assignment = read_assignment((read_toolchain(arguments.toolchain).source / "assignment.toml").string());
+    const Assignment assignment =
+        read_assignment((read_toolchain(arguments.toolchain).source / "assignment.toml").string());
     if (arguments.handout.empty()) {
         fmt::print("{}\n", describe_points(assignment));
-        for (const Fragment& fragment : assignment.fragments) fmt::print("### {}\n\n{}\n", fragment.name, describe_checks(assignment, fragment.name));
+        for (const Fragment& fragment : assignment.fragments)
+            fmt::print("### {}\n\n{}\n", fragment.name, describe_checks(assignment, fragment.name));
         return graded;
     }
     const auto text = read_text(arguments.handout);
@@ -167,21 +180,32 @@ int main(int argc, char** argv) {
     Arguments arguments;
     app.add_option("SUBMISSION", arguments.submission, "a folder, a .zip or a .tar.gz; default: starter");
     app.add_option("--only", arguments.only, "grade only these fragments")->delimiter(',')->type_name("FRAGMENT");
-    app.add_option("--seed", arguments.seed, "of all parameters and random numbers; default: a fresh one")->type_name("N");
-    app.add_option("--mode", arguments.mode, "instructor: each fragment with the solution's others; student: with the submission's own")
+    app.add_option("--seed", arguments.seed, "of all parameters and random numbers; default: a fresh one")
+        ->type_name("N");
+    app.add_option("--mode", arguments.mode,
+                   "instructor: each fragment with the solution's others; student: with the submission's own")
         ->check(CLI::IsMember({"instructor", "student"}));
     app.add_option("--json", arguments.json, "write the record of the grading")->type_name("FILE");
-    app.add_option("--html", arguments.html, "write a page with all pictures into this folder; a whole starter always gets one")->type_name("DIR");
+    app.add_option("--html", arguments.html,
+                   "write a page with all pictures into this folder; a whole starter always gets one")
+        ->type_name("DIR");
     app.add_option("--require", arguments.required, "exit with 1 below so many points")->type_name("POINTS");
-    app.add_option("--jobs", arguments.jobs, "how many programs run at a time; default: one for each core")->check(CLI::Range(1, 1024));
-    app.add_option("--time-limit", arguments.time_limit, "CPU seconds for one answer of a fragment")->capture_default_str()->check(CLI::Range(1.0, 600.0));
+    app.add_option("--jobs", arguments.jobs, "how many programs run at a time; default: one for each core")
+        ->check(CLI::Range(1, 1024));
+    app.add_option("--time-limit", arguments.time_limit, "CPU seconds for one answer of a fragment")
+        ->capture_default_str()
+        ->check(CLI::Range(1.0, 600.0));
     app.add_option("--keep", arguments.keep, "leave objects and programs in this folder")->type_name("DIR");
-    app.add_option("--picture", arguments.own_scene, "the scene of the submission's own picture on the page")->type_name("SCENE");
+    app.add_option("--picture", arguments.own_scene, "the scene of the submission's own picture on the page")
+        ->type_name("SCENE");
     app.add_flag("--trusted", arguments.trusted, "the code is your own: limits, but no sandbox");
     app.add_option("--toolchain", arguments.toolchain, "what the build wrote about itself")->group("");
 
-    CLI::App* references = app.add_subcommand("references", "store the solution's statistics for students, who have no solution");
-    references->add_option("--replicates", arguments.replicates, "of each check")->capture_default_str()->check(CLI::Range(8, 100000));
+    CLI::App* references =
+        app.add_subcommand("references", "store the solution's statistics for students, who have no solution");
+    references->add_option("--replicates", arguments.replicates, "of each check")
+        ->capture_default_str()
+        ->check(CLI::Range(8, 100000));
     references->add_option("--jobs", arguments.jobs, "how many programs run at a time")->check(CLI::Range(1, 1024));
     references->fallthrough();
 
@@ -206,7 +230,8 @@ int main(int argc, char** argv) {
     }
     try {
         if (references->parsed()) return store_references(arguments);
-        if (trust->parsed()) return calibrate(calibration, arguments.toolchain, command_of(argc, argv)) ? graded : below_required;
+        if (trust->parsed())
+            return calibrate(calibration, arguments.toolchain, command_of(argc, argv)) ? graded : below_required;
         if (tables->parsed()) return describe(arguments);
         if (starter->parsed()) return hand_out_starter(arguments);
         if (stress->parsed()) return run_stress(stress_arguments, command_of(argc, argv));

@@ -12,7 +12,8 @@ int main(int argc, char** argv) {
     bool check = false;
     app.add_option("SOLUTION", solution, "folder of the solution's fragments")->required();
     app.add_option("STARTER", starter, "folder of the starter's fragments")->required();
-    app.add_option("--assignment", assignment, "the list of fragments, for those that are given")->capture_default_str();
+    app.add_option("--assignment", assignment, "the list of fragments, for those that are given")
+        ->capture_default_str();
     app.add_flag("--check", check, "write nothing; fail where the starter differs");
     try {
         app.parse(argc, argv);

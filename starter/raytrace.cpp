@@ -106,7 +106,8 @@ rt::RenderSettings make_settings(const Options& o, const rt::Scene& scene) {
 /// Before the rendering: it would be a pity to find out afterwards.
 void check_output(const std::string& out) {
     const std::filesystem::path path(out);
-    if (out.empty()) throw UsageError("no output; expected -o NAME.exr, --plan, --pixel X,Y or --export-mitsuba NAME.xml");
+    if (out.empty())
+        throw UsageError("no output; expected -o NAME.exr, --plan, --pixel X,Y or --export-mitsuba NAME.xml");
     if (path.extension() != ".exr") throw UsageError(out + ": unknown kind of image; expected -o NAME.exr");
     const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
     if (access(folder.c_str(), W_OK) != 0)

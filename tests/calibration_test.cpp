@@ -142,7 +142,8 @@ TEST_CASE("replays pass what is right, fail what is off, and cost what their rep
 TEST_CASE("a normal statistic rejects as often as promised; one that is mostly constant does not") {
     const Check check = one_check();
     const Pool good = normal(1, 0.05);
-    const Pool spikes = pool_of(4096, [](auto& random) { return std::uniform_real_distribution<double>()(random) < 0.01 ? 10.0 : 0.9; });
+    const Pool spikes = pool_of(
+        4096, [](auto& random) { return std::uniform_real_distribution<double>()(random) < 0.01 ? 10.0 : 0.9; });
     const auto rate = [&](const Pool& pool) { return nominal_rates({{&check, &pool}}, 100'000, 3).at(0); };
     CHECK(rate(good).at_2 == Approx(1).margin(0.15));
     CHECK(rate(good).at_3 == Approx(1).margin(0.4));
@@ -202,7 +203,8 @@ TEST_CASE("steps of all shards together are all steps; what is done is not done 
 }
 
 TEST_CASE("a plot shows each series by name, and leaves out what a logarithm cannot show") {
-    const std::string svg = log_log({"a < b", "time [s]", "error", {{"mine & yours", {{1, 0.1}, {10, 0}, {100, 0.001}}}}});
+    const std::string svg =
+        log_log({"a < b", "time [s]", "error", {{"mine & yours", {{1, 0.1}, {10, 0}, {100, 0.001}}}}});
     CHECK(svg.find("a &lt; b") != svg.npos);
     CHECK(svg.find("mine &amp; yours") != svg.npos);
     CHECK(svg.find("nan") == svg.npos);

@@ -61,8 +61,10 @@ TEST_CASE("one seed gives one set of checks") {
     const auto a = all_checks(7), b = all_checks(7);
     REQUIRE(a.size() == b.size());
     for (std::size_t k = 0; k < a.size(); ++k) {
-        if (const auto* render = std::get_if<Render>(&a[k].experiment)) CHECK(render->scene == std::get<Render>(b[k].experiment).scene);
-        for (std::size_t i = 0; i < a[k].statistics.size(); ++i) CHECK(a[k].statistics[i].truth == b[k].statistics[i].truth);
+        if (const auto* render = std::get_if<Render>(&a[k].experiment))
+            CHECK(render->scene == std::get<Render>(b[k].experiment).scene);
+        for (std::size_t i = 0; i < a[k].statistics.size(); ++i)
+            CHECK(a[k].statistics[i].truth == b[k].statistics[i].truth);
     }
 }
 
@@ -80,7 +82,8 @@ Observation observe(double (*fragment)(double)) {
 
 Statistic doubling() {
     return formula("X", "off by", of<double>([](double x) { return 2 * x; }), 1e-6,
-                   {{"the factor is 3", of<double>([](double x) { return 3 * x; })}, {"the result is nan", of<double>([](double) { return NAN; })}},
+                   {{"the factor is 3", of<double>([](double x) { return 3 * x; })},
+                    {"the result is nan", of<double>([](double) { return NAN; })}},
                    {{"negative numbers alone are wrong", [](const Row& in) { return in[0] < 0; }}});
 }
 
@@ -98,7 +101,10 @@ TEST_CASE("a formula is measured by its worst row, and its cause is the suspect 
 }
 
 TEST_CASE("a hint names the nearest known cause, and those that nothing tells apart from it") {
-    const Hint hint = by_ratio("the disc", {{2, "is the diameter the radius?"}, {2.01, "is it doubled?"}, {2.4, "is it more?"}, {0, "is it missing?"}}, "look at it");
+    const Hint hint = by_ratio(
+        "the disc",
+        {{2, "is the diameter the radius?"}, {2.01, "is it doubled?"}, {2.4, "is it more?"}, {0, "is it missing?"}},
+        "look at it");
     CHECK(hint(2.02, 1) == "the disc is 2.02 times what it must be: is it doubled? Or: is the diameter the radius?");
     CHECK(hint(4.8, 2) == "the disc is 2.4 times what it must be: is it more?");
     CHECK(hint(0, 1) == "the disc is 0 times what it must be: is it missing?");
@@ -109,7 +115,8 @@ TEST_CASE("a hint names the nearest known cause, and those that nothing tells ap
 TEST_CASE("chi-squared of even points is 1 on average, and large where a part gets nothing") {
     Generator random(3);
     std::uniform_real_distribution<double> u(0, 1);
-    const Statistic s = uniform_in_square("X", "", [](const Row&, const Row& out) { return rt::vec2(out[0], out[1]); }, 4, 4, always(""));
+    const Statistic s = uniform_in_square(
+        "X", "", [](const Row&, const Row& out) { return rt::vec2(out[0], out[1]); }, 4, 4, always(""));
     const auto seen = [&](double width) {
         Observation o;
         for (int k = 0; k < 500; ++k) {
@@ -137,7 +144,8 @@ const std::map<std::string, std::string> same_arguments = {
 const std::map<std::string, std::string> same_pictures = {
     {"film_sample/fine_stripes", "any noise is right that pixels do not share"},
     {"shutter_time/passing_train", "any noise is right that pixels do not share, and as large"},
-    {"lens_ray/two_colors", "the colours of any spot are right that do not go with the place; depths and corner look at the spot itself"},
+    {"lens_ray/two_colors",
+     "the colours of any spot are right that do not go with the place; depths and corner look at the spot itself"},
 };
 
 }  // namespace
@@ -166,8 +174,10 @@ TEST_CASE("a picture that the solution draws under one seed does not pass under 
     const auto first = all_checks(1);
     std::vector<std::vector<Check>> others;
     for (std::uint64_t seed = 2; seed <= 5; ++seed) others.push_back(all_checks(seed));
-    const std::map<std::string, rt::Sampler> samplers = {{"uniform", rt::Sampler::uniform}, {"random", rt::Sampler::random},
-                                                         {"stratified", rt::Sampler::stratified}, {"sobol", rt::Sampler::sobol}};
+    const std::map<std::string, rt::Sampler> samplers = {{"uniform", rt::Sampler::uniform},
+                                                         {"random", rt::Sampler::random},
+                                                         {"stratified", rt::Sampler::stratified},
+                                                         {"sobol", rt::Sampler::sobol}};
     for (std::size_t k = 0; k < first.size(); ++k) {
         const auto* render = std::get_if<Render>(&first[k].experiment);
         if (!render) continue;
@@ -178,8 +188,11 @@ TEST_CASE("a picture that the solution draws under one seed does not pass under 
         settings.sampler = samplers.at(render->sampler);
         Observation copied;
         copied.image = rt::render(rt::parse_scene(render->scene, "scenes/scene.toml"), settings).image;
-        const auto is_off = [&](const Statistic& s) { return !s.truth || !(std::abs(measured(s, copied) - *s.truth) <= 1.5 * s.delta); };
-        const auto fails = std::ranges::count_if(others, [&](const auto& checks) { return std::ranges::any_of(checks[k].statistics, is_off); });
+        const auto is_off = [&](const Statistic& s) {
+            return !s.truth || !(std::abs(measured(s, copied) - *s.truth) <= 1.5 * s.delta);
+        };
+        const auto fails = std::ranges::count_if(
+            others, [&](const auto& checks) { return std::ranges::any_of(checks[k].statistics, is_off); });
         // parameters may be close to each other by chance
         if (same_pictures.contains(name)) CHECK(fails == 0);
         else CHECK(fails >= 1);

@@ -19,7 +19,8 @@ Camera random_camera(Random& random) {
 
 }  // namespace
 
-TEST_CASE("film_sample: the samples of a pixel cover it, have its centre as mean and 1/12 of its size squared as variance") {
+TEST_CASE(
+    "film_sample: the samples of a pixel cover it, have its centre as mean and 1/12 of its size squared as variance") {
     Random random(1);
     for (const int n : {1, 2, 5, 16, 37}) {
         const Extent pixel{{12, 7}, {12.5, 9}};
@@ -31,7 +32,8 @@ TEST_CASE("film_sample: the samples of a pixel cover it, have its centre as mean
             for (int i = 0; i < n; ++i) {
                 const FilmSample sample = film_sample(pixel, i, n, random.point());
                 const vec2 p = (sample.position - center) / size;
-                if (!(std::abs(p.x) <= 0.5 && std::abs(p.y) <= 0.5)) FAIL("sample outside the pixel: " << text(sample.position));
+                if (!(std::abs(p.x) <= 0.5 && std::abs(p.y) <= 0.5))
+                    FAIL("sample outside the pixel: " << text(sample.position));
                 mean += sample.weight * p / (Real(rounds) * n);
                 square += sample.weight * p * p / (Real(rounds) * n);
                 weight += sample.weight / (Real(rounds) * n);
@@ -59,7 +61,8 @@ TEST_CASE("lens_ray: through the point in focus, from a point of the lens") {
         const Camera camera = random_camera(random);
         const Ray pinhole{camera.eye, -random.direction_about(camera.back, 0.2), 0, inf};
         const Ray ray = lens_ray(camera, pinhole, random.point());
-        INFO("focus " << camera.focus << ", lens radius " << camera.lens_radius << ", pinhole's direction " << text(pinhole.direction));
+        INFO("focus " << camera.focus << ", lens radius " << camera.lens_radius << ", pinhole's direction "
+                      << text(pinhole.direction));
         const vec3 offset = ray.origin - camera.eye;
         CHECK(std::sqrt(dot(offset, offset)) <= camera.lens_radius * (1 + 1e-9));
         CHECK(dot(offset, camera.back) == Approx(0).margin(1e-12));
@@ -73,7 +76,8 @@ TEST_CASE("lens_ray: through the point in focus, from a point of the lens") {
     }
 }
 
-TEST_CASE("lens_ray: all parts of the lens get their share; no lens is a pinhole; focus at infinity gives parallel rays") {
+TEST_CASE(
+    "lens_ray: all parts of the lens get their share; no lens is a pinhole; focus at infinity gives parallel rays") {
     Random random(3);
     Camera camera = random_camera(random);
     const Ray pinhole{camera.eye, -random.direction_about(camera.back, 0.2), 0, inf};

@@ -68,7 +68,8 @@ TEST_CASE("hit_sphere: a ray towards a point inside hits the surface, small, hug
         const long double off = std::abs(length(at(ray, t) - Long(sphere.center)) - sphere.radius);
         CHECK(double(off) <= double(4 * rounding));
         const Long outwards = at(ray, t) - Long(sphere.center);
-        CHECK(outwards.x * ray.direction.x + outwards.y * ray.direction.y + outwards.z * ray.direction.z < 0);  // the near root
+        CHECK(outwards.x * ray.direction.x + outwards.y * ray.direction.y + outwards.z * ray.direction.z <
+              0);  // the near root
     }
 }
 
@@ -154,7 +155,8 @@ TEST_CASE("hit_quad: inside its half edges, from both sides, at any scale") {
     for (int i = 0; i < 20000; ++i) {
         const Real scale = random.scale(1e-6, 1e6);
         const Frame frame = frame_about(random.direction());
-        const Quad quad{scale * random.in_cube(), scale * random.between(0.1, 1) * frame.x, scale * random.between(0.1, 1) * frame.y};
+        const Quad quad{scale * random.in_cube(), scale * random.between(0.1, 1) * frame.x,
+                        scale * random.between(0.1, 1) * frame.y};
         const Real x = random.between(-1.5, 1.5), y = random.between(-1.5, 1.5);
         const Real outside = std::max(std::abs(x), std::abs(y)) - 1;
         const Real distance = scale * random.scale(0.1, 1e3);

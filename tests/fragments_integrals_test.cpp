@@ -97,7 +97,8 @@ TEST_CASE("integrate_stratified: the error falls as n^-3/2, of random points as 
 TEST_CASE("integrate_stratified: unequal strata, each with its own number of points") {
     const std::vector<Real> u = {0.25, 0.75, 0.5, 0.1, 0.3, 0.5, 0.7, 0.9};
     const std::span<const Real> all(u);
-    const std::vector<Stratum> strata = {{0, 1, all.subspan(0, 2)}, {1, 4, all.subspan(2, 1)}, {4, 6, all.subspan(3, 5)}};
+    const std::vector<Stratum> strata = {
+        {0, 1, all.subspan(0, 2)}, {1, 4, all.subspan(2, 1)}, {4, 6, all.subspan(3, 5)}};
     // points symmetric about each middle: exact for a straight line
     CHECK(integrate_stratified([](Real x) { return x; }, strata) == Approx(18).epsilon(1e-14));
 }

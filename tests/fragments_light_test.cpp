@@ -27,7 +27,9 @@ Emitter random_light(Kind kind, Real distance, Random& random) {
 
 std::string described(const Emitter& light) {
     static const char* names[] = {"quad", "disc", "sphere"};
-    const vec3 center = light.kind == Kind::quad ? light.quad.center : light.kind == Kind::disc ? light.disc.center : light.sphere.center;
+    const vec3 center = light.kind == Kind::quad   ? light.quad.center
+                        : light.kind == Kind::disc ? light.disc.center
+                                                   : light.sphere.center;
     return std::string(names[int(light.kind)]) + " at " + text(center);
 }
 
@@ -98,7 +100,8 @@ TEST_CASE("light_sample: irradiance of a coaxial disc is pi r^2 / (r^2 + h^2), f
         light.kind = Kind::disc;
         light.disc = {{0, 0, height}, {0, 0, -1}, 1.5};
         INFO("height " << height);
-        CHECK(irradiance(light, vec3(0), {0, 0, 1}) == Approx(grade::coaxial_disc_irradiance(1.5, height)).epsilon(1e-3));
+        CHECK(irradiance(light, vec3(0), {0, 0, 1}) ==
+              Approx(grade::coaxial_disc_irradiance(1.5, height)).epsilon(1e-3));
     }
 }
 
@@ -110,7 +113,8 @@ TEST_CASE("light_sample: irradiance of a sphere above the horizon is pi (R/d)^2 
         INFO("distance " << distance);
         CHECK(irradiance(light, vec3(0), {0, 0, 1}) == Approx(pi / sqr(distance)).epsilon(1e-3));
         const vec3 tilted = unit({1, 0, 2});
-        if (distance > 3) CHECK(irradiance(light, vec3(0), tilted) == Approx(pi / sqr(distance) * tilted.z).epsilon(1e-3));
+        if (distance > 3)
+            CHECK(irradiance(light, vec3(0), tilted) == Approx(pi / sqr(distance) * tilted.z).epsilon(1e-3));
     }
 }
 
@@ -120,7 +124,9 @@ TEST_CASE("light_sample: a flat light shines from its front alone, a sphere from
         Emitter light = random_light(kinds[i % 3], 5, random);
         light.quad.u = -light.quad.u;  // turns it round
         light.disc.normal = -light.disc.normal;
-        const vec3 p = light.kind == Kind::sphere ? light.sphere.center + 0.99 * light.sphere.radius * random.direction() : vec3(0);
+        const vec3 p = light.kind == Kind::sphere
+                           ? light.sphere.center + 0.99 * light.sphere.radius * random.direction()
+                           : vec3(0);
         INFO(described(light));
         CHECK(light_sample(light, p, random.point()).density == 0);
     }

@@ -11,12 +11,15 @@ namespace {
 vec3 at_angle(Real degrees) { return {std::sin(degrees * pi / 180), 0, -std::cos(degrees * pi / 180)}; }
 
 Real glossy_albedo(Real degrees, Real exponent) {
-    return square_mean(600, [=](vec2 u) { return glossy_reflection(at_angle(degrees), {0, 0, 1}, exponent, u).weight.x; });
+    return square_mean(600, [=](vec2 u) {
+        return glossy_reflection(at_angle(degrees), {0, 0, 1}, exponent, u).weight.x;
+    });
 }
 
 }  // namespace
 
-TEST_CASE("glossy_reflection: at normal incidence no light is lost; at 60 and 80 degrees what goes below the surface is") {
+TEST_CASE(
+    "glossy_reflection: at normal incidence no light is lost; at 60 and 80 degrees what goes below the surface is") {
     CHECK(glossy_albedo(0, 10) == Approx(1).epsilon(1e-4));
     CHECK(glossy_albedo(0, 50) == Approx(1).epsilon(1e-4));
     CHECK(glossy_albedo(60, 10) == Approx(0.505).margin(1e-3));
@@ -30,10 +33,11 @@ TEST_CASE("glossy_reflection: the lobe is about the mirror direction, E cos = (n
     for (const Real exponent : {1.0, 10.0, 200.0}) {
         const vec3 n = random.direction(), d = -random.direction_about(n), axis = d - 2 * dot(d, n) * n;
         INFO("exponent " << exponent << ", d " << text(d) << ", n " << text(n));
-        const Real cosine = square_mean(300, [=](vec2 u) { return dot(glossy_reflection(d, n, exponent, u).direction, axis); });
+        const Real cosine =
+            square_mean(300, [=](vec2 u) { return dot(glossy_reflection(d, n, exponent, u).direction, axis); });
         CHECK(cosine == Approx((exponent + 1) / (exponent + 2)).epsilon(1e-3));
-        const Real sine2 =
-            square_mean(300, [=](vec2 u) { return 1 - sqr(dot(glossy_reflection(d, n, exponent, u).direction, axis)); });
+        const Real sine2 = square_mean(
+            300, [=](vec2 u) { return 1 - sqr(dot(glossy_reflection(d, n, exponent, u).direction, axis)); });
         CHECK(sine2 == Approx(2 / (exponent + 3)).epsilon(5e-3));
     }
 }
@@ -70,9 +74,11 @@ TEST_CASE("glossy_reflection, translucency: the weight is BRDF x cosine / densit
 TEST_CASE("translucency: E cos = (n+1)/(n+2) about the refracted direction; no light lost straight through") {
     const Real exponent = 20;
     const vec3 n(0, 0, 1), d = at_angle(40), axis = refracted_direction(d, n, 1, 1.5);
-    const Real cosine = square_mean(300, [=](vec2 u) { return dot(translucency(d, n, 1, 1.5, exponent, u).direction, axis); });
+    const Real cosine =
+        square_mean(300, [=](vec2 u) { return dot(translucency(d, n, 1, 1.5, exponent, u).direction, axis); });
     CHECK(cosine == Approx((exponent + 1) / (exponent + 2)).epsilon(1e-3));
-    CHECK(square_mean(300, [=](vec2 u) { return translucency(-n, n, 1, 1.5, exponent, u).weight.x; }) == Approx(1).epsilon(1e-4));
+    CHECK(square_mean(300, [=](vec2 u) { return translucency(-n, n, 1, 1.5, exponent, u).weight.x; }) ==
+          Approx(1).epsilon(1e-4));
 }
 
 TEST_CASE("glossy_reflection, translucency: finite at the corners of the square") {
@@ -88,7 +94,9 @@ TEST_CASE("glossy_reflection, translucency: finite at the corners of the square"
                 }
 }
 
-TEST_CASE("color_bleeding: a diffuse surface keeps its albedo's share of the light, and the weight is BRDF x cosine / density") {
+TEST_CASE(
+    "color_bleeding: a diffuse surface keeps its albedo's share of the light, and the weight is BRDF x cosine / "
+    "density") {
     Random random(3);
     const Color albedo(0.2, 0.5, 0.9);
     for (int i = 0; i < 300; ++i) {
@@ -116,7 +124,8 @@ TEST_CASE("color_bleeding: goes everywhere over the hemisphere, evenly around th
     const Real p = uniform_probability([&] {
         const Scattered sample = color_bleeding(n, Color(1), random.point());
         weight += sample.weight.x;
-        return vec2(sqr(dot(sample.direction, n)), turn(dot(sample.direction, frame.x), dot(sample.direction, frame.y)));
+        return vec2(sqr(dot(sample.direction, n)),
+                    turn(dot(sample.direction, frame.x), dot(sample.direction, frame.y)));
     });
     CHECK(p > 1e-4);
     CHECK(weight / 100000 == Approx(1).epsilon(1e-12));

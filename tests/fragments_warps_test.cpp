@@ -9,8 +9,8 @@ namespace {
 
 constexpr Real almost_one = 1 - 0x1p-32;  // the samplers' greatest number, or nearly
 
-/// Unit length; where the map stretches areas the density is lower by as much; and samples follow the distribution of the
-/// cosine to the z axis, evenly around it. cumulative(c): the probability of a cosine below c.
+/// Unit length; where the map stretches areas the density is lower by as much; and samples follow the distribution of
+/// the cosine to the z axis, evenly around it. cumulative(c): the probability of a cosine below c.
 template <class Warp, class Cumulative>
 void check_warp(Warp warp, Cumulative cumulative) {
     Random random(1);
@@ -55,7 +55,8 @@ TEST_CASE("stratified_2d: the cells tile the unit square, whatever their number"
             for (int j = 0; j < i; ++j) {
                 const vec2 a = glm::dvec2(std::max(low[i].x, low[j].x), std::max(low[i].y, low[j].y));
                 const vec2 b = glm::dvec2(std::min(high[i].x, high[j].x), std::min(high[i].y, high[j].y));
-                if (b.x - a.x > 1e-9 && b.y - a.y > 1e-9) FAIL_CHECK("cells " << i << " and " << j << " of " << n << " overlap");
+                if (b.x - a.x > 1e-9 && b.y - a.y > 1e-9)
+                    FAIL_CHECK("cells " << i << " and " << j << " of " << n << " overlap");
             }
     }
 }
@@ -118,7 +119,10 @@ TEST_CASE("phong_lobe: E cos = (n+1)/(n+2) and E sin^2 = 2/(n+3), for the narrow
     for (const Real n : {0.0, 1.0, 10.0, 1e3, 1e6, 1e9}) {
         INFO("exponent " << n);
         const Real cosine = square_mean(400, [=](vec2 u) { return phong_lobe(n, u).direction.z; });
-        const Real sine2 = square_mean(400, [=](vec2 u) { const vec3 d = phong_lobe(n, u).direction; return d.x * d.x + d.y * d.y; });
+        const Real sine2 = square_mean(400, [=](vec2 u) {
+            const vec3 d = phong_lobe(n, u).direction;
+            return d.x * d.x + d.y * d.y;
+        });
         CHECK(cosine == Approx((n + 1) / (n + 2)).epsilon(1e-4));
         CHECK(sine2 == Approx(2 / (n + 3)).epsilon(1e-2));
     }

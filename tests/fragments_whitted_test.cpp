@@ -63,7 +63,8 @@ TEST_CASE("phong: the hemisphere gets albedo times the irradiance back from a La
     CHECK(reflected.z == Approx(0.9 * 3 * cosine).epsilon(1e-4));
 }
 
-TEST_CASE("phong: the highlight is r_s in the mirror direction, and falls as the cosine to the power of the shininess") {
+TEST_CASE(
+    "phong: the highlight is r_s in the mirror direction, and falls as the cosine to the power of the shininess") {
     Material material = shiny();
     material.albedo = material.ambient = Color(0);
     Random random(3);
@@ -73,7 +74,8 @@ TEST_CASE("phong: the highlight is r_s in the mirror direction, and falls as the
         const Real angle = random.between(0, 1.5);
         const vec3 viewer = std::cos(angle) * peak + std::sin(angle) * frame.x;
         INFO("n " << text(n) << ", d " << text(d) << ", viewer at " << angle << " from the mirror direction");
-        CHECK(phong(material, Color(1), Color(2), n, d, viewer).y == Approx(2 * 0.3 * std::pow(std::cos(angle), 20)).margin(1e-12));
+        CHECK(phong(material, Color(1), Color(2), n, d, viewer).y ==
+              Approx(2 * 0.3 * std::pow(std::cos(angle), 20)).margin(1e-12));
     }
 }
 
@@ -83,7 +85,8 @@ TEST_CASE("phong: ambient light alone where the light is below the horizon; line
         const vec3 n = random.direction(), d = random.direction_about(n), viewer = random.direction_about(n);
         INFO("n " << text(n) << ", d " << text(d) << ", viewer " << text(viewer));
         CHECK(phong(shiny(), Color(2), Color(7), n, -d, viewer) == shiny().ambient * 2.0);
-        const Color once = phong(shiny(), Color(0), Color(1), n, d, viewer), thrice = phong(shiny(), Color(0), Color(3), n, d, viewer);
+        const Color once = phong(shiny(), Color(0), Color(1), n, d, viewer),
+                    thrice = phong(shiny(), Color(0), Color(3), n, d, viewer);
         CHECK(thrice.x == Approx(3 * once.x).epsilon(1e-13));
     }
 }
@@ -117,7 +120,9 @@ TEST_CASE("mirror_direction: as long as d, the same angle on the other side, in 
     }
 }
 
-TEST_CASE("refracted_direction: Snell's law, unit length, in one plane, on the other side, and the way back; zero when total") {
+TEST_CASE(
+    "refracted_direction: Snell's law, unit length, in one plane, on the other side, and the way back; zero when "
+    "total") {
     Random random(7);
     int total = 0;
     for (int i = 0; i < 5000; ++i) {
@@ -170,7 +175,8 @@ TEST_CASE("fresnel_dielectric: a share, and the same both ways") {
     }
 }
 
-TEST_CASE("whitted: opaque surfaces mirror their reflectance; lossless glass keeps all light; coloured glass by channel") {
+TEST_CASE(
+    "whitted: opaque surfaces mirror their reflectance; lossless glass keeps all light; coloured glass by channel") {
     Material mirror;
     mirror.reflectance = {0.9, 0.5, 0.1};
     const Outgoing opaque = whitted(mirror, 0.3);

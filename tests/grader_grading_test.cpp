@@ -24,7 +24,10 @@ std::vector<Check> toy_checks() {
                                   }
                                   return rows;
                               }};
-    Statistic length{"M", "largest change of length [1]", {}, 0.0, 0, 1e-12, true, [](double, double) { return std::string("keep the length"); }};
+    Statistic length{"M",  "largest change of length [1]",
+                     {},   0.0,
+                     0,    1e-12,
+                     true, [](double, double) { return std::string("keep the length"); }};
     length.measure = [](const Observation& seen) {
         double most = 0;
         for (std::size_t i = 0; i < seen.inputs.size(); ++i) {
@@ -93,7 +96,8 @@ std::string solution(const std::string& fragment) { return read_text("solution/"
 /// The solution of the three, with other texts for some.
 Submission submission(const std::map<std::string, std::string>& changed) {
     Submission result{"test", {}, {}, ""};
-    for (const std::string& name : names) result.texts[name] = changed.contains(name) ? changed.at(name) : solution(name);
+    for (const std::string& name : names)
+        result.texts[name] = changed.contains(name) ? changed.at(name) : solution(name);
     return result;
 }
 
@@ -113,8 +117,8 @@ const FragmentRecord& of(const Record& record, const std::string& name) {
 
 /// A text of mirror_direction with this body, and this before it.
 std::string mirror(const std::string& body, const std::string& before = "") {
-    return "#include \"rt/fragments.h\"\n#include <cstdlib>\n#include <cstdio>\n" + before + "namespace rt {\nvec3 mirror_direction(vec3 d, vec3 n) {\n" + body +
-           "\n}\n}\n";
+    return "#include \"rt/fragments.h\"\n#include <cstdlib>\n#include <cstdio>\n" + before +
+           "namespace rt {\nvec3 mirror_direction(vec3 d, vec3 n) {\n" + body + "\n}\n}\n";
 }
 
 const std::string right = "return d - 2.0 * dot(d, n) * n;";
@@ -130,8 +134,11 @@ FragmentRecord graded_mirror(const std::string& text) {
 }  // namespace
 
 TEST_CASE("the solution's fragments get all points, whatever helpers they define") {
-    const Record record = graded(submission({{"mirror_direction", mirror(right, "#include <cmath>\nint helper = 1;\nvoid* operator new(std::size_t) { std::abort(); }\n"
-                                                                                "extern \"C\" int fcntl(int, int, ...) { return -1; }\n")}}));
+    const Record record = graded(
+        submission({{"mirror_direction",
+                     mirror(right,
+                            "#include <cmath>\nint helper = 1;\nvoid* operator new(std::size_t) { std::abort(); }\n"
+                            "extern \"C\" int fcntl(int, int, ...) { return -1; }\n")}}));
     for (const FragmentRecord& fragment : record.fragments) {
         INFO(fragment.name << ": " << name(fragment.verdict) << ": " << first_message(fragment));
         CHECK(fragment.verdict == Verdict::passed);
@@ -154,7 +161,9 @@ TEST_CASE("a fragment that does not compile shows the first error with file and 
 }
 
 TEST_CASE("a fragment with another signature is told what fragments.h declares") {
-    const FragmentRecord fragment = graded_mirror("#include \"rt/fragments.h\"\nnamespace rt { vec3 mirror_direction(const vec3& d, vec3 n) { return d + n; } }\n");
+    const FragmentRecord fragment = graded_mirror(
+        "#include \"rt/fragments.h\"\nnamespace rt { vec3 mirror_direction(const vec3& d, vec3 n) { return d + n; } "
+        "}\n");
     CHECK(fragment.verdict == Verdict::did_not_build);
     INFO(fragment.message);
     CHECK(fragment.message.find("signature differs from fragments.h") != std::string::npos);
@@ -182,7 +191,8 @@ TEST_CASE("a fragment that leaves the program is told so, whatever it printed") 
 }
 
 TEST_CASE("a fragment that throws is told what") {
-    const FragmentRecord fragment = graded_mirror(mirror("throw std::runtime_error(\"oh no\");", "#include <stdexcept>\n"));
+    const FragmentRecord fragment =
+        graded_mirror(mirror("throw std::runtime_error(\"oh no\");", "#include <stdexcept>\n"));
     CHECK(fragment.verdict == Verdict::crashed);
     CHECK(first_message(fragment).find("oh no") != std::string::npos);
 }
@@ -223,8 +233,10 @@ TEST_CASE("a wrong fragment fails with the hint of its statistic") {
     CHECK(first_message(fragment) == "keep the length");
     CHECK(fragment.points == 0);
 
-    const Record disk = graded(submission({{"uniform_disk", "#include \"rt/fragments.h\"\nnamespace rt { DiskSample uniform_disk(vec2 u) {\n"
-                                                            "return {u.x * vec2(std::cos(2 * pi * u.y), std::sin(2 * pi * u.y)), 1 / pi}; } }\n"}}));
+    const Record disk =
+        graded(submission({{"uniform_disk",
+                            "#include \"rt/fragments.h\"\nnamespace rt { DiskSample uniform_disk(vec2 u) {\n"
+                            "return {u.x * vec2(std::cos(2 * pi * u.y), std::sin(2 * pi * u.y)), 1 / pi}; } }\n"}}));
     CHECK(of(disk, "uniform_disk").verdict == Verdict::failed);
     CHECK(of(disk, "mirror_direction").verdict == Verdict::passed);
 }

@@ -21,9 +21,11 @@ Record record_with(const std::string& hostile) {
     record.submission = hostile;
     record.title = "Rays";
     CheckRecord check;
-    check.name = "c", check.fragment = "moved", check.verdict = Verdict::failed, check.share = 2, check.excerpt = hostile, check.message = hostile;
+    check.name = "c", check.fragment = "moved", check.verdict = Verdict::failed, check.share = 2,
+    check.excerpt = hostile, check.message = hostile;
     StatisticRecord statistic;
-    statistic.id = "L3", statistic.what = "width [pixel]", statistic.value = 2.0, statistic.truth = 1.0, statistic.low = 1.9, statistic.high = 2.1;
+    statistic.id = "L3", statistic.what = "width [pixel]", statistic.value = 2.0, statistic.truth = 1.0,
+    statistic.low = 1.9, statistic.high = 2.1;
     statistic.tolerance = 0.2, statistic.verdict = Verdict::failed, statistic.hint = hostile;
     check.statistics = {statistic};
     CheckRecord good = check;
@@ -104,22 +106,26 @@ TEST_CASE("of what fails, shared numbers are told first, then what is no image, 
     both.checks[0].statistics[0].id = "G1";
     CHECK(diagnose(both).words == "picture");
     // of one family, the first check's
-    CHECK(diagnose(fragment_with(Verdict::failed, "", {failing("A1", "first"), failing("D1", "second")})).words == "first");
+    CHECK(diagnose(fragment_with(Verdict::failed, "", {failing("A1", "first"), failing("D1", "second")})).words ==
+          "first");
     // a crash comes before all statistics
     FragmentRecord crashed = fragment_with(Verdict::failed, "", {failing("G1", "shared")});
     crashed.checks.push_back(crashed.checks[0]);
-    crashed.checks[1].verdict = Verdict::crashed, crashed.checks[1].message = "ended", crashed.checks[1].statistics.clear();
+    crashed.checks[1].verdict = Verdict::crashed, crashed.checks[1].message = "ended",
+    crashed.checks[1].statistics.clear();
     CHECK(diagnose(crashed).words == "ended");
     CHECK(diagnose(crashed).section == verdicts_section);
 }
 
 TEST_CASE("a diagnosis says where to read, in the record, in the table and as a link") {
-    const FragmentRecord wrong = fragment_with(Verdict::failed, "", {failing("D1", "the blur disc is 2.01 times what it must be")});
+    const FragmentRecord wrong =
+        fragment_with(Verdict::failed, "", {failing("D1", "the blur disc is 2.01 times what it must be")});
     CHECK(diagnose(wrong).section == "lens_ray");
     CHECK(reading("lens_ray") == "handout.md, \"lens_ray\"");
     CHECK(anchor("What to use instead of an epsilon") == "what-to-use-instead-of-an-epsilon");
     CHECK(diagnose(fragment_with(Verdict::not_an_image, "returned nan for (0)", {})).section == numbers_section);
-    CHECK(diagnose(fragment_with(Verdict::not_an_image, "another result when it runs again", {})).section == rules_section);
+    CHECK(diagnose(fragment_with(Verdict::not_an_image, "another result when it runs again", {})).section ==
+          rules_section);
     CHECK(diagnose(fragment_with(Verdict::failed, "", {failing("V0", "changes")})).section == rules_section);
     Record record;
     record.fragments = {wrong};
@@ -134,7 +140,8 @@ TEST_CASE("a diagnosis says where to read, in the record, in the table and as a 
 
 TEST_CASE("a value far off stays inside its drawing, as an arrow") {
     StatisticRecord statistic;
-    statistic.value = 1e6, statistic.truth = 1, statistic.low = 1e6, statistic.high = 1e6, statistic.tolerance = 0.1, statistic.verdict = Verdict::failed;
+    statistic.value = 1e6, statistic.truth = 1, statistic.low = 1e6, statistic.high = 1e6, statistic.tolerance = 0.1,
+    statistic.verdict = Verdict::failed;
     CHECK(bar(statistic).find("<path") != std::string::npos);
     statistic.value = 1.05;
     CHECK(bar(statistic).find("<circle") != std::string::npos);
@@ -155,7 +162,8 @@ TEST_CASE("the difference of pictures is white where they agree, blue where dark
 
 TEST_CASE("arguments survive as rows") {
     rt::Material material;
-    material.albedo = {0.1, 0.2, 0.3}, material.shininess = 7, material.ior = 1.5, material.sampled = false, material.medium.g = 0.4;
+    material.albedo = {0.1, 0.2, 0.3}, material.shininess = 7, material.ior = 1.5, material.sampled = false,
+    material.medium.g = 0.4;
     const Numbers numbers = row(material, rt::Ray{{1, 2, 3}, {4, 5, 6}, 0, rt::inf}, rt::Event::lobe, 3, true);
     CHECK(numbers.size() == 27 + 8 + 1 + 1 + 1);
     RowReader in(numbers);
@@ -184,7 +192,9 @@ TEST_CASE("an integrand is its formula") {
 }
 
 TEST_CASE("a program's end, output and limits are told") {
-    const auto shell = [](const std::string& text, Limits limits = {}) { return run({"/bin/sh", "-c", text}, limits, "/"); };
+    const auto shell = [](const std::string& text, Limits limits = {}) {
+        return run({"/bin/sh", "-c", text}, limits, "/");
+    };
     CHECK(shell("echo out; echo err >&2; exit 3").code == 3);
     CHECK(shell("echo out").out == "out\n");
     CHECK(shell("kill -SEGV $$").how == Ending::How::signalled);

@@ -50,7 +50,8 @@ TEST_CASE("a folder of fragments, a starter, and archives of either are read ali
     fs::create_directories(folder.path() / "copy/fragments");
     write_text(folder.path() / "copy/fragments/moved.cpp", "moved");
     write_text(folder.path() / "copy/CMakeLists.txt", "ignored");
-    pack(folder.path() / "a.zip", {{"me/fragments/moved.cpp", "moved"}, {"__MACOSX/me/fragments/moved.cpp", "junk"}}, true);
+    pack(folder.path() / "a.zip", {{"me/fragments/moved.cpp", "moved"}, {"__MACOSX/me/fragments/moved.cpp", "junk"}},
+         true);
     pack(folder.path() / "a.tar.gz", {{"./fragments/moved.cpp", "moved"}, {"./rt/math.h", "ignored"}}, false);
     for (const char* name : {"flat", "copy", "a.zip", "a.tar.gz"}) {
         INFO(name);
@@ -72,7 +73,12 @@ TEST_CASE("links, devices, large files and paths that lead out are not taken") {
     CHECK(submission.complaints.at("phong").find("not a regular file") != std::string::npos);
     CHECK(submission.complaints.at("whitted").find("larger than 256 KiB") != std::string::npos);
 
-    pack(folder.path() / "b.tar.gz", {{"f/moved.cpp", "moved"}, {"f/phong.cpp", "/etc/passwd", AE_IFLNK}, {"../whitted.cpp", "out"}, {"/tmp/whitted.cpp", "out"}}, false);
+    pack(folder.path() / "b.tar.gz",
+         {{"f/moved.cpp", "moved"},
+          {"f/phong.cpp", "/etc/passwd", AE_IFLNK},
+          {"../whitted.cpp", "out"},
+          {"/tmp/whitted.cpp", "out"}},
+         false);
     const Submission archived = read_submission(folder.path() / "b.tar.gz", names);
     CHECK(archived.texts.size() == 1);
     CHECK(archived.complaints.contains("phong"));

@@ -30,7 +30,8 @@ TEST_CASE("students get the project with fresh blanks, and no line of the soluti
     const fs::path folder = temporary.path() / "handed_out";
     hand_out(".", assignment, folder);
 
-    for (const char* there : {"grade", ".ci/prepare.sh", "handout.md", "scenes/whitted.toml", "starter/rt/math.h", "grader/build/strip.h"})
+    for (const char* there :
+         {"grade", ".ci/prepare.sh", "handout.md", "scenes/whitted.toml", "starter/rt/math.h", "grader/build/strip.h"})
         CHECK(fs::is_regular_file(folder / there));
     for (const char* not_there : {"solution", "tests", "build", ".git"}) CHECK_FALSE(fs::exists(folder / not_there));
     std::map<std::string, std::string> origin;  // of each line that a student must write

@@ -29,7 +29,8 @@ const std::string& handout() {
 std::vector<std::string> found(const std::string& text, const std::string& pattern) {
     const std::regex regex(pattern);
     std::vector<std::string> all;
-    for (std::sregex_iterator match(text.begin(), text.end(), regex), end; match != end; ++match) all.push_back((*match)[1]);
+    for (std::sregex_iterator match(text.begin(), text.end(), regex), end; match != end; ++match)
+        all.push_back((*match)[1]);
     return all;
 }
 
@@ -59,7 +60,8 @@ TEST_CASE("the handout explains each kind of statistic") {
 
 TEST_CASE("each statistic has a family, and each section to which a hint sends is in the handout") {
     std::vector<std::string> sections = read_assignment("assignment.toml").names();
-    for (const auto section : {rules_section, numbers_section, verdicts_section, pictures_section}) sections.emplace_back(section);
+    for (const auto section : {rules_section, numbers_section, verdicts_section, pictures_section})
+        sections.emplace_back(section);
     for (const std::string& section : sections) {
         INFO(section);
         CHECK(std::regex_search(handout(), std::regex("\n##+ " + section + "\n")));
@@ -120,6 +122,7 @@ TEST_CASE("a block without end and an unknown fragment are errors with their lin
         }
     };
     CHECK(error("a\n<!-- points -->\n").rfind("h.md:2:1: this block has no end", 0) == 0);
-    CHECK(error("<!-- checks: no_such -->\n<!-- end -->\n").rfind("h.md:1:1: no fragment is named \"no_such\"", 0) == 0);
+    CHECK(error("<!-- checks: no_such -->\n<!-- end -->\n").rfind("h.md:1:1: no fragment is named \"no_such\"", 0) ==
+          0);
     CHECK(error("<!-- a comment -->\ntext\n") == "<!-- a comment -->\ntext\n");
 }

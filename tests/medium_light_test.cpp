@@ -5,7 +5,8 @@
 
 namespace {
 
-/// A floor in fog that swallows all that it meets, under a small ball that shines; one pixel looks at the point below it.
+/// A floor in fog that swallows all that it meets, under a small ball that shines; one pixel looks at the point below
+/// it.
 constexpr const char* fog = R"(
 [render]
 samples = 262144

@@ -43,18 +43,22 @@ const std::string cloud = "[materials.e]\ntransmittance = 1\nmedium = { extincti
 
 TEST_CASE("what Mitsuba has no words for is named") {
     using Catch::Matchers::Contains;
-    CHECK_THAT(complaint(scene_of("", "[materials.shiny]\nspecular = 0.5\n")), Contains("material \"shiny\": Phong's highlight"));
+    CHECK_THAT(complaint(scene_of("", "[materials.shiny]\nspecular = 0.5\n")),
+               Contains("material \"shiny\": Phong's highlight"));
     CHECK_THAT(complaint(scene_of("ambient = 1", "[materials.a]\nambient = 0.5\n")), Contains("ambient light"));
     CHECK_THAT(complaint(scene_of("background = 1", diffuse)), Contains("'background'"));
     CHECK_THAT(complaint(scene_of("", "[materials.a]\nalbedo = 0.5\nreflectance = 0.2\n")), Contains("perfect mirror"));
-    CHECK_THAT(complaint(scene_of("", "[materials.a]\nalbedo = 0.5\nreflectance = 0.6\nexponent = 9\n")), Contains("above 1 together"));
+    CHECK_THAT(complaint(scene_of("", "[materials.a]\nalbedo = 0.5\nreflectance = 0.6\nexponent = 9\n")),
+               Contains("above 1 together"));
     CHECK_THAT(complaint(scene_of("", diffuse + lamp + mirror)), Contains("bounces = 0"));
     CHECK_THAT(complaint(scene_of("", cloud, "[[light]]\ntype = \"point\"\nposition = [0, 3, 0]\nintensity = 1\n")),
                Contains("shadow rays go through it"));
-    CHECK_THAT(complaint(scene_of("", diffuse, "[shutter]\nclose = 1\n[[shape]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\n"
-                                               "material = \"a\"\nvelocity = [1, 0, 0]\n")),
+    CHECK_THAT(complaint(scene_of("", diffuse,
+                                  "[shutter]\nclose = 1\n[[shape]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\n"
+                                  "material = \"a\"\nvelocity = [1, 0, 0]\n")),
                Contains("move while the shutter is open"));
-    CHECK_THAT(complaint(scene_of("background = 1", "[materials.shiny]\nspecular = 0.5\n")), Contains("Phong's") && Contains("'background'"));
+    CHECK_THAT(complaint(scene_of("background = 1", "[materials.shiny]\nspecular = 0.5\n")),
+               Contains("Phong's") && Contains("'background'"));
 }
 
 TEST_CASE("Mitsuba follows paths as far as the scene says") {
@@ -69,9 +73,11 @@ TEST_CASE("Mitsuba follows paths as far as the scene says") {
 }
 
 TEST_CASE("triangles go into one PLY file for each material") {
-    const std::string triangle = "[[shape]]\ntype = \"triangle\"\na = [0, 0, 0]\nb = [1, 0, 0]\nc = [0, 1, 0]\nmaterial = ";
-    const rt::MitsubaFiles files =
-        rt::to_mitsuba(scene_of("", diffuse + hidden_lamp, triangle + "\"a\"\n" + triangle + "\"c\"\n" + triangle + "\"a\"\n"), "stem");
+    const std::string triangle =
+        "[[shape]]\ntype = \"triangle\"\na = [0, 0, 0]\nb = [1, 0, 0]\nc = [0, 1, 0]\nmaterial = ";
+    const rt::MitsubaFiles files = rt::to_mitsuba(
+        scene_of("", diffuse + hidden_lamp, triangle + "\"a\"\n" + triangle + "\"c\"\n" + triangle + "\"a\"\n"),
+        "stem");
     REQUIRE(files.meshes.size() == 2);
     CHECK(files.meshes[0].name == "stem0.ply");
     CHECK(files.meshes[0].contents.find("element vertex 6\n") != std::string::npos);

@@ -20,7 +20,8 @@ Image film(int width, int height, F&& f, int grid = 16) {
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
             for (int i = 0; i < grid * grid; ++i)
-                image.at(x, y) += Color(f(x + (i % grid + 0.5) / grid, y + (i / grid + 0.5) / grid)) / double(grid * grid);
+                image.at(x, y) +=
+                    Color(f(x + (i % grid + 0.5) / grid, y + (i / grid + 0.5) / grid)) / double(grid * grid);
     return image;
 }
 
@@ -36,7 +37,8 @@ TEST_CASE("a region's mean is the mean of its pixels alone") {
 TEST_CASE("a slanted edge through box-filtered pixels has mean 0 and mean square (1 + slope^2) / 12") {
     const Edge edge{9.3, 0.125};
     const auto step = [&](double shift) {
-        return film(20, 16, [&](double x, double y) { return x > edge.offset + edge.slope * y + shift ? 5.0 : 2.0; }, 64);
+        return film(
+            20, 16, [&](double x, double y) { return x > edge.offset + edge.slope * y + shift ? 5.0 : 2.0; }, 64);
     };
     const SlantedSpread sharp = slanted_spread(step(0), {0, 0, 20, 16}, edge, 2, 5);
     CHECK(sharp.mean == Approx(0).margin(2e-3));
@@ -47,7 +49,8 @@ TEST_CASE("a slanted edge through box-filtered pixels has mean 0 and mean square
 
 TEST_CASE("without a filter the spread of a slanted edge is 0") {
     const Edge edge{9.3, 0.125};
-    const Image image = film(20, 16, [&](double x, double y) { return x > edge.offset + edge.slope * y ? 1.0 : 0.0; }, 1);
+    const Image image = film(
+        20, 16, [&](double x, double y) { return x > edge.offset + edge.slope * y ? 1.0 : 0.0; }, 1);
     CHECK(slanted_spread(image, {0, 0, 20, 16}, edge, 0, 1).mean_square == Approx(0).margin(3e-3));
 }
 
@@ -86,7 +89,8 @@ TEST_CASE("blobs: disc, square, and disc without its square root have the shapes
     CHECK(disc.radial_kurtosis == Approx(4.0 / 3).epsilon(0.01));
     CHECK(disc.covariance == Approx(0).margin(0.05));
 
-    const Blob square = measure([&](double x, double y) { return std::max(std::abs(x), std::abs(y)) < radius ? 1.0 : 0.0; });
+    const Blob square =
+        measure([&](double x, double y) { return std::max(std::abs(x), std::abs(y)) < radius ? 1.0 : 0.0; });
     CHECK(square.variance.y / (radius * radius) == Approx(1.0 / 3).epsilon(0.01));
     CHECK(square.kurtosis.y == Approx(1.8).epsilon(0.01));
 

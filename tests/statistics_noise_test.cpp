@@ -56,10 +56,12 @@ TEST_CASE("one number for an image, for a row or for a column is named, and no d
     CHECK(all.columns == 1);
     std::vector<double> numbers(16);
     for (double& u : numbers) u = uniform();
-    const Sharing rows = sharing(three_colors(16, 1, [&](int, int y, int) { return numbers[std::size_t(y)]; }), {0, 0, 16, 16}, 1);
+    const Sharing rows =
+        sharing(three_colors(16, 1, [&](int, int y, int) { return numbers[std::size_t(y)]; }), {0, 0, 16, 16}, 1);
     CHECK(rows.rows == Approx(1));
     CHECK(rows.columns < 0.2);
-    const Sharing columns = sharing(three_colors(16, 1, [&](int x, int, int) { return numbers[std::size_t(x)]; }), {0, 0, 16, 16}, 1);
+    const Sharing columns =
+        sharing(three_colors(16, 1, [&](int x, int, int) { return numbers[std::size_t(x)]; }), {0, 0, 16, 16}, 1);
     CHECK(columns.columns == Approx(1));
     CHECK(columns.rows < 0.2);
     // one set of four samples for all pixels
@@ -91,27 +93,38 @@ TEST_CASE("errors of known patterns fall with their known powers") {
         return sum;
     };
     CHECK(slope([&](int n) { return mean(n, [](int) { return uniform(); }) - 0.5; }) == Approx(-0.5).margin(0.03));
-    CHECK(slope([&](int n) { return mean(n, [&](int i) { return (i + uniform()) / n; }) - 0.5; }) == Approx(-1.5).margin(0.03));
+    CHECK(slope([&](int n) { return mean(n, [&](int i) { return (i + uniform()) / n; }) - 0.5; }) ==
+          Approx(-1.5).margin(0.03));
     CHECK(slope([&](int n) {
               const int side = int(std::lround(std::sqrt(n)));
-              return mean(n, [&](int i) { return (i % side + uniform()) / side + 2 * (i / side + uniform()) / side; }) - 1.5;
+              return mean(n, [&](int i) { return (i % side + uniform()) / side + 2 * (i / side + uniform()) / side; }) -
+                     1.5;
           }) == Approx(-1).margin(0.03));
     CHECK(slope([&](int n) {
               const int side = int(std::lround(std::sqrt(n)));
-              return mean(n, [&](int i) { return (i % side + uniform()) / side + 0.6 * (i / side + uniform()) / side > 1 ? 1.0 : 0.0; }) - 0.3;
+              return mean(n,
+                          [&](int i) {
+                              return (i % side + uniform()) / side + 0.6 * (i / side + uniform()) / side > 1 ? 1.0
+                                                                                                             : 0.0;
+                          }) -
+                     0.3;
           }) == Approx(-0.75).margin(0.06));
-    CHECK(slope([&](int n) { return mean(n, [&](int i) { return std::exp(-(i + 0.5) / n); }) - (1 - std::exp(-1)); }) == Approx(-2).margin(0.02));
+    CHECK(slope([&](int n) { return mean(n, [&](int i) { return std::exp(-(i + 0.5) / n); }) - (1 - std::exp(-1)); }) ==
+          Approx(-2).margin(0.02));
     CHECK(slope([&](int n) { return mean(n, [](int) { return uniform(); }) - 0.2; }) > -0.1);  // a bias
     CHECK(slope([](int) { return 0.0; }) == 0);
     CHECK(levels(4) == std::vector<int>{1, 4, 16, 64});
 }
 
-TEST_CASE("a zone plate's mean over a pixel is that of many points, and regular points leave a bias that random ones do not") {
+TEST_CASE(
+    "a zone plate's mean over a pixel is that of many points, and regular points leave a bias that random ones do "
+    "not") {
     const double rate = 4 * rt::pi / 200;
     for (const rt::vec2 low : {rt::vec2(3, 5), rt::vec2(120, 60), rt::vec2(190, 199)}) {
         double sum = 0;
         constexpr int grid = 400;
-        for (int i = 0; i < grid * grid; ++i) sum += zone_plate(rate, low + (rt::vec2(i % grid, i / grid) + 0.5) / double(grid)) / grid / grid;
+        for (int i = 0; i < grid * grid; ++i)
+            sum += zone_plate(rate, low + (rt::vec2(i % grid, i / grid) + 0.5) / double(grid)) / grid / grid;
         CHECK(zone_plate_mean(rate, {low, low + 1.0}) == Approx(sum).margin(1e-4));
     }
     double jagged = 0, regular = 0;
@@ -122,7 +135,10 @@ TEST_CASE("a zone plate's mean over a pixel is that of many points, and regular 
         const auto estimate = [&](bool jitter) {
             double sum = 0;
             for (int i = 0; i < 16; ++i)
-                sum += zone_plate(rate, low + (rt::vec2(i % 4, i / 4) + (jitter ? rt::vec2(uniform(), uniform()) : rt::vec2(0.5))) / 4.0) / 16;
+                sum += zone_plate(rate, low + (rt::vec2(i % 4, i / 4) +
+                                               (jitter ? rt::vec2(uniform(), uniform()) : rt::vec2(0.5))) /
+                                                  4.0) /
+                       16;
             return sum;
         };
         jagged += rt::sqr(zone_plate(rate, low + 0.5) - due);
@@ -153,9 +169,12 @@ TEST_CASE("colours that go with the place have other moments, colours that do no
 TEST_CASE("variances of pixel, lens, time and lamp add, and light scatters 4/3 r s times in a ball") {
     Moments place, ways;
     for (int k = 0; k < 200000; ++k) {
-        const auto on_disc = [&](double radius) { return radius * std::sqrt(uniform()) * std::cos(2 * rt::pi * uniform()); };
+        const auto on_disc = [&](double radius) {
+            return radius * std::sqrt(uniform()) * std::cos(2 * rt::pi * uniform());
+        };
         place.add(5 * uniform() + on_disc(2) + on_disc(0.7) + uniform());
-        ways.add(2 * std::sqrt(1 - uniform()));  // chords of the unit sphere, light from all sides alike: sin^2 is uniform
+        ways.add(2 *
+                 std::sqrt(1 - uniform()));  // chords of the unit sphere, light from all sides alike: sin^2 is uniform
     }
     CHECK(streak_variance(5, 2, 0.7) == Approx(place.variance()).epsilon(0.01));
     CHECK(mean_scatterings(1, 1) == Approx(ways.mean).epsilon(0.01));

@@ -58,14 +58,16 @@ std::string wrong_signature(const Toolchain& chain, const fs::path& object, cons
     }
     const std::string expected = demangled(chain.symbols.at(fragment));
     if (found.empty())
-        return fmt::format("{}: error: no function {} is defined here; fragments.h declares\n    {}\n", shown, fragment, expected);
-    return fmt::format("{}: error: the signature differs from fragments.h:\n    here         {}\n    fragments.h  {}\n", shown, found, expected);
+        return fmt::format("{}: error: no function {} is defined here; fragments.h declares\n    {}\n", shown, fragment,
+                           expected);
+    return fmt::format("{}: error: the signature differs from fragments.h:\n    here         {}\n    fragments.h  {}\n",
+                       shown, found, expected);
 }
 
 }  // namespace
 
-Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const std::string& fragment, const std::string& text,
-                          const std::string& shown, const fs::path& work) {
+Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const std::string& fragment,
+                          const std::string& text, const std::string& shown, const fs::path& work) {
     const fs::path source = work / (fragment + ".cpp"), object = work / "compiled.o";
     write_text(source, text);
 
@@ -88,12 +90,17 @@ Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const 
 
     // groups of sections that other objects hold as well must go before their symbols become private
     const fs::path merged = work / "merged.o", own = work / (fragment + ".o");
-    Ending step = run(inside(sandbox, {"/usr/bin/ld", "-r", "--force-group-allocation", object.string(), "-o", merged.string()}, {}, work),
-                      compiler_limits(), work.string());
+    Ending step =
+        run(inside(sandbox, {"/usr/bin/ld", "-r", "--force-group-allocation", object.string(), "-o", merged.string()},
+                   {}, work),
+            compiler_limits(), work.string());
     if (step.good())
-        step = run(inside(sandbox, {"/usr/bin/objcopy", "--keep-global-symbol=" + symbol->second, merged.string(), own.string()}, {}, work),
+        step = run(inside(sandbox,
+                          {"/usr/bin/objcopy", "--keep-global-symbol=" + symbol->second, merged.string(), own.string()},
+                          {}, work),
                    compiler_limits(), work.string());
-    if (!step.good()) return {false, {}, fmt::format("the object cannot be prepared for the link: {}", step.err.substr(0, 300))};
+    if (!step.good())
+        return {false, {}, fmt::format("the object cannot be prepared for the link: {}", step.err.substr(0, 300))};
     return {true, own, {}};
 }
 

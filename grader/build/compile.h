@@ -20,8 +20,8 @@ struct Compiled {
 /// text   the source
 /// shown  its path in messages
 /// work   an empty folder of its own
-Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const std::string& fragment, const std::string& text,
-                          const std::string& shown, const fs::path& work);
+Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const std::string& fragment,
+                          const std::string& text, const std::string& shown, const fs::path& work);
 
 /// Links a program that renders and answers probes with these objects. Empty: it worked; else the first errors.
 std::string link_child(const Toolchain& chain, const std::vector<fs::path>& objects, const fs::path& program);

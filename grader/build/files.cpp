@@ -56,7 +56,8 @@ void write_text(const fs::path& path, std::string_view text) {
 
 TemporaryFolder::TemporaryFolder() {
     std::string pattern = (fs::temp_directory_path() / "grade-XXXXXX").string();
-    if (!mkdtemp(pattern.data())) throw std::runtime_error(fmt::format("{}: no such folder can be made: {}", pattern, std::strerror(errno)));
+    if (!mkdtemp(pattern.data()))
+        throw std::runtime_error(fmt::format("{}: no such folder can be made: {}", pattern, std::strerror(errno)));
     path_ = pattern;
 }
 

@@ -13,8 +13,9 @@ namespace grade {
 namespace {
 
 /// What is handed out, by name: nothing that somebody has put beside it.
-constexpr std::array entries = {".ci/prepare.sh", "CMakeLists.txt", "CMakePresets.json", "LICENSE", "assignment.toml", "grade",
-                                "grader",         "handout.md",     "scenes",            "starter", "vcpkg.json"};
+constexpr std::array entries = {".ci/prepare.sh", "CMakeLists.txt", "CMakePresets.json", "LICENSE", "assignment.toml",
+                                "grade",          "grader",         "handout.md",        "scenes",  "starter",
+                                "vcpkg.json"};
 
 /// Hidden files, what builds leave behind, and what needs the solution stay here.
 bool is_left_out(const fs::path& path) {
@@ -26,7 +27,8 @@ void copy_folder(const fs::path& from, const fs::path& to) {
     fs::create_directories(to);
     for (const auto& entry : fs::directory_iterator(from)) {
         const fs::path target = to / entry.path().filename();
-        const bool own_build = entry.is_directory() && from.filename() == "grader" && entry.path().filename() == "build";
+        const bool own_build =
+            entry.is_directory() && from.filename() == "grader" && entry.path().filename() == "build";
         if (is_left_out(entry.path()) && !own_build) continue;
         if (entry.is_directory()) copy_folder(entry.path(), target);
         else if (entry.is_regular_file()) fs::copy_file(entry.path(), target);

@@ -33,7 +33,8 @@ int sampler_of(const std::string& name) {
     constexpr std::array names{"uniform", "random", "stratified", "sobol"};
     for (std::size_t i = 0; i < names.size(); ++i)
         if (name == names[i]) return int(i);
-    throw rt::InputError(fmt::format("no sampler is named \"{}\"; expected uniform, random, stratified or sobol", name));
+    throw rt::InputError(
+        fmt::format("no sampler is named \"{}\"; expected uniform, random, stratified or sobol", name));
 }
 
 }  // namespace
@@ -46,7 +47,8 @@ Runner::Runner(const fs::path& program, const Sandbox& sandbox, const fs::path& 
     limits.memory = 2ull << 30;
     limits.file_size = 1u << 20;
     const fs::path folder = program.parent_path();
-    const std::vector<std::string> command{program.string(), fmt::format("{}", seconds), (meshes / "check.toml").string()};
+    const std::vector<std::string> command{program.string(), fmt::format("{}", seconds),
+                                           (meshes / "check.toml").string()};
     std::vector<fs::path> readable;
     if (fs::exists(meshes)) readable.push_back(meshes);
     process_ = std::make_unique<Process>(inside(sandbox, command, readable, folder), limits, folder.string());
@@ -61,8 +63,10 @@ Fault Runner::broken() {
         case Ending::How::signalled:
             return {Verdict::crashed, "ended by " + signal_in_words(ending.code), excerpt};
         default:
-            return {Verdict::crashed,
-                    fmt::format("the program ended by itself with code {}: a fragment must return, not exit", ending.code), excerpt};
+            return {
+                Verdict::crashed,
+                fmt::format("the program ended by itself with code {}: a fragment must return, not exit", ending.code),
+                excerpt};
     }
 }
 
@@ -108,7 +112,8 @@ Outcome<rt::Image> Runner::render(const Render& experiment, std::uint64_t seed, 
     }
     const RenderRequest request{seed, experiment.samples, sampler_of(experiment.sampler), seconds};
     const std::size_t pixels = std::size_t(width_) * std::size_t(height_);
-    auto outcome = ask(frame(FrameKind::render, bytes_of<RenderRequest>({&request, 1})), int(FrameKind::image), 3 + 3 * pixels);
+    auto outcome =
+        ask(frame(FrameKind::render, bytes_of<RenderRequest>({&request, 1})), int(FrameKind::image), 3 + 3 * pixels);
     if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
 
     const auto& numbers = std::get<std::vector<double>>(outcome);
@@ -116,15 +121,18 @@ Outcome<rt::Image> Runner::render(const Render& experiment, std::uint64_t seed, 
         return Fault{Verdict::not_an_image, "a picture of the wrong size came back", {}};
     last_seconds_ = numbers[2];
     rt::Image image(width_, height_);
-    for (std::size_t i = 0; i < pixels; ++i) image.pixels[i] = {numbers[3 + 3 * i], numbers[4 + 3 * i], numbers[5 + 3 * i]};
+    for (std::size_t i = 0; i < pixels; ++i)
+        image.pixels[i] = {numbers[3 + 3 * i], numbers[4 + 3 * i], numbers[5 + 3 * i]};
     return image;
 }
 
 Outcome<std::vector<double>> Runner::swarm(const SwarmRequest& request) {
-    auto outcome = ask(frame(FrameKind::swarm, bytes_of<SwarmRequest>({&request, 1})), int(FrameKind::rows), 1 + request.count);
+    auto outcome =
+        ask(frame(FrameKind::swarm, bytes_of<SwarmRequest>({&request, 1})), int(FrameKind::rows), 1 + request.count);
     if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
     auto& numbers = std::get<std::vector<double>>(outcome);
-    if (numbers.size() != 1 + request.count) return Fault{Verdict::crashed, "the fragment wrote into the grader's channel", {}};
+    if (numbers.size() != 1 + request.count)
+        return Fault{Verdict::crashed, "the fragment wrote into the grader's channel", {}};
     last_seconds_ = numbers.front();
     numbers.erase(numbers.begin());
     return std::move(numbers);
@@ -137,7 +145,8 @@ Outcome<Rows> Runner::probe(const std::string& fragment, const Rows& rows) {
         fragment_ = fragment;
     }
     const std::vector<double> flat = flatten(rows);
-    auto outcome = ask(frame(FrameKind::rows, bytes_of<double>(flat)), int(FrameKind::rows), 2 + rows.size() * (1 + most_results));
+    auto outcome =
+        ask(frame(FrameKind::rows, bytes_of<double>(flat)), int(FrameKind::rows), 2 + rows.size() * (1 + most_results));
     if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
 
     const auto& numbers = std::get<std::vector<double>>(outcome);

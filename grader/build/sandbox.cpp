@@ -15,7 +15,8 @@ Sandbox find_sandbox(bool trusted) {
     if (!fs::exists(bubblewrap))
         return {Sandbox::Kind::limits_only, "resource limits only: bubblewrap is not installed"};
 
-    Sandbox sandbox{Sandbox::Kind::host, "bubblewrap: no network, no other processes, files read-only; resource limits"};
+    Sandbox sandbox{Sandbox::Kind::host,
+                    "bubblewrap: no network, no other processes, files read-only; resource limits"};
     const fs::path folder = fs::temp_directory_path();
     if (!run(inside(sandbox, {"/usr/bin/true"}, {}, folder), Limits{}, folder.string()).good())
         return {Sandbox::Kind::limits_only, "resource limits only: bubblewrap does not work on this machine"};
@@ -25,8 +26,11 @@ Sandbox find_sandbox(bool trusted) {
 std::vector<std::string> inside(const Sandbox& sandbox, const std::vector<std::string>& command,
                                 const std::vector<fs::path>& readable, const fs::path& folder) {
     if (sandbox.kind == Sandbox::Kind::limits_only) return command;
-    std::vector<std::string> words{bubblewrap, "--unshare-all", "--die-with-parent", "--new-session", "--cap-drop", "ALL",
-                                   "--ro-bind", "/usr", "/usr", "--proc", "/proc", "--dev", "/dev", "--tmpfs", "/tmp"};
+    std::vector<std::string> words{bubblewrap,      "--unshare-all", "--die-with-parent",
+                                   "--new-session", "--cap-drop",    "ALL",
+                                   "--ro-bind",     "/usr",          "/usr",
+                                   "--proc",        "/proc",         "--dev",
+                                   "/dev",          "--tmpfs",       "/tmp"};
     for (const char* system : {"/bin", "/lib", "/lib64", "/etc/alternatives", "/etc/ld.so.cache"})
         words.insert(words.end(), {"--ro-bind-try", system, system});
     for (const fs::path& path : readable) words.insert(words.end(), {"--ro-bind", path.string(), path.string()});

@@ -20,8 +20,8 @@ struct Sandbox {
 /// trusted  the code is the caller's own: limits only
 Sandbox find_sandbox(bool trusted);
 
-/// The command that runs a command in a sandbox: it sees the system's programs, what is readable, and one folder that it
-/// may write to, where it starts; no network, no other process.
+/// The command that runs a command in a sandbox: it sees the system's programs, what is readable, and one folder that
+/// it may write to, where it starts; no network, no other process.
 std::vector<std::string> inside(const Sandbox& sandbox, const std::vector<std::string>& command,
                                 const std::vector<fs::path>& readable, const fs::path& folder);
 

@@ -15,7 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view begin_marker = "// BEGIN SOLUTION", end_marker = "// END SOLUTION", blank_line = "// YOUR CODE HERE";
+constexpr std::string_view begin_marker = "// BEGIN SOLUTION", end_marker = "// END SOLUTION",
+                           blank_line = "// YOUR CODE HERE";
 
 std::string text_of(const fs::path& path) {
     const auto text = read_text(path);
@@ -108,7 +109,8 @@ std::map<std::string, std::string> make_starter(const std::string& solution, con
 std::vector<std::string> drift(const std::map<std::string, std::string>& expected, const std::string& folder) {
     std::vector<std::string> lines;
     for (const auto& path : sources(folder))
-        if (!expected.count(path.filename().string())) lines.push_back(path.string() + ":1:1: no such fragment in the solution");
+        if (!expected.count(path.filename().string()))
+            lines.push_back(path.string() + ":1:1: no such fragment in the solution");
     for (const auto& [name, text] : expected) {
         const fs::path path = fs::path(folder) / name;
         if (!fs::exists(path)) {

@@ -27,7 +27,8 @@ std::string too_large() {
     return fmt::format("larger than {} KiB; a fragment is a few lines", most_source_bytes / 1024);
 }
 
-void look_at(const fs::path& folder, const std::string& prefix, const std::vector<std::string>& fragments, Found& found) {
+void look_at(const fs::path& folder, const std::string& prefix, const std::vector<std::string>& fragments,
+             Found& found) {
     for (const std::string& fragment : fragments) {
         const std::string file = fragment + ".cpp";
         const fs::path path = folder / file;
@@ -49,7 +50,9 @@ Found look_into_folder(const fs::path& folder, const std::vector<std::string>& f
     Found found;
     look_at(folder, "", fragments, found);
     std::error_code error;
-    const auto is_folder = [&](const fs::path& path) { return fs::symlink_status(path, error).type() == fs::file_type::directory; };
+    const auto is_folder = [&](const fs::path& path) {
+        return fs::symlink_status(path, error).type() == fs::file_type::directory;
+    };
     if (is_folder(folder / "fragments")) look_at(folder / "fragments", "fragments/", fragments, found);
     if (is_folder(folder / "starter")) {
         if (is_folder(folder / "starter/fragments"))
@@ -65,7 +68,8 @@ Found look_into_archive(const fs::path& path, const std::vector<std::string>& fr
     archive_read_support_filter_gzip(in.get());
     const auto fail = [&] {
         const char* why = archive_error_string(in.get());
-        throw SubmissionError(fmt::format("{}: cannot be unpacked: {}; expected a .zip or a .tar.gz", path.string(), why ? why : "broken"));
+        throw SubmissionError(fmt::format("{}: cannot be unpacked: {}; expected a .zip or a .tar.gz", path.string(),
+                                          why ? why : "broken"));
     };
     if (archive_read_open_filename(in.get(), path.c_str(), 1 << 16) != ARCHIVE_OK) fail();
 
@@ -78,7 +82,8 @@ Found look_into_archive(const fs::path& path, const std::vector<std::string>& fr
         const int status = archive_read_next_header(in.get(), &entry);
         if (status == ARCHIVE_EOF) break;
         if (status < ARCHIVE_WARN) fail();
-        if (entries >= most_entries) throw SubmissionError(fmt::format("{}: holds more than {} files", path.string(), most_entries));
+        if (entries >= most_entries)
+            throw SubmissionError(fmt::format("{}: holds more than {} files", path.string(), most_entries));
         const char* raw = archive_entry_pathname(entry);
         if (!raw) continue;
         // the path is a name and nothing else: nothing is written to it
@@ -87,7 +92,9 @@ Found look_into_archive(const fs::path& path, const std::vector<std::string>& fr
         if (!names.contains(fs::path(name).filename().string())) {
             // what is skipped is unpacked all the same
             if (archive_entry_size_is_set(entry)) unpacked += archive_entry_size(entry);
-            if (unpacked > most_unpacked) throw SubmissionError(fmt::format("{}: unpacks to more than {} MiB", path.string(), most_unpacked >> 20));
+            if (unpacked > most_unpacked)
+                throw SubmissionError(
+                    fmt::format("{}: unpacks to more than {} MiB", path.string(), most_unpacked >> 20));
             continue;
         }
         if (archive_entry_filetype(entry) != AE_IFREG || archive_entry_hardlink(entry)) {
@@ -96,7 +103,8 @@ Found look_into_archive(const fs::path& path, const std::vector<std::string>& fr
         }
         std::string text(most_source_bytes + 1, '\0');
         std::size_t have = 0;
-        for (la_ssize_t got; have < text.size() && (got = archive_read_data(in.get(), text.data() + have, text.size() - have)) != 0;) {
+        for (la_ssize_t got;
+             have < text.size() && (got = archive_read_data(in.get(), text.data() + have, text.size() - have)) != 0;) {
             if (got < 0) fail();
             have += std::size_t(got);
         }
@@ -110,7 +118,8 @@ Found look_into_archive(const fs::path& path, const std::vector<std::string>& fr
     return found;
 }
 
-/// Of the folders that hold fragments, the one to take: the one with most of them; of two with as many, the shorter path.
+/// Of the folders that hold fragments, the one to take: the one with most of them; of two with as many, the shorter
+/// path.
 std::string best_folder(const Found& found) {
     std::map<std::string, int> counts;
     const auto folder_of = [](const std::string& path) { return path.substr(0, path.rfind('/') + 1); };
@@ -131,21 +140,24 @@ std::string best_folder(const Found& found) {
 Submission read_submission(const fs::path& path, const std::vector<std::string>& fragments) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
-    if (!fs::exists(status)) throw SubmissionError(fmt::format("{}: not there; expected a folder, a .zip or a .tar.gz", path.string()));
-    const Found found = fs::is_directory(status) ? look_into_folder(path, fragments) : look_into_archive(path, fragments);
+    if (!fs::exists(status))
+        throw SubmissionError(fmt::format("{}: not there; expected a folder, a .zip or a .tar.gz", path.string()));
+    const Found found =
+        fs::is_directory(status) ? look_into_folder(path, fragments) : look_into_archive(path, fragments);
 
     Submission submission;
     submission.name = path.string();
     submission.folder = best_folder(found);
     for (const std::string& fragment : fragments) {
         const std::string file = submission.folder + fragment + ".cpp";
-        if (const auto text = found.texts.find(file); text != found.texts.end()) submission.texts[fragment] = text->second;
+        if (const auto text = found.texts.find(file); text != found.texts.end())
+            submission.texts[fragment] = text->second;
         if (const auto complaint = found.complaints.find(file); complaint != found.complaints.end())
             submission.complaints[fragment] = complaint->second;
     }
     if (submission.texts.empty() && submission.complaints.empty())
-        throw SubmissionError(fmt::format("{}: holds no fragment; expected files such as fragments/{}.cpp", path.string(),
-                                          fragments.empty() ? "NAME" : fragments.front()));
+        throw SubmissionError(fmt::format("{}: holds no fragment; expected files such as fragments/{}.cpp",
+                                          path.string(), fragments.empty() ? "NAME" : fragments.front()));
     return submission;
 }
 

@@ -75,20 +75,22 @@ Toolchain read_toolchain(const fs::path& path) try {
     refuse_other_arithmetic(chain);
     return chain;
 } catch (const toml::parse_error& error) {
-    throw std::runtime_error(fmt::format("{}: {}; expected the file that the build writes", path.string(), error.description()));
+    throw std::runtime_error(
+        fmt::format("{}: {}; expected the file that the build writes", path.string(), error.description()));
 }
 
 std::string demangled(const std::string& symbol) {
     int status = 0;
-    const std::unique_ptr<char, void (*)(void*)> name(abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status), std::free);
+    const std::unique_ptr<char, void (*)(void*)> name(abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status),
+                                                      std::free);
     return status == 0 ? name.get() : symbol;
 }
 
 std::vector<std::string> symbols_of(const fs::path& object, bool undefined) {
     Limits limits;
     limits.output = 8u << 20;
-    const Ending nm = run({"/usr/bin/nm", "--format=posix", undefined ? "--undefined-only" : "--defined-only", "--extern-only",
-                           object.string()},
+    const Ending nm = run({"/usr/bin/nm", "--format=posix", undefined ? "--undefined-only" : "--defined-only",
+                           "--extern-only", object.string()},
                           limits, "/");
     if (!nm.good()) throw std::runtime_error(fmt::format("{}: nm cannot read it: {}", object.string(), nm.err));
     std::vector<std::string> symbols;

@@ -19,7 +19,8 @@ namespace {
 /// "2/4": the second of four; from 0.
 std::pair<int, int> shard_of(const std::string& text) {
     int which = 0, all = 0, length = 0;
-    if (std::sscanf(text.c_str(), "%d/%d%n", &which, &all, &length) != 2 || length != int(text.size()) || which < 1 || which > all)
+    if (std::sscanf(text.c_str(), "%d/%d%n", &which, &all, &length) != 2 || length != int(text.size()) || which < 1 ||
+        which > all)
         throw std::invalid_argument(fmt::format("--shard {}: not a part of a whole; expected one like 2/4", text));
     return {which - 1, all};
 }
@@ -30,8 +31,8 @@ std::string one_line(std::string words) {
     return words.substr(0, 150);
 }
 
-/// The first wrong variant of each fragment, or all that were asked for by name, and all right ones; only fragments that
-/// are changed are graded.
+/// The first wrong variant of each fragment, or all that were asked for by name, and all right ones; only fragments
+/// that are changed are graded.
 bool fast(const Workshop& workshop, bool by_name, int jobs) {
     auto wrong = workshop.variants(Variant::Kind::wrong);
     if (!by_name) {
@@ -39,7 +40,8 @@ bool fast(const Workshop& workshop, bool by_name, int jobs) {
         std::erase_if(wrong, [&](const Variant* v) { return !seen.insert(v->fragment).second; });
     }
     int rows = 0, off = 0, named = 0, asked = 0;
-    for (const auto& [list, is_wrong] : {std::pair(wrong, true), std::pair(workshop.variants(Variant::Kind::right), false)})
+    for (const auto& [list, is_wrong] :
+         {std::pair(wrong, true), std::pair(workshop.variants(Variant::Kind::right), false)})
         for (const Bundle& bundle : bundles(list, "", false)) {
             std::set<std::string> only;
             for (const Variant* variant : bundle.variants) only.insert(variant->fragment);
@@ -50,8 +52,8 @@ bool fast(const Workshop& workshop, bool by_name, int jobs) {
                 const bool says = variant.says.empty() || !is_wrong || says_one_of(verdict.message, variant.says);
                 asked += is_wrong && !variant.says.empty(), named += is_wrong && !variant.says.empty() && says;
                 ++rows, off += !good;
-                fmt::print("{} {:<46} {:<22} {:<12} {}{}\n", good ? "ok " : "OFF", variant.name, verdict.fragment, name(verdict.verdict),
-                           says ? "" : "[cause not named] ", one_line(verdict.message));
+                fmt::print("{} {:<46} {:<22} {:<12} {}{}\n", good ? "ok " : "OFF", variant.name, verdict.fragment,
+                           name(verdict.verdict), says ? "" : "[cause not named] ", one_line(verdict.message));
                 std::fflush(stdout);
             }
         }
@@ -62,16 +64,26 @@ bool fast(const Workshop& workshop, bool by_name, int jobs) {
 }  // namespace
 
 CLI::App* add_calibrate_command(CLI::App& app, CalibrateArguments& arguments) {
-    CLI::App* trust = app.add_subcommand("calibrate", "grade known wrong and right fragments: how far can verdicts be trusted?");
+    CLI::App* trust =
+        app.add_subcommand("calibrate", "grade known wrong and right fragments: how far can verdicts be trusted?");
     trust->add_option("NAME", arguments.names, "only variants or fragments with such a name");
-    trust->add_flag("--fast", arguments.fast, "one wrong variant of each fragment and all right ones, once; exit with 1 where one is off");
+    trust->add_flag("--fast", arguments.fast,
+                    "one wrong variant of each fragment and all right ones, once; exit with 1 where one is off");
     trust->add_flag("--report", arguments.report, "run nothing: report on what is there");
-    trust->add_option("--shard", arguments.shard, "do the second of four parts of the work: 2/4")->type_name("PART/PARTS");
-    trust->add_option("--folder", arguments.results, "where results are kept, and work goes on after an interruption")->type_name("DIR");
+    trust->add_option("--shard", arguments.shard, "do the second of four parts of the work: 2/4")
+        ->type_name("PART/PARTS");
+    trust->add_option("--folder", arguments.results, "where results are kept, and work goes on after an interruption")
+        ->type_name("DIR");
     trust->add_option("--out", arguments.out, "where the report goes; default: to the results")->type_name("DIR");
-    trust->add_option("--replicates", arguments.amount.replicates, "of each check of each variant")->capture_default_str()->check(CLI::Range(64, 1000000));
-    trust->add_option("--gradings", arguments.amount.gradings, "of whole right submissions")->capture_default_str()->check(CLI::Range(1, 1000000));
-    trust->add_option("--draws", arguments.amount.draws, "replayed gradings of the solution")->capture_default_str()->check(CLI::Range(1000, 1000000000));
+    trust->add_option("--replicates", arguments.amount.replicates, "of each check of each variant")
+        ->capture_default_str()
+        ->check(CLI::Range(64, 1000000));
+    trust->add_option("--gradings", arguments.amount.gradings, "of whole right submissions")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1000000));
+    trust->add_option("--draws", arguments.amount.draws, "replayed gradings of the solution")
+        ->capture_default_str()
+        ->check(CLI::Range(1000, 1000000000));
     trust->add_option("--jobs", arguments.jobs, "how many programs run at a time")->check(CLI::Range(1, 1024));
     trust->fallthrough();
     return trust;
@@ -79,9 +91,11 @@ CLI::App* add_calibrate_command(CLI::App& app, CalibrateArguments& arguments) {
 
 bool calibrate(const CalibrateArguments& arguments, const std::string& toolchain, const std::string& command) {
     const auto [shard, shards] = shard_of(arguments.shard);
-    const fs::path results = arguments.results.empty() ? fs::path(toolchain).parent_path() / "calibration" : fs::path(arguments.results);
+    const fs::path results =
+        arguments.results.empty() ? fs::path(toolchain).parent_path() / "calibration" : fs::path(arguments.results);
     const Workshop workshop(toolchain, results, arguments.amount, arguments.names);
-    if (workshop.variants().empty()) throw std::invalid_argument("no variant and no fragment has such a name; tests/variants holds them");
+    if (workshop.variants().empty())
+        throw std::invalid_argument("no variant and no fragment has such a name; tests/variants holds them");
     if (arguments.fast) return fast(workshop, !arguments.names.empty(), arguments.jobs);
 
     ProgressLine line;

@@ -46,7 +46,8 @@ std::vector<Nominal> nominal_rates(const PooledChecks& checks, int draws, std::u
     for (const auto& [check, pool] : checks)
         for (std::size_t i = 0; i < check->statistics.size(); ++i)
             if (!check->statistics[i].exact && pool->replicates() > 1)
-                if (const Nominal rate = nominal_rate(*check, i, *pool, draws, random); rate.spread > 1e-6) rates.push_back(rate);
+                if (const Nominal rate = nominal_rate(*check, i, *pool, draws, random); rate.spread > 1e-6)
+                    rates.push_back(rate);
     return rates;
 }
 

@@ -7,13 +7,13 @@
 
 namespace grade {
 
-/// How a statistic's t-test keeps its promise on the solution's replicates: a statistic that is normal enough rejects the
-/// truth as often as alpha says.
+/// How a statistic's t-test keeps its promise on the solution's replicates: a statistic that is normal enough rejects
+/// the truth as often as alpha says.
 struct Nominal {
     std::string check, what;
     double at_2 = 0, at_3 = 0;  // observed over nominal rate of rejection, at 1e-2 and 1e-3
     double bias = 0;            // |mean - truth| over delta: how far the solution itself is from the closed form
-    double tilt = 0;            // |mean - truth| - delta0, in its standard errors; above 4 the truth or delta0 is in doubt
+    double tilt = 0;  // |mean - truth| - delta0, in its standard errors; above 4 the truth or delta0 is in doubt
     double spread = 0;          // of a replicate, over delta
 };
 

@@ -36,7 +36,8 @@ PeerRules judged_by_peers(const rt::Image& picture, int pictures, const PixelMom
             own += picture.pixels[i][c], theirs += reference.mean.pixels[i][c];
         }
     }
-    return {double(passing) >= 0.9975 * double(values), absolute / double(values) < 0.1, std::abs(own - theirs) <= 0.025 * std::abs(theirs)};
+    return {double(passing) >= 0.9975 * double(values), absolute / double(values) < 0.1,
+            std::abs(own - theirs) <= 0.025 * std::abs(theirs)};
 }
 
 }  // namespace grade

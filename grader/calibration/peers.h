@@ -23,8 +23,8 @@ struct PeerRules {
 
 /// picture    mean of `pictures` pictures of the submission
 ///
-/// Source: the rules of Mitsuba 3's test_renders (two-sided z-test of each pixel with Sidak's correction), of lightwave's
-/// image tests, and of pbrt-v4's furnace tests, written anew.
+/// Source: the rules of Mitsuba 3's test_renders (two-sided z-test of each pixel with Sidak's correction), of
+/// lightwave's image tests, and of pbrt-v4's furnace tests, written anew.
 PeerRules judged_by_peers(const rt::Image& picture, int pictures, const PixelMoments& reference);
 
 }  // namespace grade

@@ -17,8 +17,8 @@ constexpr std::uint64_t most_bytes = 1u << 30;
 
 }  // namespace
 
-Pool collect(const Check& check, std::uint64_t seed, int replicates, const fs::path& program, const fs::path& solution_program,
-             const Sandbox& sandbox, const fs::path& meshes) {
+Pool collect(const Check& check, std::uint64_t seed, int replicates, const fs::path& program,
+             const fs::path& solution_program, const Sandbox& sandbox, const fs::path& meshes) {
     Pool pool;
     pool.statistics = int(check.statistics.size());
     Reference reference(check, seed, solution_program, sandbox, meshes);
@@ -43,7 +43,8 @@ Pool collect(const Check& check, std::uint64_t seed, int replicates, const fs::p
     for (int k = 0; k < replicates && pool.faults < most_faults; ++k) {
         const auto observation = next(k);
         for (const Statistic& statistic : check.statistics)
-            pool.scalars.push_back(observation ? measured(statistic, *observation) : std::numeric_limits<double>::quiet_NaN());
+            pool.scalars.push_back(observation ? measured(statistic, *observation)
+                                               : std::numeric_limits<double>::quiet_NaN());
     }
     return pool;
 }

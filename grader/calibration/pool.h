@@ -20,15 +20,17 @@ struct Pool {
     std::vector<double> scalars;  // replicates x statistics
 
     int replicates() const { return statistics > 0 ? int(scalars.size()) / statistics : 0; }
-    double scalar(int replicate, std::size_t statistic) const { return scalars[std::size_t(replicate) * std::size_t(statistics) + statistic]; }
+    double scalar(int replicate, std::size_t statistic) const {
+        return scalars[std::size_t(replicate) * std::size_t(statistics) + statistic];
+    }
     double seconds_per_replicate() const { return replicates() > 0 ? cpu_seconds / replicates() : 0; }
 };
 
 /// Runs a check so many times. A program that breaks down is started again, a few times.
 ///
 /// meshes  where scenes look for meshes
-Pool collect(const Check& check, std::uint64_t seed, int replicates, const fs::path& program, const fs::path& solution_program,
-             const Sandbox& sandbox, const fs::path& meshes);
+Pool collect(const Check& check, std::uint64_t seed, int replicates, const fs::path& program,
+             const fs::path& solution_program, const Sandbox& sandbox, const fs::path& meshes);
 
 /// A line of JSON, then the scalars as the machine has them. Throws std::runtime_error.
 void write_pool(const fs::path& path, const Pool& pool);

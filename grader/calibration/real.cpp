@@ -24,7 +24,8 @@ std::string timeless_hash(const Record& record) {
     auto json = nlohmann::json::parse(to_json(record));
     const std::function<void(nlohmann::json&)> strip = [&](nlohmann::json& value) {
         if (value.is_object())
-            for (auto at = value.begin(); at != value.end();) at = at.key().ends_with("_seconds") ? value.erase(at) : std::next(at);
+            for (auto at = value.begin(); at != value.end();)
+                at = at.key().ends_with("_seconds") ? value.erase(at) : std::next(at);
         for (auto& [key, child] : value.items())
             if (child.is_structured()) strip(child);
     };
@@ -47,7 +48,8 @@ std::vector<Bundle> bundles(const std::vector<const Variant*>& variants, const s
         Bundle bundle{fmt::format("{}-{}", name, all.size()), {}};
         std::size_t place = 0;
         for (auto& [fragment, list] : waiting)
-            if (!alternate || place++ % 2 == turn % 2) bundle.variants.push_back(list.front()), list.erase(list.begin());
+            if (!alternate || place++ % 2 == turn % 2)
+                bundle.variants.push_back(list.front()), list.erase(list.begin());
         std::erase_if(waiting, [](const auto& entry) { return entry.second.empty(); });
         if (!bundle.variants.empty()) all.push_back(std::move(bundle));
     }
@@ -56,12 +58,14 @@ std::vector<Bundle> bundles(const std::vector<const Variant*>& variants, const s
 
 std::map<std::string, std::string> changed_texts(const Bundle& bundle, const Workshop& workshop) {
     std::map<std::string, std::string> texts;
-    for (const Variant* variant : bundle.variants) texts[variant->fragment] = changed_text(*variant, workshop.chain().source);
+    for (const Variant* variant : bundle.variants)
+        texts[variant->fragment] = changed_text(*variant, workshop.chain().source);
     return texts;
 }
 
 std::vector<RealGrading> grade_changed(const Workshop& workshop, const std::map<std::string, std::string>& changed,
-                                       const std::vector<std::uint64_t>& seeds, const std::set<std::string>& only, int jobs) {
+                                       const std::vector<std::uint64_t>& seeds, const std::set<std::string>& only,
+                                       int jobs) {
     Submission submission{"calibration", {}, {}, ""};
     for (const std::string& name : workshop.assignment().names())
         submission.texts[name] = changed.contains(name) ? changed.at(name) : workshop.solution_text(name);
@@ -77,10 +81,12 @@ std::vector<RealGrading> grade_changed(const Workshop& workshop, const std::map<
         settings.seed = seed;
         const auto& checks = workshop.checks(seed);
         settings.statistics = noisy_statistics(checks);
-        const Record record = grade_programs(programs, workshop.assignment(), workshop.chain(), checks, settings, silent);
+        const Record record =
+            grade_programs(programs, workshop.assignment(), workshop.chain(), checks, settings, silent);
         RealGrading grading;
         for (const FragmentRecord& fragment : record.fragments)
-            grading.fragments.push_back({fragment.name, fragment.verdict, first_message(fragment), fragment.cpu_seconds});
+            grading.fragments.push_back(
+                {fragment.name, fragment.verdict, first_message(fragment), fragment.cpu_seconds});
         grading.record = timeless_hash(record);
         gradings.push_back(std::move(grading));
     }
@@ -91,7 +97,10 @@ void write_grading(const fs::path& path, const RealGrading& grading) {
     nlohmann::ordered_json json;
     json["record"] = grading.record;
     for (const RealVerdict& f : grading.fragments)
-        json["fragments"].push_back({{"name", f.fragment}, {"verdict", name(f.verdict)}, {"message", f.message}, {"cpu_seconds", f.cpu_seconds}});
+        json["fragments"].push_back({{"name", f.fragment},
+                                     {"verdict", name(f.verdict)},
+                                     {"message", f.message},
+                                     {"cpu_seconds", f.cpu_seconds}});
     fs::create_directories(path.parent_path());
     write_text(path, json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
@@ -102,12 +111,14 @@ std::optional<RealGrading> read_grading(const fs::path& path) {
     const auto json = nlohmann::json::parse(*text);
     RealGrading grading{{}, json.at("record")};
     for (const auto& f : json.at("fragments"))
-        grading.fragments.push_back({f.at("name"), verdict_named(f.at("verdict")), f.at("message"), f.at("cpu_seconds")});
+        grading.fragments.push_back(
+            {f.at("name"), verdict_named(f.at("verdict")), f.at("message"), f.at("cpu_seconds")});
     return grading;
 }
 
 bool is_found(Verdict verdict) {
-    return verdict == Verdict::failed || verdict == Verdict::not_an_image || verdict == Verdict::crashed || verdict == Verdict::timed_out;
+    return verdict == Verdict::failed || verdict == Verdict::not_an_image || verdict == Verdict::crashed ||
+           verdict == Verdict::timed_out;
 }
 
 bool says_one_of(const std::string& message, const std::vector<std::string>& words) {

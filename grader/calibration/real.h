@@ -40,7 +40,8 @@ struct RealGrading {
 ///
 /// only  fragments to grade; empty: all
 std::vector<RealGrading> grade_changed(const Workshop& workshop, const std::map<std::string, std::string>& changed,
-                                       const std::vector<std::uint64_t>& seeds, const std::set<std::string>& only, int jobs);
+                                       const std::vector<std::uint64_t>& seeds, const std::set<std::string>& only,
+                                       int jobs);
 
 std::map<std::string, std::string> changed_texts(const Bundle& bundle, const Workshop& workshop);
 

@@ -35,7 +35,8 @@ void Tally::add(const Tally& other) {
     replicates += other.replicates, cpu_seconds += other.cpu_seconds;
 }
 
-Tally replay(const std::vector<PooledChecks>& seeds, const Settings& settings, long gradings, std::uint64_t random_seed) {
+Tally replay(const std::vector<PooledChecks>& seeds, const Settings& settings, long gradings,
+             std::uint64_t random_seed) {
     std::mt19937_64 random(random_seed);
     Tally tally;
     for (long k = 0; k < gradings; ++k) {

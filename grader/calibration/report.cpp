@@ -22,12 +22,15 @@ std::string rate(long hits, long all) {
     return fmt::format("{} of {} = {:.2e} ({:.1e} to {:.1e})", hits, all, double(hits) / double(all), low, high);
 }
 
-std::string share(long hits, long all) { return all > 0 ? fmt::format("{} of {} ({:.1f} %)", hits, all, 100.0 * double(hits) / double(all)) : "not run"; }
+std::string share(long hits, long all) {
+    return all > 0 ? fmt::format("{} of {} ({:.1f} %)", hits, all, 100.0 * double(hits) / double(all)) : "not run";
+}
 
 std::string machine() {
     std::ifstream file("/proc/cpuinfo");
     for (std::string line; std::getline(file, line);)
-        if (line.starts_with("model name")) return fmt::format("{}, {} threads", line.substr(line.find(':') + 2), std::thread::hardware_concurrency());
+        if (line.starts_with("model name"))
+            return fmt::format("{}, {} threads", line.substr(line.find(':') + 2), std::thread::hardware_concurrency());
     return fmt::format("{} threads", std::thread::hardware_concurrency());
 }
 
@@ -38,8 +41,12 @@ auto total(const Rows& rows, Value value) {
     return sum;
 }
 
-double failed_rate(const VariantSummary& v) { return v.replayed.gradings > 0 ? double(v.replayed.failed) / double(v.replayed.gradings) : 0; }
-double open_rate(const VariantSummary& v) { return v.replayed.gradings > 0 ? double(v.replayed.inconclusive) / double(v.replayed.gradings) : 0; }
+double failed_rate(const VariantSummary& v) {
+    return v.replayed.gradings > 0 ? double(v.replayed.failed) / double(v.replayed.gradings) : 0;
+}
+double open_rate(const VariantSummary& v) {
+    return v.replayed.gradings > 0 ? double(v.replayed.inconclusive) / double(v.replayed.gradings) : 0;
+}
 
 /// Statistics whose observed rate of rejection is off the nominal one by more than a factor of two.
 long outside(const std::vector<Nominal>& rates, double Nominal::* at, bool above) {
@@ -51,32 +58,40 @@ std::string goals(const Summary& s) {
     const auto row = [&](const std::string& what, const std::string& goal, const std::string& measured) {
         text += fmt::format("| {} | {} | {} |\n", what, goal, measured);
     };
-    row("false failures of the solution, a whole submission, replayed", "at most 1e-4", rate(s.solution.failed, s.solution.gradings));
+    row("false failures of the solution, a whole submission, replayed", "at most 1e-4",
+        rate(s.solution.failed, s.solution.gradings));
     const auto worst_right = std::ranges::max_element(s.right, {}, failed_rate);
     if (worst_right != s.right.end() && worst_right->replayed.gradings > 0)
         row("false failures of the right variant with the most of them, replayed", "at most 1e-4",
             worst_right->variant->name + ": " + rate(worst_right->replayed.failed, worst_right->replayed.gradings));
     const long statistics = long(s.nominal.size());
-    const auto within = [&](double Nominal::* at) {
-        return fmt::format("{} of {} within; {} above, {} below", statistics - outside(s.nominal, at, true) - outside(s.nominal, at, false), statistics,
+    const auto within = [&](double Nominal::*at) {
+        return fmt::format("{} of {} within; {} above, {} below",
+                           statistics - outside(s.nominal, at, true) - outside(s.nominal, at, false), statistics,
                            outside(s.nominal, at, true), outside(s.nominal, at, false));
     };
     row("each statistic's rejections, observed over nominal at 1e-2", "0.5 to 2", within(&Nominal::at_2));
     row("the same at 1e-3", "0.5 to 2", within(&Nominal::at_3));
-    row("false failures, real gradings of whole right submissions", "0 in at least 300", rate(s.right_failures, s.right_gradings));
+    row("false failures, real gradings of whole right submissions", "0 in at least 300",
+        rate(s.right_failures, s.right_gradings));
     row("wrong variants failed, real gradings on 3 seeds", "100 %",
-        share(total(s.wrong, [](const auto& v) { return v.found; }), total(s.wrong, [](const auto& v) { return v.gradings; })));
+        share(total(s.wrong, [](const auto& v) { return v.found; }),
+              total(s.wrong, [](const auto& v) { return v.gradings; })));
     const auto replayed = std::ranges::count_if(s.wrong, [](const auto& v) { return v.replayed.gradings > 0; });
     row("wrong variants failed in at least 999 of 1000 replays", "each",
         share(std::ranges::count_if(s.wrong, [](const auto& v) { return failed_rate(v) >= 0.999; }), replayed));
     row("right cause in the first hint, real gradings", "at least 95 %",
         share(total(s.wrong, [](const auto& v) { return v.variant->says.empty() ? 0 : v.named; }),
               total(s.wrong, [](const auto& v) { return v.variant->says.empty() ? 0 : v.found; })));
-    const double right_open = s.solution.gradings > 0 ? 100.0 * double(s.solution.inconclusive) / double(s.solution.gradings) : 0;
+    const double right_open =
+        s.solution.gradings > 0 ? 100.0 * double(s.solution.inconclusive) / double(s.solution.gradings) : 0;
     const double wrong_open = replayed > 0 ? 100 * total(s.wrong, open_rate) / double(replayed) : 0;
-    row("inconclusive at the default budget: whole solution; wrong variants, replayed", "at most 1 %", fmt::format("{:.3f} %; {:.3f} %", right_open, wrong_open));
+    row("inconclusive at the default budget: whole solution; wrong variants, replayed", "at most 1 %",
+        fmt::format("{:.3f} %; {:.3f} %", right_open, wrong_open));
     row("inconclusive, real gradings: whole right submissions; wrong variants", "at most 1 %",
-        share(s.right_open, s.right_gradings) + "; " + share(total(s.wrong, [](const auto& v) { return v.open; }), total(s.wrong, [](const auto& v) { return v.gradings; })));
+        share(s.right_open, s.right_gradings) + "; " +
+            share(total(s.wrong, [](const auto& v) { return v.open; }),
+                  total(s.wrong, [](const auto& v) { return v.gradings; })));
     row("neighbours spoiled, real gradings", "0", share(s.spoiled, s.neighbours));
     double least = 0;
     std::string which;
@@ -84,43 +99,60 @@ std::string goals(const Summary& s) {
         const auto found = std::ranges::find_if(dose.found, [&](const auto& f) {
             return std::all_of(&f, &*dose.found.end(), [](const auto& larger) { return larger.second == 1; });
         });
-        const double size = found == dose.found.end() ? std::numeric_limits<double>::infinity() : std::stod(found->first);
+        const double size =
+            found == dose.found.end() ? std::numeric_limits<double>::infinity() : std::stod(found->first);
         if (size > least) least = size, which = dose.variant->fragment;
     }
     if (!s.doses.empty())
-        row("smallest bias that is always found, and all larger ones, of the fragment where it is largest", "0.5 %", fmt::format("{:.2g} % ({})", 100 * least, which));
+        row("smallest bias that is always found, and all larger ones, of the fragment where it is largest", "0.5 %",
+            fmt::format("{:.2g} % ({})", 100 * least, which));
     row("faults in at most 0.05 % of a picture's pixels", "found",
-        share(std::ranges::count_if(s.confined, [](const auto& c) { return c.found == c.gradings; }), long(s.confined.size())));
-    row("same submission and seed, on a quiet and on a busy machine, with 1 and 7 jobs", "identical records", share(s.same_under_load, s.under_load));
+        share(std::ranges::count_if(s.confined, [](const auto& c) { return c.found == c.gradings; }),
+              long(s.confined.size())));
+    row("same submission and seed, on a quiet and on a busy machine, with 1 and 7 jobs", "identical records",
+        share(s.same_under_load, s.under_load));
     return text;
 }
 
 std::string budget_table(const Summary& s) {
-    std::string text = "| most replicates of a statistic | CPU s, whole solution | not passed | CPU s, a wrong fragment | not failed | the worst one |\n|---|---|---|---|---|---|\n";
+    std::string text =
+        "| most replicates of a statistic | CPU s, whole solution | not passed | CPU s, a wrong fragment | not failed "
+        "| the worst one |\n|---|---|---|---|---|---|\n";
     for (const Budget& b : s.budgets)
-        text += fmt::format("| {}{} | {:.2f} | {} | {:.3f} | {:.2e} | {:.2e} {} |\n", b.cap, b.cap == GradingSettings{}.replicates ? " (default)" : "",
-                            b.right.seconds_per_grading(), rate(b.right.gradings - b.right.passed, b.right.gradings), b.wrong.seconds_per_grading(),
-                            b.wrong.gradings > 0 ? 1 - double(b.wrong.failed) / double(b.wrong.gradings) : 0, b.worst_wrong, b.worst);
+        text += fmt::format("| {}{} | {:.2f} | {} | {:.3f} | {:.2e} | {:.2e} {} |\n", b.cap,
+                            b.cap == GradingSettings{}.replicates ? " (default)" : "", b.right.seconds_per_grading(),
+                            rate(b.right.gradings - b.right.passed, b.right.gradings), b.wrong.seconds_per_grading(),
+                            b.wrong.gradings > 0 ? 1 - double(b.wrong.failed) / double(b.wrong.gradings) : 0,
+                            b.worst_wrong, b.worst);
     return text;
 }
 
 std::string variant_table(const std::vector<VariantSummary>& rows, bool wrong) {
-    std::string text = wrong ? "| variant | fragment | failed | cause named | replays failed | inconclusive | CPU s | fixed / sequential | z-test | mean difference | global mean |\n|---|---|---|---|---|---|---|---|---|---|---|\n"
-                             : "| variant | fragment | failed | replays failed | inconclusive | CPU s | fixed / sequential | z-test | mean difference | global mean |\n|---|---|---|---|---|---|---|---|---|---|\n";
+    std::string text =
+        wrong ? "| variant | fragment | failed | cause named | replays failed | inconclusive | CPU s | fixed / "
+                "sequential | z-test | mean difference | global mean |\n|---|---|---|---|---|---|---|---|---|---|---|\n"
+              : "| variant | fragment | failed | replays failed | inconclusive | CPU s | fixed / sequential | z-test | "
+                "mean difference | global mean |\n|---|---|---|---|---|---|---|---|---|---|\n";
     for (const VariantSummary& v : rows) {
-        const auto peer = [&](bool passes) { return v.pictures == 0 ? "–" : passes ? (wrong ? "missed" : "passed") : (wrong ? "found" : "**failed**"); };
+        const auto peer = [&](bool passes) {
+            return v.pictures == 0 ? "–" : passes ? (wrong ? "missed" : "passed") : (wrong ? "found" : "**failed**");
+        };
         const double seconds = v.replayed.seconds_per_grading();
-        text += fmt::format("| {} | {} | {} of {} |", v.variant->name.substr(v.variant->name.find('/') + 1), v.variant->fragment, v.found, v.gradings);
+        text += fmt::format("| {} | {} | {} of {} |", v.variant->name.substr(v.variant->name.find('/') + 1),
+                            v.variant->fragment, v.found, v.gradings);
         if (wrong) text += v.variant->says.empty() ? " – |" : fmt::format(" {} of {} |", v.named, v.found);
         text += fmt::format(" {:.5g} | {:.2g} | {:.3f} | {} | {} | {} | {} |\n", failed_rate(v), open_rate(v), seconds,
-                            seconds > 0 ? fmt::format("{:.1f}", v.fixed_seconds / seconds) : "–", peer(v.peers.z_test), peer(v.peers.mean_difference), peer(v.peers.global_mean));
+                            seconds > 0 ? fmt::format("{:.1f}", v.fixed_seconds / seconds) : "–", peer(v.peers.z_test),
+                            peer(v.peers.mean_difference), peer(v.peers.global_mean));
     }
     return text;
 }
 
 /// How often each rule is right, over variants that have pictures.
 std::string peer_table(const Summary& s) {
-    const auto shown = [](const std::vector<VariantSummary>& rows) { return std::ranges::count_if(rows, [](const auto& v) { return v.pictures > 0; }); };
+    const auto shown = [](const std::vector<VariantSummary>& rows) {
+        return std::ranges::count_if(rows, [](const auto& v) { return v.pictures > 0; });
+    };
     const auto caught = [](const std::vector<VariantSummary>& rows, bool PeerRules::* rule) {
         return std::ranges::count_if(rows, [&](const auto& v) { return v.pictures > 0 && !(v.peers.*rule); });
     };
@@ -128,21 +160,27 @@ std::string peer_table(const Summary& s) {
         return std::ranges::count_if(rows, [](const auto& v) { return v.pictures > 0 && v.found > 0; });
     };
     std::string text = "| rule | wrong variants found | right variants failed |\n|---|---|---|\n";
-    const auto row = [&](const char* what, bool PeerRules::* rule) {
-        text += fmt::format("| {} | {} | {} |\n", what, share(caught(s.wrong, rule), shown(s.wrong)), share(caught(s.right, rule), shown(s.right)));
+    const auto row = [&](const char* what, bool PeerRules::*rule) {
+        text += fmt::format("| {} | {} | {} |\n", what, share(caught(s.wrong, rule), shown(s.wrong)),
+                            share(caught(s.right, rule), shown(s.right)));
     };
     row("z-test of each pixel, 99.75 % must pass", &PeerRules::z_test);
     row("mean absolute difference below 0.1", &PeerRules::mean_difference);
     row("mean of the picture within 2.5 %", &PeerRules::global_mean);
-    text += fmt::format("| this grader | {} | {} |\n", share(ours(s.wrong), shown(s.wrong)), share(ours(s.right), shown(s.right)));
+    text += fmt::format("| this grader | {} | {} |\n", share(ours(s.wrong), shown(s.wrong)),
+                        share(ours(s.right), shown(s.right)));
     return text;
 }
 
 std::string nominal_table(const Summary& s) {
-    std::string text = "| check | statistic | at 1e-2 | at 1e-3 | solution's deviation / Δ | beyond Δ0 [standard errors] |\n|---|---|---|---|---|---|\n";
+    std::string text =
+        "| check | statistic | at 1e-2 | at 1e-3 | solution's deviation / Δ | beyond Δ0 [standard errors] "
+        "|\n|---|---|---|---|---|---|\n";
     for (const Nominal& n : s.nominal) {
         const bool off = n.at_2 > 2 || n.at_2 < 0.5 || n.at_3 > 2 || n.at_3 < 0.5 || n.tilt > 4;
-        if (off) text += fmt::format("| {} | {} | {:.2f} | {:.2f} | {:.3f} | {:.1f} |\n", n.check, n.what, n.at_2, n.at_3, n.bias, n.tilt);
+        if (off)
+            text += fmt::format("| {} | {} | {:.2f} | {:.2f} | {:.3f} | {:.1f} |\n", n.check, n.what, n.at_2, n.at_3,
+                                n.bias, n.tilt);
     }
     return text;
 }
@@ -153,41 +191,63 @@ std::string median_ratio(const std::vector<VariantSummary>& rows) {
         if (v.replayed.seconds_per_grading() > 0) ratios.push_back(v.fixed_seconds / v.replayed.seconds_per_grading());
     if (ratios.empty()) return "not run";
     std::ranges::sort(ratios);
-    return fmt::format("{:.1f} (quarter points {:.1f} and {:.1f})", ratios[ratios.size() / 2], ratios[ratios.size() / 4], ratios[3 * ratios.size() / 4]);
+    return fmt::format("{:.1f} (quarter points {:.1f} and {:.1f})", ratios[ratios.size() / 2],
+                       ratios[ratios.size() / 4], ratios[3 * ratios.size() / 4]);
 }
 
 }  // namespace
 
 std::string calibration_report(const Summary& s, const std::string& command, const std::string& plot) {
     std::string text = "# How far verdicts can be trusted\n\n";
-    text += fmt::format("Made by `{}` on {:%Y-%m-%d}, {}. {} of {} steps were done; each statistic of each variant has {} replicates or more,\nand {} statistics with noise share alpha.\n\n",
-                        command, fmt::localtime(std::time(nullptr)), machine(), s.steps_done, s.steps, s.least_replicates, s.noisy);
-    text += "**Real** gradings run programs, on fresh seeds. **Replays** draw replicates from stores, with replacement, and decide with the same\n"
-            "code; each draws from one of the stores' grading seeds. Rates are given with 95 % bounds.\n\n";
+    text += fmt::format(
+        "Made by `{}` on {:%Y-%m-%d}, {}. {} of {} steps were done; each statistic of each variant has {} replicates "
+        "or more,\nand {} statistics with noise share alpha.\n\n",
+        command, fmt::localtime(std::time(nullptr)), machine(), s.steps_done, s.steps, s.least_replicates, s.noisy);
+    text +=
+        "**Real** gradings run programs, on fresh seeds. **Replays** draw replicates from stores, with replacement, "
+        "and decide with the same\n"
+        "code; each draws from one of the stores' grading seeds. Rates are given with 95 % bounds.\n\n";
     text += "## What was to be shown\n\n" + goals(s);
-    text += fmt::format("\nA whole right submission takes {:.2f} CPU seconds in its checks (real gradings).\n", s.whole_seconds);
+    text += fmt::format("\nA whole right submission takes {:.2f} CPU seconds in its checks (real gradings).\n",
+                        s.whole_seconds);
     for (const std::string& failure : s.false_failures) text += "\n* not passed though right: " + failure;
     if (!s.false_failures.empty()) text += "\n";
-    text += fmt::format("\n## Error of the verdict against run time\n\nReplayed with other budgets. A verdict is wrong where a right submission does not pass, or a wrong variant does not fail;\n"
-                        "inconclusive is wrong here.\n\n![probability of a wrong verdict against CPU seconds]({})\n\n",
-                        plot) + budget_table(s);
-    text += fmt::format("\n## Stopping early\n\nCost of a fixed number of replicates of the same power, over that of stopping as soon as it is certain, median over variants:\n"
-                        "right {}, wrong {}.\n\n",
-                        median_ratio(s.right), median_ratio(s.wrong));
-    text += "## The rules of others\n\nThe same pictures, the mean of 16 replicates against the mean of 64 of the solution; a rule has found a variant when one of the pictures\n"
-            "of its fragment's checks fails. Variants whose fragment draws no picture are left out.\n\n" + peer_table(s);
+    text += fmt::format(
+                "\n## Error of the verdict against run time\n\nReplayed with other budgets. A verdict is wrong where a "
+                "right submission does not pass, or a wrong variant does not fail;\n"
+                "inconclusive is wrong here.\n\n![probability of a wrong verdict against CPU seconds]({})\n\n",
+                plot) +
+            budget_table(s);
+    text += fmt::format(
+        "\n## Stopping early\n\nCost of a fixed number of replicates of the same power, over that of stopping as soon "
+        "as it is certain, median over variants:\n"
+        "right {}, wrong {}.\n\n",
+        median_ratio(s.right), median_ratio(s.wrong));
+    text +=
+        "## The rules of others\n\nThe same pictures, the mean of 16 replicates against the mean of 64 of the "
+        "solution; a rule has found a variant when one of the pictures\n"
+        "of its fragment's checks fails. Variants whose fragment draws no picture are left out.\n\n" +
+        peer_table(s);
     text += "\n## Sizes of a bias\n\nShare of real gradings that find it.\n\n";
     for (const Dose& dose : s.doses) {
         text += fmt::format("* {} ({}):", dose.variant->fragment, dose.variant->what);
-        for (const auto& [size, found] : dose.found) text += fmt::format(" {:g} %: {:g},", 100 * std::stod(size), found);
+        for (const auto& [size, found] : dose.found)
+            text += fmt::format(" {:g} %: {:g},", 100 * std::stod(size), found);
         text.back() = '\n';
     }
-    text += "\n## Faults in a few pixels\n\n| variant | fragment | pixels that change in its scene | found |\n|---|---|---|---|\n";
+    text +=
+        "\n## Faults in a few pixels\n\n| variant | fragment | pixels that change in its scene | found "
+        "|\n|---|---|---|---|\n";
     for (const Confined& c : s.confined)
-        text += fmt::format("| {} | {} | {} of {} ({:.3f} %) | {} of {} |\n", c.variant->what, c.variant->fragment, c.changed, c.pixels, 100.0 * c.changed / c.pixels, c.found, c.gradings);
-    text += "\n## Statistics that do not keep their nominal rate\n\nTests of 16 of the solution's replicates about their own mean; below 0.5 costs power, above 2 costs false alarms. Those that are off,\n"
-            "and those where the solution's mean is more than 4 standard errors beyond Δ0:\n\n" + nominal_table(s);
-    text += "\n## Wrong variants\n\n" + variant_table(s.wrong, true) + "\n## Right variants\n\n" + variant_table(s.right, false);
+        text += fmt::format("| {} | {} | {} of {} ({:.3f} %) | {} of {} |\n", c.variant->what, c.variant->fragment,
+                            c.changed, c.pixels, 100.0 * c.changed / c.pixels, c.found, c.gradings);
+    text +=
+        "\n## Statistics that do not keep their nominal rate\n\nTests of 16 of the solution's replicates about their "
+        "own mean; below 0.5 costs power, above 2 costs false alarms. Those that are off,\n"
+        "and those where the solution's mean is more than 4 standard errors beyond Δ0:\n\n" +
+        nominal_table(s);
+    text += "\n## Wrong variants\n\n" + variant_table(s.wrong, true) + "\n## Right variants\n\n" +
+            variant_table(s.right, false);
     return text;
 }
 
@@ -197,12 +257,17 @@ Plot budget_plot(const Summary& s, int fragments) {
         const long missed = b.right.gradings - b.right.passed;
         const auto [low, high] = rate_bounds(missed, b.right.gradings);
         const double seconds = b.right.seconds_per_grading();
-        right.points.push_back({seconds, b.right.gradings > 0 ? double(missed) / double(b.right.gradings) : 0, low, high});
+        right.points.push_back(
+            {seconds, b.right.gradings > 0 ? double(missed) / double(b.right.gradings) : 0, low, high});
         bound.points.push_back({seconds, high});
         // as if all fragments were wrong
-        wrong.points.push_back({fragments * b.wrong.seconds_per_grading(), b.wrong.gradings > 0 ? 1 - double(b.wrong.failed) / double(b.wrong.gradings) : 0});
+        wrong.points.push_back({fragments * b.wrong.seconds_per_grading(),
+                                b.wrong.gradings > 0 ? 1 - double(b.wrong.failed) / double(b.wrong.gradings) : 0});
     }
-    return {"Error of the verdict against run time", "CPU seconds of a whole submission's checks", "probability of a wrong verdict", {right, bound, wrong}};
+    return {"Error of the verdict against run time",
+            "CPU seconds of a whole submission's checks",
+            "probability of a wrong verdict",
+            {right, bound, wrong}};
 }
 
 }  // namespace grade

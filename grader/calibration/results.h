@@ -10,7 +10,8 @@ namespace grade {
 /// The grading seed of one part of the replicates.
 inline std::uint64_t pool_seed(int part) { return 1001 + std::uint64_t(part); }
 
-inline fs::path pool_file(const Workshop& workshop, const std::string& variant, const Check& check, std::uint64_t seed) {
+inline fs::path pool_file(const Workshop& workshop, const std::string& variant, const Check& check,
+                          std::uint64_t seed) {
     return workshop.results(check.fragment) / "pools" / variant / (key_of(check) + "-" + std::to_string(seed));
 }
 
@@ -36,7 +37,9 @@ inline std::vector<std::uint64_t> seeds_from_1(int count) {
     return seeds;
 }
 
-inline std::vector<std::uint64_t> wrong_seeds(const Workshop& workshop) { return seeds_from_1(workshop.amount().wrong_seeds); }
+inline std::vector<std::uint64_t> wrong_seeds(const Workshop& workshop) {
+    return seeds_from_1(workshop.amount().wrong_seeds);
+}
 
 /// So many that all bundles together have the wanted number of gradings.
 inline std::vector<std::uint64_t> right_seeds(const Workshop& workshop) {
@@ -52,10 +55,16 @@ inline fs::path peer_file(const Workshop& workshop, const Variant& variant) {
     return workshop.results(variant.fragment) / "peers" / (variant.name + ".json");
 }
 
-inline fs::path dose_file(const Workshop& workshop, const Variant& variant) { return workshop.results() / (variant.name + ".json"); }
+inline fs::path dose_file(const Workshop& workshop, const Variant& variant) {
+    return workshop.results() / (variant.name + ".json");
+}
 
-inline fs::path confined_file(const Workshop& workshop, const Variant& variant) { return workshop.results() / (variant.name + ".json"); }
+inline fs::path confined_file(const Workshop& workshop, const Variant& variant) {
+    return workshop.results() / (variant.name + ".json");
+}
 
-inline fs::path load_file(const Workshop& workshop, const Bundle& bundle) { return workshop.results() / "load" / (bundle.name + ".json"); }
+inline fs::path load_file(const Workshop& workshop, const Bundle& bundle) {
+    return workshop.results() / "load" / (bundle.name + ".json");
+}
 
 }  // namespace grade

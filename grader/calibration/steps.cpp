@@ -31,14 +31,16 @@ Step pool_step(const Workshop& workshop, const Variant* variant, const std::stri
     const std::string name = variant ? variant->name : "solution";
     const std::uint64_t seed = pool_seed(part);
     Step step{fmt::format("replicates of {}, {}", name, fragment), {}, {}};
-    for (const Check* check : workshop.checks(seed, fragment)) step.results.push_back(pool_file(workshop, name, *check, seed));
+    for (const Check* check : workshop.checks(seed, fragment))
+        step.results.push_back(pool_file(workshop, name, *check, seed));
     step.run = [=, &workshop] {
         const fs::path program = variant ? workshop.program(*variant) : workshop.solution_program();
         for (const Check* check : workshop.checks(seed, fragment)) {
             const fs::path file = pool_file(workshop, name, *check, seed);
             if (fs::exists(file)) continue;
             const int replicates = workshop.amount().replicates / workshop.amount().seeds;
-            write_pool(file, collect(*check, seed, replicates, program, workshop.solution_program(), workshop.sandbox(), workshop.meshes()));
+            write_pool(file, collect(*check, seed, replicates, program, workshop.solution_program(), workshop.sandbox(),
+                                     workshop.meshes()));
         }
     };
     return step;
@@ -46,9 +48,11 @@ Step pool_step(const Workshop& workshop, const Variant* variant, const std::stri
 
 std::vector<Step> pool_steps(const Workshop& workshop, int part) {
     std::vector<Step> steps;
-    for (const std::string& fragment : workshop.assignment().names()) steps.push_back(pool_step(workshop, nullptr, fragment, part));
+    for (const std::string& fragment : workshop.assignment().names())
+        steps.push_back(pool_step(workshop, nullptr, fragment, part));
     for (const auto kind : {Variant::Kind::right, Variant::Kind::wrong})
-        for (const Variant* variant : workshop.variants(kind)) steps.push_back(pool_step(workshop, variant, variant->fragment, part));
+        for (const Variant* variant : workshop.variants(kind))
+            steps.push_back(pool_step(workshop, variant, variant->fragment, part));
     return steps;
 }
 
@@ -68,7 +72,8 @@ Step real_step(const Workshop& workshop, const Bundle& bundle, std::vector<std::
 
 std::vector<Step> wrong_steps(const Workshop& workshop) {
     std::vector<Step> steps;
-    for (const Bundle& bundle : wrong_bundles(workshop)) steps.push_back(real_step(workshop, bundle, wrong_seeds(workshop)));
+    for (const Bundle& bundle : wrong_bundles(workshop))
+        steps.push_back(real_step(workshop, bundle, wrong_seeds(workshop)));
     return steps;
 }
 
@@ -78,13 +83,15 @@ std::vector<Step> right_steps(const Workshop& workshop) {
     for (std::size_t first = 0; first < seeds.size(); first += gradings_at_once) {
         const std::size_t last = std::min(first + gradings_at_once, seeds.size());
         for (const Bundle& bundle : right_bundles(workshop))
-            steps.push_back(real_step(workshop, bundle, {seeds.begin() + std::ptrdiff_t(first), seeds.begin() + std::ptrdiff_t(last)}));
+            steps.push_back(real_step(workshop, bundle,
+                                      {seeds.begin() + std::ptrdiff_t(first), seeds.begin() + std::ptrdiff_t(last)}));
     }
     return steps;
 }
 
 /// The mean of so many pictures of a check; none where the program fails.
-std::optional<PixelMoments> pictures_of(const Workshop& workshop, const Check& check, const fs::path& program, int count, int first) {
+std::optional<PixelMoments> pictures_of(const Workshop& workshop, const Check& check, const fs::path& program,
+                                        int count, int first) {
     Runner runner(program, workshop.sandbox(), workshop.meshes(), patience);
     PixelMoments moments;
     for (int k = 0; k < count; ++k) {
@@ -109,10 +116,13 @@ Step peer_step(const Workshop& workshop, const std::string& fragment) {
         for (const Check* check : workshop.checks(pool_seed(0), fragment)) {
             if (!std::holds_alternative<Render>(check->experiment)) continue;
             ++pictures;
-            const auto theirs = pictures_of(workshop, *check, workshop.solution_program(), pictures_of_the_solution, pictures_of_a_variant);
+            const auto theirs = pictures_of(workshop, *check, workshop.solution_program(), pictures_of_the_solution,
+                                            pictures_of_a_variant);
             for (std::size_t i = 0; i < variants.size(); ++i) {
-                const auto own = pictures_of(workshop, *check, workshop.program(*variants[i]), pictures_of_a_variant, 0);
-                const PeerRules one = own && theirs ? judged_by_peers(own->mean, own->count, *theirs) : PeerRules{false, false, false};
+                const auto own =
+                    pictures_of(workshop, *check, workshop.program(*variants[i]), pictures_of_a_variant, 0);
+                const PeerRules one =
+                    own && theirs ? judged_by_peers(own->mean, own->count, *theirs) : PeerRules{false, false, false};
                 rules[i].z_test = rules[i].z_test && one.z_test;
                 rules[i].mean_difference = rules[i].mean_difference && one.mean_difference;
                 rules[i].global_mean = rules[i].global_mean && one.global_mean;
@@ -140,7 +150,8 @@ Step dose_step(const Workshop& workshop, const Variant& variant) {
     return {"sizes of " + variant.name, {file}, [&workshop, &variant, file] {
                 Json json;
                 for (const std::string& dose : variant.doses)
-                    json[dose] = verdicts_of(workshop, variant.fragment, changed_text(variant, workshop.chain().source, dose));
+                    json[dose] =
+                        verdicts_of(workshop, variant.fragment, changed_text(variant, workshop.chain().source, dose));
                 write_json(file, json);
             }};
 }
@@ -158,8 +169,10 @@ Step confined_step(const Workshop& workshop, const Variant& variant) {
                 const rt::Image &x = std::get<rt::Image>(a), &y = std::get<rt::Image>(b);
                 int changed = 0;
                 for (std::size_t i = 0; i < x.pixels.size(); ++i) changed += x.pixels[i] != y.pixels[i];
-                write_json(file, {{"changed", changed}, {"pixels", x.pixels.size()},
-                                  {"verdicts", verdicts_of(workshop, variant.fragment, changed_text(variant, workshop.chain().source))}});
+                write_json(file, {{"changed", changed},
+                                  {"pixels", x.pixels.size()},
+                                  {"verdicts", verdicts_of(workshop, variant.fragment,
+                                                           changed_text(variant, workshop.chain().source))}});
             }};
 }
 
@@ -187,8 +200,10 @@ Step load_step(const Workshop& workshop, const Bundle& bundle) {
 std::vector<Step> steps_of(const Workshop& workshop) {
     std::vector<Step> steps;
     const auto add = [&](std::vector<Step> more) { std::ranges::move(more, std::back_inserter(steps)); };
-    for (const Variant* variant : workshop.variants(Variant::Kind::dose)) steps.push_back(dose_step(workshop, *variant));
-    for (const Variant* variant : workshop.variants(Variant::Kind::confined)) steps.push_back(confined_step(workshop, *variant));
+    for (const Variant* variant : workshop.variants(Variant::Kind::dose))
+        steps.push_back(dose_step(workshop, *variant));
+    for (const Variant* variant : workshop.variants(Variant::Kind::confined))
+        steps.push_back(confined_step(workshop, *variant));
     for (const std::string& fragment : workshop.assignment().names()) steps.push_back(peer_step(workshop, fragment));
     add(wrong_steps(workshop));
     add(pool_steps(workshop, 0));

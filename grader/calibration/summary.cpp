@@ -40,7 +40,8 @@ Stores stores_of(const Workshop& workshop, const std::string& name, const std::s
             stores.pools.push_back(std::make_unique<Pool>(std::move(*pool)));
             checks.push_back({&check, stores.pools.back().get()});
         }
-        const auto wanted = fragment.empty() ? workshop.checks(pool_seed(part)).size() : workshop.checks(pool_seed(part), fragment).size();
+        const auto wanted = fragment.empty() ? workshop.checks(pool_seed(part)).size()
+                                             : workshop.checks(pool_seed(part), fragment).size();
         if (checks.size() != wanted) continue;
         stores.seeds.push_back(std::move(checks));
         if (least < std::numeric_limits<int>::max()) stores.least += least;
@@ -48,7 +49,8 @@ Stores stores_of(const Workshop& workshop, const std::string& name, const std::s
     return stores;
 }
 
-/// How many replicates a test of fixed size needs to tell right from a deviation of delta, with the same alpha and beta.
+/// How many replicates a test of fixed size needs to tell right from a deviation of delta, with the same alpha and
+/// beta.
 int fixed_replicates(const PooledCheck& stored, const Settings& settings) {
     double most = 16;
     for (std::size_t i = 0; i < stored.check->statistics.size(); ++i) {
@@ -60,7 +62,8 @@ int fixed_replicates(const PooledCheck& stored, const Settings& settings) {
         // the quantiles depend on the number that they decide: a few rounds settle it
         double n = 16;
         for (int round = 0; round < 20; ++round) {
-            const double reach = student_quantile(std::round(n) - 1, settings.alpha / settings.statistics / 2) + student_quantile(std::round(n) - 1, settings.beta);
+            const double reach = student_quantile(std::round(n) - 1, settings.alpha / settings.statistics / 2) +
+                                 student_quantile(std::round(n) - 1, settings.beta);
             n = std::clamp(std::pow(reach * deviation / (statistic.delta - statistic.delta0), 2), 16.0, 1e5);
         }
         most = std::max(most, n);
@@ -84,8 +87,8 @@ void read_peers(const Workshop& workshop, VariantSummary& row) {
 }
 
 /// Real gradings: what became of each variant, and of what stands beside it.
-void read_real(const Workshop& workshop, const std::vector<Bundle>& bundles, const std::vector<std::uint64_t>& seeds, bool wrong,
-               std::vector<VariantSummary>& rows, Summary& summary) {
+void read_real(const Workshop& workshop, const std::vector<Bundle>& bundles, const std::vector<std::uint64_t>& seeds,
+               bool wrong, std::vector<VariantSummary>& rows, Summary& summary) {
     std::map<const Variant*, VariantSummary*> row_of;
     for (VariantSummary& row : rows) row_of[row.variant] = &row;
     double seconds = 0;
@@ -111,9 +114,12 @@ void read_real(const Workshop& workshop, const std::vector<Bundle>& bundles, con
                 failed = failed || found;
                 open = open || (!found && !passed);
                 if (!passed && (!wrong || changed == bundle.variants.end()))
-                    summary.false_failures.push_back(fmt::format("{}, seed {}, {}: {}: {}", bundle.name, seed, verdict.fragment, name(verdict.verdict), verdict.message));
+                    summary.false_failures.push_back(fmt::format("{}, seed {}, {}: {}: {}", bundle.name, seed,
+                                                                 verdict.fragment, name(verdict.verdict),
+                                                                 verdict.message));
             }
-            if (!wrong) ++summary.right_gradings, summary.right_failures += failed, summary.right_open += open && !failed;
+            if (!wrong)
+                ++summary.right_gradings, summary.right_failures += failed, summary.right_open += open && !failed;
         }
     if (!wrong && summary.right_gradings > 0) summary.whole_seconds = seconds / summary.right_gradings;
 }
@@ -126,7 +132,8 @@ void read_doses(const Workshop& workshop, Summary& summary) {
         Dose dose{variant, {}};
         for (const std::string& size : variant->doses) {
             const auto& verdicts = json.at(size);
-            const auto found = std::ranges::count_if(verdicts, [](const auto& verdict) { return verdict != "passed" && verdict != "inconclusive"; });
+            const auto found = std::ranges::count_if(
+                verdicts, [](const auto& verdict) { return verdict != "passed" && verdict != "inconclusive"; });
             dose.found.emplace_back(size, double(found) / double(verdicts.size()));
         }
         summary.doses.push_back(std::move(dose));
@@ -136,7 +143,8 @@ void read_doses(const Workshop& workshop, Summary& summary) {
         if (!text) continue;
         const auto json = nlohmann::json::parse(*text);
         Confined confined{variant, json.at("changed"), json.at("pixels"), int(json.at("verdicts").size()), 0};
-        for (const auto& verdict : json.at("verdicts")) confined.found += verdict != "passed" && verdict != "inconclusive";
+        for (const auto& verdict : json.at("verdicts"))
+            confined.found += verdict != "passed" && verdict != "inconclusive";
         summary.confined.push_back(confined);
     }
 }
@@ -147,11 +155,13 @@ std::pair<double, double> rate_bounds(long hits, long all) {
     using Beta = boost::math::beta_distribution<double>;
     if (all == 0) return {0, 1};
     const double low = hits == 0 ? 0 : boost::math::quantile(Beta(double(hits), double(all - hits + 1)), 0.025);
-    const double high = hits == all ? 1 : boost::math::quantile(Beta(double(hits + 1), double(all - hits)), hits == 0 ? 0.95 : 0.975);
+    const double high =
+        hits == all ? 1 : boost::math::quantile(Beta(double(hits + 1), double(all - hits)), hits == 0 ? 0.95 : 0.975);
     return {low, high};
 }
 
-Summary summarize(const Workshop& workshop, int jobs, const std::function<void(int, int, const std::string&)>& listener) {
+Summary summarize(const Workshop& workshop, int jobs,
+                  const std::function<void(int, int, const std::string&)>& listener) {
     Summary summary;
     for (const Step& step : steps_of(workshop)) ++summary.steps, summary.steps_done += step.is_done();
     for (const Variant* variant : workshop.variants(Variant::Kind::right)) summary.right.push_back({variant});
@@ -172,7 +182,8 @@ Summary summarize(const Workshop& workshop, int jobs, const std::function<void(i
     const Stores solution = stores_of(workshop, "solution", "");
     std::map<std::string, int> fixed;
     if (!solution.seeds.empty())
-        for (const PooledCheck& stored : solution.seeds.front()) fixed[key_of(*stored.check)] = fixed_replicates(stored, settings);
+        for (const PooledCheck& stored : solution.seeds.front())
+            fixed[key_of(*stored.check)] = fixed_replicates(stored, settings);
     summary.least_replicates = solution.least;
 
     std::mutex lock;
@@ -186,8 +197,11 @@ Summary summarize(const Workshop& workshop, int jobs, const std::function<void(i
                 summary.solution.add(tally);
             });
         for (Budget& budget : summary.budgets)
-            work.emplace_back("budgets", [&] { budget.right = replay(solution.seeds, settings_of(workshop, budget.cap), draws / 50, 99); });
-        work.emplace_back("rates of each statistic", [&] { summary.nominal = nominal_rates(solution.seeds.front(), nominal_draws, 7); });
+            work.emplace_back("budgets", [&] {
+                budget.right = replay(solution.seeds, settings_of(workshop, budget.cap), draws / 50, 99);
+            });
+        work.emplace_back("rates of each statistic",
+                          [&] { summary.nominal = nominal_rates(solution.seeds.front(), nominal_draws, 7); });
     }
     for (auto* rows : {&summary.right, &summary.wrong})
         for (VariantSummary& row : *rows)
@@ -200,7 +214,8 @@ Summary summarize(const Workshop& workshop, int jobs, const std::function<void(i
                     row.fixed_seconds += fixed[key_of(*stored.check)] * stored.pool->seconds_per_replicate();
                 std::vector<Tally> budgets;
                 if (row.variant->kind == Variant::Kind::wrong)
-                    for (const Budget& budget : summary.budgets) budgets.push_back(replay(stores.seeds, settings_of(workshop, budget.cap), draws / 500, 5));
+                    for (const Budget& budget : summary.budgets)
+                        budgets.push_back(replay(stores.seeds, settings_of(workshop, budget.cap), draws / 500, 5));
                 const std::scoped_lock guard(lock);
                 if (stores.least > 0) summary.least_replicates = std::min(summary.least_replicates, stores.least);
                 for (std::size_t i = 0; i < budgets.size(); ++i) {

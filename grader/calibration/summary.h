@@ -16,7 +16,8 @@ namespace grade {
 /// What the results say about one variant.
 struct VariantSummary {
     const Variant* variant = nullptr;
-    int gradings = 0, found = 0, open = 0, named = 0;  // real ones: wrong verdict, inconclusive, cause in the first hint
+    int gradings = 0, found = 0, open = 0,
+        named = 0;  // real ones: wrong verdict, inconclusive, cause in the first hint
     std::string verdict, message;                      // of the first
     Tally replayed;                                    // of its own fragment
     double fixed_seconds = 0;                          // what a fixed number of replicates of the same power would cost
@@ -61,7 +62,8 @@ struct Summary {
 };
 
 /// The second half of the calibration: replays, and all that the stored results say.
-Summary summarize(const Workshop& workshop, int jobs, const std::function<void(int done, int all, const std::string& doing)>& progress);
+Summary summarize(const Workshop& workshop, int jobs,
+                  const std::function<void(int done, int all, const std::string& doing)>& progress);
 
 /// Bounds of a rate of which `hits` were seen in `all`, 95 %.
 ///

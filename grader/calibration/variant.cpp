@@ -15,8 +15,10 @@ namespace grade {
 
 namespace {
 
-constexpr std::pair<const char*, Variant::Kind> folders[] = {
-    {"wrong", Variant::Kind::wrong}, {"right", Variant::Kind::right}, {"dose", Variant::Kind::dose}, {"confined", Variant::Kind::confined}};
+constexpr std::pair<const char*, Variant::Kind> folders[] = {{"wrong", Variant::Kind::wrong},
+                                                             {"right", Variant::Kind::right},
+                                                             {"dose", Variant::Kind::dose},
+                                                             {"confined", Variant::Kind::confined}};
 
 std::string trimmed(const std::string& text) {
     const auto first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
@@ -42,17 +44,20 @@ Variant read_variant(const fs::path& path, Variant::Kind kind) {
         ++number;
         const std::string text = line.substr(2);
         const auto colon = text.find(": ");
-        const std::string key = text.substr(0, colon), value = colon == text.npos ? "" : trimmed(text.substr(colon + 2));
+        const std::string key = text.substr(0, colon),
+                          value = colon == text.npos ? "" : trimmed(text.substr(colon + 2));
         if (number == 1) variant.what = text;
         else if (key == "fragment") variant.fragment = value;
         else if (key == "says") variant.says = split(value, '|');
         else if (key == "scene") variant.scene = value;
         else if (key == "doses") variant.doses = split(value, ' ');
         else
-            throw rt::InputError(fmt::format("{}:{}:3: unknown key {}; expected fragment, says, scene or doses", path.string(), number, key));
+            throw rt::InputError(fmt::format("{}:{}:3: unknown key {}; expected fragment, says, scene or doses",
+                                             path.string(), number, key));
     }
     if (variant.fragment.empty())
-        throw rt::InputError(fmt::format("{}:{}:1: no fragment is named; expected a line \"# fragment: NAME\"", path.string(), number + 1));
+        throw rt::InputError(fmt::format("{}:{}:1: no fragment is named; expected a line \"# fragment: NAME\"",
+                                         path.string(), number + 1));
     return variant;
 }
 
@@ -74,16 +79,18 @@ std::string changed_text(const Variant& variant, const fs::path& source, const s
     const TemporaryFolder work;
     const fs::path file = fs::path("solution") / (variant.fragment + ".cpp");
     const auto original = read_text(source / file);
-    if (!original) throw rt::InputError(fmt::format("tests/variants/{}.patch:1:1: there is no {}", variant.name, file.string()));
+    if (!original)
+        throw rt::InputError(fmt::format("tests/variants/{}.patch:1:1: there is no {}", variant.name, file.string()));
     std::string patch = variant.patch;
     for (std::size_t at; (at = patch.find("DOSE")) != patch.npos;) patch.replace(at, 4, dose);
     fs::create_directories(work.path() / "solution");
     write_text(work.path() / file, *original);
     write_text(work.path() / "patch", patch);
-    const Ending ending = run({"/usr/bin/patch", "-p1", "--silent", "--no-backup-if-mismatch", "-i", "patch"}, {}, work.path().string());
+    const Ending ending =
+        run({"/usr/bin/patch", "-p1", "--silent", "--no-backup-if-mismatch", "-i", "patch"}, {}, work.path().string());
     if (!ending.good())
-        throw rt::InputError(fmt::format("tests/variants/{}.patch:1:1: does not apply to {} any more: {}{}", variant.name, file.string(),
-                                         ending.out, ending.err));
+        throw rt::InputError(fmt::format("tests/variants/{}.patch:1:1: does not apply to {} any more: {}{}",
+                                         variant.name, file.string(), ending.out, ending.err));
     return read_text(work.path() / file).value();
 }
 

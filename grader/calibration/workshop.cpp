@@ -19,7 +19,8 @@ namespace {
 /// Source: Fowler, Noll, Vo, "The FNV Non-Cryptographic Hash Algorithm", RFC 9923.
 std::string stamp(const fs::path& source, const std::vector<std::string>& fragments, const std::string& fragment) {
     std::vector<fs::path> files;
-    std::vector<std::string> folders{"starter/rt", "solution", "scenes", "grader/checks", "grader/statistics", "grader/child"};
+    std::vector<std::string> folders{"starter/rt",    "solution",          "scenes",
+                                     "grader/checks", "grader/statistics", "grader/child"};
     if (fragment.empty()) folders.push_back("grader/judging");
     for (const std::string& folder : folders)
         for (const auto& entry : fs::recursive_directory_iterator(source / folder)) {
@@ -40,14 +41,16 @@ std::string stamp(const fs::path& source, const std::vector<std::string>& fragme
 std::vector<Variant> chosen(std::vector<Variant> all, const std::vector<std::string>& words) {
     if (words.empty()) return all;
     std::erase_if(all, [&](const Variant& v) {
-        return std::ranges::none_of(words, [&](const std::string& word) { return v.fragment == word || v.name.find(word) != v.name.npos; });
+        return std::ranges::none_of(
+            words, [&](const std::string& word) { return v.fragment == word || v.name.find(word) != v.name.npos; });
     });
     return all;
 }
 
 }  // namespace
 
-Workshop::Workshop(const fs::path& toolchain, const fs::path& results, Amount amount, const std::vector<std::string>& words)
+Workshop::Workshop(const fs::path& toolchain, const fs::path& results, Amount amount,
+                   const std::vector<std::string>& words)
     : chain_(read_toolchain(toolchain)),
       assignment_(read_assignment((chain_.source / "assignment.toml").string())),
       sandbox_(find_sandbox(true)),
@@ -59,7 +62,8 @@ fs::path Workshop::results(const std::string& fragment) const {
     const std::scoped_lock lock(lock_);
     fs::path& folder = folders_[fragment];
     if (folder.empty())
-        folder = results_ / fmt::format("{}-{}", fragment.empty() ? "whole" : fragment, stamp(chain_.source, assignment_.names(), fragment));
+        folder = results_ / fmt::format("{}-{}", fragment.empty() ? "whole" : fragment,
+                                        stamp(chain_.source, assignment_.names(), fragment));
     return folder;
 }
 

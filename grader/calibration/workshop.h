@@ -26,7 +26,8 @@ struct Amount {
 /// What all steps of a calibration share: variants, checks, programs, and the folder where results are kept.
 class Workshop {
 public:
-    /// results  where results are kept: below it a folder for each fragment and state of the sources, so that old results
+    /// results  where results are kept: below it a folder for each fragment and state of the sources, so that old
+    /// results
     ///          are never taken for new ones, and an edited check costs only its own
     /// words    only variants whose name holds one of them, or whose fragment is one; empty: all
     Workshop(const fs::path& toolchain, const fs::path& results, Amount amount, const std::vector<std::string>& words);

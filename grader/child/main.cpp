@@ -116,7 +116,8 @@ int main(int argc, char** argv) {
         if (!read_all(payload.data(), payload.size())) return 0;
         allow(seconds);
         try {
-            if (!fault.empty()) throw std::runtime_error("the fragment changes the arithmetic of its program: " + fault);
+            if (!fault.empty())
+                throw std::runtime_error("the fragment changes the arithmetic of its program: " + fault);
             switch (header.kind) {
                 case FrameKind::scene:
                     // argv[2]: where the scene's meshes are looked for

@@ -51,7 +51,9 @@ inline std::vector<double> flatten(const std::vector<std::vector<double>>& rows)
 
 /// The inverse. false: these are no rows.
 inline bool unflatten(std::span<const double> flat, std::vector<std::vector<double>>& rows) {
-    const auto is_count = [](double x, std::size_t most) { return x >= 0 && x <= double(most) && x == double(std::size_t(x)); };
+    const auto is_count = [](double x, std::size_t most) {
+        return x >= 0 && x <= double(most) && x == double(std::size_t(x));
+    };
     if (flat.empty() || !is_count(flat[0], flat.size() - 1)) return false;
     const std::size_t count = std::size_t(flat[0]);
     std::size_t start = 1 + count;

@@ -41,13 +41,17 @@ bool flushes_denormals() {
     return opaque(half) == 0 || opaque(half) * 2 != least;
 }
 
-bool rounds_otherwise() { return opaque(1) + opaque(0x1p-53) != 1 || opaque(-1) - opaque(0x1p-53) != -1 || opaque(1) + opaque(0x1.8p-53) == 1; }
+bool rounds_otherwise() {
+    return opaque(1) + opaque(0x1p-53) != 1 || opaque(-1) - opaque(0x1p-53) != -1 || opaque(1) + opaque(0x1.8p-53) == 1;
+}
 
 }  // namespace
 
 std::string arithmetic_fault() {
-    if (flushes_denormals()) return "denormal numbers are flushed to zero (-ffast-math at the link, or a library, sets this)";
-    if (ignores_special_values()) return "nan, infinity or the sign of zero is ignored (-ffast-math or -ffinite-math-only)";
+    if (flushes_denormals())
+        return "denormal numbers are flushed to zero (-ffast-math at the link, or a library, sets this)";
+    if (ignores_special_values())
+        return "nan, infinity or the sign of zero is ignored (-ffast-math or -ffinite-math-only)";
     if (reorders()) return "sums are reordered or divisions replaced (-ffast-math or -funsafe-math-optimizations)";
     if (contracts()) return "products and sums are fused (-ffp-contract=fast)";
     if (rounds_otherwise()) return "the rounding mode is not to nearest";

@@ -31,7 +31,9 @@ struct Draw {
     Real size() { return std::exp2(between(-40, 40)); }
 };
 
-Draw draw(const SwarmRequest& request, rt::Bits number) { return {rt::combine(rt::combine(request.seed, rt::Bits(request.kind)), number)}; }
+Draw draw(const SwarmRequest& request, rt::Bits number) {
+    return {rt::combine(rt::combine(request.seed, rt::Bits(request.kind)), number)};
+}
 
 // ---- meshes ----
 
@@ -52,7 +54,8 @@ Octahedron octahedron(Draw d) {
         corners[i] = size * (reach * (i % 2 ? -axis : axis) + d.box(0.2));
     }
     Octahedron mesh{size, {}};
-    for (std::size_t i = 0; i < 8; ++i) mesh.faces[i] = {corners[i & 1], corners[2 + (i >> 1 & 1)], corners[4 + (i >> 2)]};
+    for (std::size_t i = 0; i < 8; ++i)
+        mesh.faces[i] = {corners[i & 1], corners[2 + (i >> 1 & 1)], corners[4 + (i >> 2)]};
     return mesh;
 }
 
@@ -65,7 +68,8 @@ Real meets(const Octahedron& mesh, Draw d) {
     vec3 way = rt::unit(target - origin);
     if (how > 0.5) way = d.direction();
     Real nearest = rt::inf;
-    for (const rt::Triangle& each : mesh.faces) nearest = std::min(nearest, rt::hit_triangle(each, {origin, way, 0, rt::inf}));
+    for (const rt::Triangle& each : mesh.faces)
+        nearest = std::min(nearest, rt::hit_triangle(each, {origin, way, 0, rt::inf}));
     return nearest;
 }
 
@@ -110,13 +114,17 @@ Real leaves_flat(Draw d, bool is_quad) {
     const Real s = d.between(-0.4, 0.4), r = d.between(-0.4, 0);
     const vec3 way = d.direction(), target = center + s * u + r * v;
     const Ray ray{target - size * d.between(3, 6) * way, way, 0, rt::inf};
-    const auto hit_by = [&](const Ray& some) { return is_quad ? rt::hit_quad(quad, some) : rt::hit_triangle(triangle, some); };
+    const auto hit_by = [&](const Ray& some) {
+        return is_quad ? rt::hit_quad(quad, some) : rt::hit_triangle(triangle, some);
+    };
     // along the surface, a rounded ray may pass it by
     if (std::abs(dot(way, frame.z)) < 1e-9) return rt::inf;
     const Real t = hit_by(ray);
     if (!(t < rt::inf)) return NAN;
-    const Real reach = std::max({rt::largest(center + u + v), rt::largest(center + u - v), rt::largest(center - u + v), rt::largest(center - u - v)});
-    const vec3 normal = is_quad ? rt::unit(cross(u, v)) : rt::unit(cross(triangle.b - triangle.a, triangle.c - triangle.a));
+    const Real reach = std::max({rt::largest(center + u + v), rt::largest(center + u - v), rt::largest(center - u + v),
+                                 rt::largest(center - u - v)});
+    const vec3 normal =
+        is_quad ? rt::unit(cross(u, v)) : rt::unit(cross(triangle.b - triangle.a, triangle.c - triangle.a));
     const vec3 reached = ray.origin + t * way;
     const Hit hit = hit_at(ray, reached, dot(reached - center, normal), normal, reach);
     const vec3 side = d.unit() < 0.5 ? hit.normal : -hit.normal;  // mirrored or let through
@@ -130,7 +138,8 @@ std::vector<double> swarm(const SwarmRequest& request) {
     answers.reserve(request.count);
     Octahedron mesh{};
     for (rt::Bits i = request.first; i < request.first + request.count; ++i) {
-        if (request.kind == Swarm::mesh && (i == request.first || i % rays_of_a_mesh == 0)) mesh = octahedron(draw(request, ~(i / rays_of_a_mesh)));
+        if (request.kind == Swarm::mesh && (i == request.first || i % rays_of_a_mesh == 0))
+            mesh = octahedron(draw(request, ~(i / rays_of_a_mesh)));
         const Draw d = draw(request, i);
         switch (request.kind) {
             case Swarm::mesh: answers.push_back(meets(mesh, d)); break;

@@ -6,7 +6,8 @@
 
 namespace grade {
 
-CheckJudge::CheckJudge(const Check& check, const Settings& settings) : check_(check), judgements_(check.statistics.size()) {
+CheckJudge::CheckJudge(const Check& check, const Settings& settings)
+    : check_(check), judgements_(check.statistics.size()) {
     judges_.reserve(check.statistics.size());
     for (const Statistic& statistic : check.statistics)
         judges_.emplace_back(Tolerance{statistic.delta0, statistic.delta}, settings, statistic.truth);
@@ -58,7 +59,8 @@ bool CheckJudge::needs_reference() const {
 
 Verdict CheckJudge::verdict() const {
     Verdict verdict = check_.statistics.empty() ? Verdict::inconclusive : Verdict::passed;
-    for (const auto& judgement : judgements_) verdict = worse(verdict, judgement ? judgement->verdict : Verdict::inconclusive);
+    for (const auto& judgement : judgements_)
+        verdict = worse(verdict, judgement ? judgement->verdict : Verdict::inconclusive);
     return verdict;
 }
 

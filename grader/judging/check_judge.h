@@ -18,8 +18,8 @@ public:
     /// alpha is shared by all statistics of the assignment.
     CheckJudge(const Check& check, const Settings& settings);
 
-    /// The submission's next replicate. The first one decides what has no noise; where later ones are needed for the rest,
-    /// what has a closed form must hold in them as well.
+    /// The submission's next replicate. The first one decides what has no noise; where later ones are needed for the
+    /// rest, what has a closed form must hold in them as well.
     ///
     /// exact  the solution's scalars in this replicate, asked for where a statistic without noise has no closed form;
     ///        none: not known

@@ -26,10 +26,13 @@ std::optional<std::string> probe_fault(const std::string& fragment, const Rows& 
     for (std::size_t i = 0; i < outputs.size(); ++i)
         for (const double x : outputs[i])
             if (std::isnan(x)) {
-                const Row shown(inputs[i].begin(), inputs[i].begin() + std::ptrdiff_t(std::min<std::size_t>(inputs[i].size(), 16)));
-                return fmt::format("{} returned nan for ({:.6g}{}): look for 0/0, the root of a negative number, or the direction of a "
-                                   "vector of length 0",
-                                   fragment, fmt::join(shown, ", "), shown.size() < inputs[i].size() ? ", ..." : "");
+                const Row shown(inputs[i].begin(),
+                                inputs[i].begin() + std::ptrdiff_t(std::min<std::size_t>(inputs[i].size(), 16)));
+                return fmt::format(
+                    "{} returned nan for ({:.6g}{}): look for 0/0, the root of a negative number, or the direction of "
+                    "a "
+                    "vector of length 0",
+                    fragment, fmt::join(shown, ", "), shown.size() < inputs[i].size() ? ", ..." : "");
             }
     return std::nullopt;
 }
@@ -68,7 +71,8 @@ bool is_same(const Observation& a, const Observation& b) {
     const auto same_rows = [](const Rows& x, const Rows& y) {
         if (x.size() != y.size()) return false;
         for (std::size_t i = 0; i < x.size(); ++i)
-            if (x[i].size() != y[i].size() || std::memcmp(x[i].data(), y[i].data(), x[i].size() * sizeof(double)) != 0) return false;
+            if (x[i].size() != y[i].size() || std::memcmp(x[i].data(), y[i].data(), x[i].size() * sizeof(double)) != 0)
+                return false;
         return true;
     };
     return is_same(a.image, b.image) && same_rows(a.outputs, b.outputs);

@@ -26,8 +26,8 @@ struct Task {
 /// Everything that one grading shares. The steps are below, in their order.
 class Grading {
 public:
-    Grading(const Programs& programs, const Assignment& assignment, const Toolchain& chain, const std::vector<Check>& checks,
-            const GradingSettings& settings, Progress& progress);
+    Grading(const Programs& programs, const Assignment& assignment, const Toolchain& chain,
+            const std::vector<Check>& checks, const GradingSettings& settings, Progress& progress);
 
     Record run();
 
@@ -52,8 +52,8 @@ private:
     std::mutex lock_;
 };
 
-Grading::Grading(const Programs& programs, const Assignment& assignment, const Toolchain& chain, const std::vector<Check>& checks,
-                 const GradingSettings& settings, Progress& progress)
+Grading::Grading(const Programs& programs, const Assignment& assignment, const Toolchain& chain,
+                 const std::vector<Check>& checks, const GradingSettings& settings, Progress& progress)
     : programs_(programs), assignment_(assignment), chain_(chain), settings_(settings), progress_(progress) {
     record_.submission = programs.submission();
     record_.title = assignment.title;
@@ -111,7 +111,8 @@ void Grading::finish(FragmentRecord& fragment) {
 void Grading::block(const Task& task, const std::vector<std::string>& by) {
     task.record->verdict = Verdict::blocked;
     task.record->blocked_by = by;
-    task.record->message = fmt::format("needs {}, which {} not pass yet", fmt::join(by, ", "), by.size() == 1 ? "does" : "do");
+    task.record->message =
+        fmt::format("needs {}, which {} not pass yet", fmt::join(by, ", "), by.size() == 1 ? "does" : "do");
 }
 
 void Grading::judge(const Task& task) {
@@ -124,7 +125,8 @@ void Grading::judge(const Task& task) {
 
     Reference reference;
     if (settings_.student) {
-        if (const auto found = stored_.find(key_of(*task.check)); found != stored_.end()) reference = Reference(found->second);
+        if (const auto found = stored_.find(key_of(*task.check)); found != stored_.end())
+            reference = Reference(found->second);
     } else {
         reference = Reference(*task.check, settings_.seed, programs_.solution(), programs_.sandbox(), meshes);
     }
@@ -166,7 +168,9 @@ void Grading::judge_in_order() {
         for (const Task& task : tasks_)
             if (task.fragment == &fragment)
                 for (const std::string& need : task.check->needs)
-                    if (const FragmentRecord* other = record_named(need); other && other != &fragment && !other->finished) return true;
+                    if (const FragmentRecord* other = record_named(need);
+                        other && other != &fragment && !other->finished)
+                        return true;
         return false;
     };
     progress_.expect(int(std::ranges::count_if(tasks_, [](const Task& task) { return !task.fragment->finished; })));
@@ -190,7 +194,8 @@ void Grading::judge_in_order() {
                 const bool given = assignment_.fragments[assignment_.place(need)].given;
                 if (need == task.check->fragment || given) continue;
                 // with --only, a fragment that is not graded counts as passing where it is there
-                if (other ? other->finished && other->verdict != Verdict::passed : !programs_.has(need)) by.push_back(need);
+                if (other ? other->finished && other->verdict != Verdict::passed : !programs_.has(need))
+                    by.push_back(need);
             }
             if (by.empty()) open.push_back(task);
             else block(task, by), progress_.tell(key_of(*task.check), 1);
@@ -215,7 +220,8 @@ void Grading::draw() {
 
     progress_.tell("drawing the submission's own picture");
     for (const FragmentRecord& fragment : record_.fragments)
-        if (fragment.verdict == Verdict::crashed || fragment.verdict == Verdict::timed_out) record_.left_out.push_back(fragment.name);
+        if (fragment.verdict == Verdict::crashed || fragment.verdict == Verdict::timed_out)
+            record_.left_out.push_back(fragment.name);
     const std::set<std::string> left_out(record_.left_out.begin(), record_.left_out.end());
     const fs::path program = left_out.empty() ? programs_.together() : programs_.together_without(left_out);
     Runner runner(program, programs_.sandbox(), settings_.own_scene.parent_path(), 3 * settings_.time_limit);
@@ -240,8 +246,8 @@ BuildSettings build_settings(const GradingSettings& settings) {
     return {settings.only, !settings.student, together, settings.jobs, settings.trusted, settings.keep};
 }
 
-Record grade_programs(const Programs& programs, const Assignment& assignment, const Toolchain& chain, const std::vector<Check>& checks,
-                      const GradingSettings& settings, Progress& progress) {
+Record grade_programs(const Programs& programs, const Assignment& assignment, const Toolchain& chain,
+                      const std::vector<Check>& checks, const GradingSettings& settings, Progress& progress) {
     return Grading(programs, assignment, chain, checks, settings, progress).run();
 }
 
@@ -255,8 +261,9 @@ Record grade_submission(const Submission& submission, const Assignment& assignme
     return record;
 }
 
-std::map<std::string, StoredCheck> make_references(const Toolchain& chain, const std::vector<Check>& checks, int replicates, int jobs,
-                                                   const std::function<void(int done, int all, const std::string& doing)>& progress) {
+std::map<std::string, StoredCheck> make_references(
+    const Toolchain& chain, const std::vector<Check>& checks, int replicates, int jobs,
+    const std::function<void(int done, int all, const std::string& doing)>& progress) {
     const TemporaryFolder work;
     const Sandbox sandbox = find_sandbox(true);
     const fs::path program = work.path() / "child";

@@ -35,8 +35,9 @@ struct GradingSettings {
     std::function<void(const Record&)> partial;                                 // after each fragment; likewise
 };
 
-/// Grades a submission: compiles its fragments, links each with those of others, runs the checks on them, and judges what
-/// comes back. Whatever a fragment does costs that fragment only. Throws std::runtime_error where the machine fails.
+/// Grades a submission: compiles its fragments, links each with those of others, runs the checks on them, and judges
+/// what comes back. Whatever a fragment does costs that fragment only. Throws std::runtime_error where the machine
+/// fails.
 Record grade_submission(const Submission& submission, const Assignment& assignment, const Toolchain& chain,
                         const std::vector<Check>& checks, const GradingSettings& settings);
 
@@ -44,13 +45,14 @@ Record grade_submission(const Submission& submission, const Assignment& assignme
 BuildSettings build_settings(const GradingSettings& settings);
 
 /// The part of a grading after compiling and linking: the same programs may be graded with many seeds.
-Record grade_programs(const Programs& programs, const Assignment& assignment, const Toolchain& chain, const std::vector<Check>& checks,
-                      const GradingSettings& settings, Progress& progress);
+Record grade_programs(const Programs& programs, const Assignment& assignment, const Toolchain& chain,
+                      const std::vector<Check>& checks, const GradingSettings& settings, Progress& progress);
 
 /// Runs every check on the solution alone, and keeps its scalars for student mode.
 ///
 /// replicates  of each check that has a statistic without closed form
-std::map<std::string, StoredCheck> make_references(const Toolchain& chain, const std::vector<Check>& checks, int replicates, int jobs,
-                                                   const std::function<void(int done, int all, const std::string& doing)>& progress);
+std::map<std::string, StoredCheck> make_references(
+    const Toolchain& chain, const std::vector<Check>& checks, int replicates, int jobs,
+    const std::function<void(int done, int all, const std::string& doing)>& progress);
 
 }  // namespace grade

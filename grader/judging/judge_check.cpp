@@ -26,8 +26,9 @@ std::string cause_of(const Statistic& statistic, const Observation& observation)
 
 /// The record of a statistic; `first` is the first replicate's observation.
 StatisticRecord record_of(const Statistic& statistic, const Judgement& judgement, const Observation& first) {
-    StatisticRecord record{statistic.id,    statistic.what,  judgement.value, judgement.truth,      judgement.low,     judgement.high,
-                           statistic.delta0, statistic.delta, statistic.exact, judgement.replicates, judgement.verdict, {}};
+    StatisticRecord record{statistic.id,    statistic.what,       judgement.value,   judgement.truth,
+                           judgement.low,   judgement.high,       statistic.delta0,  statistic.delta,
+                           statistic.exact, judgement.replicates, judgement.verdict, {}};
     if (judgement.verdict == Verdict::passed) return record;
     if (judgement.verdict == Verdict::failed) record.hint = cause_of(statistic, first);
     if (!record.hint.empty()) return record;
@@ -41,7 +42,8 @@ StatisticRecord record_of(const Statistic& statistic, const Judgement& judgement
     } else if (statistic.hint) {
         record.hint = statistic.hint(judgement.value, judgement.truth);
     }
-    if (record.hint.empty()) record.hint = fmt::format("{}: {:.4g}; expected {:.4g}", statistic.what, judgement.value, judgement.truth);
+    if (record.hint.empty())
+        record.hint = fmt::format("{}: {:.4g}; expected {:.4g}", statistic.what, judgement.value, judgement.truth);
     return record;
 }
 
@@ -49,14 +51,16 @@ std::string advice(const Fault& fault, Reference& reference) {
     if (fault.verdict != Verdict::timed_out) return fault.message;
     const auto solution = reference.cpu_seconds();
     std::string needed;
-    if (solution) needed = "; the solution needs " + (*solution < 0.01 ? "less than 0.01 s" : fmt::format("{:.2g} s", *solution));
+    if (solution)
+        needed = "; the solution needs " + (*solution < 0.01 ? "less than 0.01 s" : fmt::format("{:.2g} s", *solution));
     return fault.message + needed + ": look for a loop that does not end";
 }
 
 void add_picture(rt::Image& mean, const rt::Image& next, int count) {
     if (count == 0) mean = next;
     else
-        for (std::size_t k = 0; k < mean.pixels.size(); ++k) mean.pixels[k] += (next.pixels[k] - mean.pixels[k]) / double(count + 1);
+        for (std::size_t k = 0; k < mean.pixels.size(); ++k)
+            mean.pixels[k] += (next.pixels[k] - mean.pixels[k]) / double(count + 1);
 }
 
 }  // namespace
@@ -74,16 +78,19 @@ CheckRecord blank_record(const Check& check) {
     return record;
 }
 
-std::optional<Fault> unfit(const Check& check, const Observation& first, const Observation& again, Reference& reference) {
+std::optional<Fault> unfit(const Check& check, const Observation& first, const Observation& again,
+                           Reference& reference) {
     if (!is_same(first, again))
-        return Fault{Verdict::not_an_image,
-                     "gives another result when it runs again with the same arguments: a fragment keeps no state, and all its "
-                     "randomness is in its arguments",
-                     {}};
+        return Fault{
+            Verdict::not_an_image,
+            "gives another result when it runs again with the same arguments: a fragment keeps no state, and all its "
+            "randomness is in its arguments",
+            {}};
     if (is_render(check) && is_quantised(first.image)) {
         const auto theirs = reference.picture(1);
         if (theirs && !is_quantised(*theirs))
-            return Fault{Verdict::not_an_image, "the picture has only the levels of 8 bits: radiance is not to be rounded", {}};
+            return Fault{
+                Verdict::not_an_image, "the picture has only the levels of 8 bits: radiance is not to be rounded", {}};
     }
     return std::nullopt;
 }
@@ -94,7 +101,9 @@ bool ignores_seed(const Check& check, const Observation& first, const Observatio
 
 CheckRecord judge_check(const Check& check, Runner& runner, Reference& reference, const CheckSettings& settings) {
     CheckRecord record = blank_record(check);
-    const auto seed = [&](int replicate) { return replicate_seed(settings.seed, check, Stream::submission, replicate); };
+    const auto seed = [&](int replicate) {
+        return replicate_seed(settings.seed, check, Stream::submission, replicate);
+    };
     const auto spend = [&] { record.cpu_seconds += runner.seconds(); };
     const auto give_up = [&](Fault fault) {
         record.verdict = fault.verdict;
@@ -110,7 +119,8 @@ CheckRecord judge_check(const Check& check, Runner& runner, Reference& reference
     spend();
     int pictures = 0;
     const auto show = [&](const Observation& observation) {
-        if (settings.pictures && is_render(check) && pictures < most_pictures) add_picture(record.picture, observation.image, pictures++);
+        if (settings.pictures && is_render(check) && pictures < most_pictures)
+            add_picture(record.picture, observation.image, pictures++);
     };
     show(first);
     auto repeated = observe(runner, check, seed(0));
@@ -166,7 +176,8 @@ CheckRecord judge_check(const Check& check, Runner& runner, Reference& reference
 int noisy_statistics(const std::vector<Check>& checks) {
     int count = 0;
     for (const Check& check : checks)
-        count += int(std::ranges::count_if(check.statistics, [](const Statistic& statistic) { return !statistic.exact; }));
+        count +=
+            int(std::ranges::count_if(check.statistics, [](const Statistic& statistic) { return !statistic.exact; }));
     return std::max(count, 1);
 }
 

@@ -18,9 +18,10 @@ CheckRecord blank_record(const Check& check);
 /// Runs a check's experiment, replicate after replicate, until each statistic has its verdict.
 CheckRecord judge_check(const Check& check, Runner& runner, Reference& reference, const CheckSettings& settings);
 
-/// What is wrong with a check's first observation, and the same again, before any statistic: state that is kept, levels of
-/// 8 bits. None: nothing of that kind.
-std::optional<Fault> unfit(const Check& check, const Observation& first, const Observation& again, Reference& reference);
+/// What is wrong with a check's first observation, and the same again, before any statistic: state that is kept, levels
+/// of 8 bits. None: nothing of that kind.
+std::optional<Fault> unfit(const Check& check, const Observation& first, const Observation& again,
+                           Reference& reference);
 
 /// Whether two seeds give one picture where the solution gives two.
 bool ignores_seed(const Check& check, const Observation& first, const Observation& second, Reference& reference);

@@ -19,8 +19,8 @@ std::string not_started(const Submission& submission, const std::string& fragmen
 
 }  // namespace
 
-Programs::Programs(const Submission& submission, const Assignment& assignment, const Toolchain& chain, const BuildSettings& settings,
-                   Progress& progress)
+Programs::Programs(const Submission& submission, const Assignment& assignment, const Toolchain& chain,
+                   const BuildSettings& settings, Progress& progress)
     : submission_(submission.name), assignment_(assignment), chain_(chain), settings_(settings), progress_(progress) {
     work_ = settings.keep.empty() ? temporary_.path() : fs::absolute(settings.keep);
     fs::create_directories(work_);
@@ -53,15 +53,17 @@ void Programs::compile(const Submission& submission) {
     std::vector<const Fragment*> wanted;
     for (const Fragment& fragment : assignment_.fragments) {
         const auto text = submission.texts.find(fragment.name);
-        const bool filled = text != submission.texts.end() && !fragment.given && !is_blank(text->second, chain_.blanks / (fragment.name + ".cpp"));
+        const bool filled = text != submission.texts.end() && !fragment.given &&
+                            !is_blank(text->second, chain_.blanks / (fragment.name + ".cpp"));
         if (filled && (settings_.together || is_graded(fragment))) wanted.push_back(&fragment);
-        if (!filled && is_graded(fragment)) problems_[fragment.name] = {Verdict::not_started, not_started(submission, fragment.name)};
+        if (!filled && is_graded(fragment))
+            problems_[fragment.name] = {Verdict::not_started, not_started(submission, fragment.name)};
     }
     progress_.expect(int(wanted.size()));
     in_parallel(int(wanted.size()), settings_.jobs, [&](int i) {
         const std::string& name = wanted[std::size_t(i)]->name;
-        const Compiled compiled = compile_fragment(chain_, sandbox_, name, submission.texts.at(name), submission.folder + name + ".cpp",
-                                                   folder("objects/" + name));
+        const Compiled compiled = compile_fragment(chain_, sandbox_, name, submission.texts.at(name),
+                                                   submission.folder + name + ".cpp", folder("objects/" + name));
         if (compiled.good) {
             const std::scoped_lock lock(lock_);
             objects_[name] = compiled.object;
@@ -75,7 +77,8 @@ void Programs::compile(const Submission& submission) {
 /// The solution's objects, but for this fragment the submission's.
 std::string Programs::link(const std::string& fragment, const fs::path& program) const {
     std::vector<fs::path> list;
-    for (const auto& [name, object] : chain_.solution_objects) list.push_back(name == fragment ? objects_.at(name) : object);
+    for (const auto& [name, object] : chain_.solution_objects)
+        list.push_back(name == fragment ? objects_.at(name) : object);
     return link_child(chain_, list, program);
 }
 

@@ -34,10 +34,10 @@ public:
         std::string message;
     };
 
-    /// Compiles and links. What does not is a problem of that fragment only. Throws std::runtime_error where the machine
-    /// or the solution fails.
-    Programs(const Submission& submission, const Assignment& assignment, const Toolchain& chain, const BuildSettings& settings,
-             Progress& progress);
+    /// Compiles and links. What does not is a problem of that fragment only. Throws std::runtime_error where the
+    /// machine or the solution fails.
+    Programs(const Submission& submission, const Assignment& assignment, const Toolchain& chain,
+             const BuildSettings& settings, Progress& progress);
 
     const std::string& submission() const { return submission_; }
     const std::map<std::string, Problem>& problems() const { return problems_; }

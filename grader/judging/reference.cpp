@@ -30,11 +30,13 @@ Observation Reference::Live::run(std::uint64_t with_seed) {
 }
 
 const Observation& Reference::Live::with_seed_of_submission(int which) {
-    while (int(own.size()) <= which) own.push_back(run(replicate_seed(seed, check, Stream::submission, int(own.size()))));
+    while (int(own.size()) <= which)
+        own.push_back(run(replicate_seed(seed, check, Stream::submission, int(own.size()))));
     return own[std::size_t(which)];
 }
 
-Reference::Reference(const Check& check, std::uint64_t seed, const fs::path& program, const Sandbox& sandbox, const fs::path& meshes)
+Reference::Reference(const Check& check, std::uint64_t seed, const fs::path& program, const Sandbox& sandbox,
+                     const fs::path& meshes)
     : live_(new Live{check, seed, program, sandbox, meshes, nullptr, {}, 0}) {}
 
 std::optional<std::vector<double>> Reference::exact() {
@@ -44,7 +46,8 @@ std::optional<std::vector<double>> Reference::exact() {
 
 std::optional<std::vector<double>> Reference::replicate(int which) {
     if (live_)
-        return all_measured(live_->check, live_->run(replicate_seed(live_->seed, live_->check, Stream::reference, which)));
+        return all_measured(live_->check,
+                            live_->run(replicate_seed(live_->seed, live_->check, Stream::reference, which)));
     if (!stored_ || which >= int(stored_->replicates.size())) return std::nullopt;
     return stored_->replicates[std::size_t(which)];
 }
@@ -67,7 +70,8 @@ std::optional<rt::Image> Reference::picture(int replicates) {
     rt::Image mean = live_->with_seed_of_submission(0).image;
     for (int i = 1; i < replicates; ++i) {
         const rt::Image& next = live_->with_seed_of_submission(i).image;
-        for (std::size_t k = 0; k < mean.pixels.size(); ++k) mean.pixels[k] += (next.pixels[k] - mean.pixels[k]) / double(i + 1);
+        for (std::size_t k = 0; k < mean.pixels.size(); ++k)
+            mean.pixels[k] += (next.pixels[k] - mean.pixels[k]) / double(i + 1);
     }
     return mean;
 }
@@ -76,20 +80,23 @@ std::map<std::string, StoredCheck> read_references(const fs::path& folder) {
     std::map<std::string, StoredCheck> all;
     if (!fs::is_directory(folder)) return all;
     for (const auto& entry : fs::directory_iterator(folder)) {
-        if (entry.path().extension() != ".json" || entry.path().stem() == "stress") continue;  // `grade stress` reads that one
+        if (entry.path().extension() != ".json" || entry.path().stem() == "stress")
+            continue;  // `grade stress` reads that one
         try {
             const auto json = nlohmann::json::parse(read_text(entry.path()).value_or(""));
             for (const auto& [name, check] : json.at("checks").items())
-                all[entry.path().stem().string() + "." + name] = {check.at("exact"), check.at("replicates"), check.at("noisy"), check.at("cpu_seconds")};
+                all[entry.path().stem().string() + "." + name] = {check.at("exact"), check.at("replicates"),
+                                                                  check.at("noisy"), check.at("cpu_seconds")};
         } catch (const nlohmann::json::exception& error) {
-            throw std::runtime_error(fmt::format("{}: {}; expected what `grade references` writes", entry.path().string(), error.what()));
+            throw std::runtime_error(
+                fmt::format("{}: {}; expected what `grade references` writes", entry.path().string(), error.what()));
         }
     }
     return all;
 }
 
-void write_references(const fs::path& folder, const std::vector<Check>& checks, const std::map<std::string, StoredCheck>& stored,
-                      std::uint64_t seed) {
+void write_references(const fs::path& folder, const std::vector<Check>& checks,
+                      const std::map<std::string, StoredCheck>& stored, std::uint64_t seed) {
     std::map<std::string, nlohmann::ordered_json> files;
     for (const Check& check : checks) {
         const auto found = stored.find(key_of(check));

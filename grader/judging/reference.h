@@ -25,7 +25,8 @@ public:
     Reference() = default;
 
     /// program  a child with the solution's fragments; it is started at the first question
-    Reference(const Check& check, std::uint64_t seed, const fs::path& program, const Sandbox& sandbox, const fs::path& meshes);
+    Reference(const Check& check, std::uint64_t seed, const fs::path& program, const Sandbox& sandbox,
+              const fs::path& meshes);
 
     explicit Reference(StoredCheck stored) : stored_(std::move(stored)) {}
 
@@ -64,7 +65,7 @@ private:
 std::map<std::string, StoredCheck> read_references(const fs::path& folder);
 
 /// Writes one file for each fragment. Throws std::runtime_error.
-void write_references(const fs::path& folder, const std::vector<Check>& checks, const std::map<std::string, StoredCheck>& stored,
-                      std::uint64_t seed);
+void write_references(const fs::path& folder, const std::vector<Check>& checks,
+                      const std::map<std::string, StoredCheck>& stored, std::uint64_t seed);
 
 }  // namespace grade

@@ -21,8 +21,8 @@ struct Plot {
     std::vector<Series> series;
 };
 
-/// A picture with logarithmic axes, as an SVG file of its own: no script, no font, colours that colour-blind readers tell
-/// apart, an alternative text.
+/// A picture with logarithmic axes, as an SVG file of its own: no script, no font, colours that colour-blind readers
+/// tell apart, an alternative text.
 std::string log_log(const Plot& plot);
 
 }  // namespace grade

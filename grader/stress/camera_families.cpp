@@ -10,10 +10,12 @@ using rt::Camera, rt::Ray, rt::Shutter, rt::vec2, rt::vec3;
 /// The slopes of a camera's ray to the right and upwards; axes along the coordinates keep them exact.
 double slope_error(const Camera& camera, vec2 film, const Ray& ray) {
     const Exact scale = 2 * Exact(camera.tan_half_fov) / camera.size.y;
-    const Exact x = scale * (Exact(film.x) - Exact(camera.size.x) / 2), y = scale * (Exact(camera.size.y) / 2 - Exact(film.y));
+    const Exact x = scale * (Exact(film.x) - Exact(camera.size.x) / 2),
+                y = scale * (Exact(camera.size.y) / 2 - Exact(film.y));
     const Exact ahead = -Exact(ray.direction.z);
     if (!(ray.direction.z < 0)) return rt::inf;
-    const double right = double(abs(Exact(ray.direction.x) / ahead - x) / abs(x)), up = double(abs(Exact(ray.direction.y) / ahead - y) / abs(y));
+    const double right = double(abs(Exact(ray.direction.x) / ahead - x) / abs(x)),
+                 up = double(abs(Exact(ray.direction.y) / ahead - y) / abs(y));
     return worse_error(worse_error(right, up), std::abs(glm::length(ray.direction) - 1));
 }
 
@@ -26,7 +28,8 @@ double measure(const Camera& camera, Generator& random, const Asker& ask) {
         films.push_back(u * vec2(camera.size));
         rows.push_back(row(camera, films.back()));
     }
-    return worst_of(ask, "camera_ray", rows, [&](std::size_t i, const Row& out) { return slope_error(camera, films[i], from_row<Ray>(out)); });
+    return worst_of(ask, "camera_ray", rows,
+                    [&](std::size_t i, const Row& out) { return slope_error(camera, films[i], from_row<Ray>(out)); });
 }
 
 double field_of_view(double x, Generator& random, const Asker& ask) {
@@ -55,7 +58,8 @@ double lens(const Camera& camera, Generator& random, const Asker& ask) {
         squares += dot(ray.origin, ray.origin) / rt::sqr(camera.lens_radius) / double(rows.size());
         if (!(glm::length(ray.origin) <= camera.lens_radius * 1.000001)) return rt::inf;
         Exact3 truth(pinholes[i].direction);
-        if (std::isfinite(camera.focus)) truth = Exact(camera.focus) / -dot(truth, Exact3(camera.back)) * truth - Exact3(ray.origin);
+        if (std::isfinite(camera.focus))
+            truth = Exact(camera.focus) / -dot(truth, Exact3(camera.back)) * truth - Exact3(ray.origin);
         return apart(unit(truth), ray.direction);
     });
     // the lens is used as a whole
@@ -116,12 +120,60 @@ double velocity(double x, Generator& random, const Asker& ask) {
 std::vector<Family> camera_families() {
     constexpr double u = rt::roundoff;
     return {
-        {"field_of_view", {"camera_ray"}, "tangent of half the field of view", "relative error of the slopes", 1e-5, 32 * u, sweep(-12, 9), {-2, 1}, field_of_view},
-        {"image_size", {"camera_ray"}, "size of the image [pixel]", "relative error of the slopes", 1e-5, 64 * u, sweep(0, 9), {0, 4}, image_size},
-        {"lens_focus", {"lens_ray"}, "distance of the plane in focus [m]", "error of the direction", 1e-5, 32 * u, sweep(-9, 20, 1, {50, 100, 150, 160, 200, 250, 300}), {-1, 3}, focus},
-        {"lens_aperture", {"lens_ray"}, "radius of the lens [m]", "error of the direction", 1e-5, 32 * u, sweep(-20, 9), {-3, 0}, aperture},
-        {"shutter_late", {"shutter_time"}, "time when the shutter opens [s]", "error of the time / x", 1e-5, 8 * u, sweep(0, 12), {0, 2}, late},
-        {"shutter_brief", {"shutter_time"}, "time that the shutter is open [s]", "error of the time / x", 1e-5, 8 * u, sweep(-60, 0, 3), {-3, 0}, brief},
+        {"field_of_view",
+         {"camera_ray"},
+         "tangent of half the field of view",
+         "relative error of the slopes",
+         1e-5,
+         32 * u,
+         sweep(-12, 9),
+         {-2, 1},
+         field_of_view},
+        {"image_size",
+         {"camera_ray"},
+         "size of the image [pixel]",
+         "relative error of the slopes",
+         1e-5,
+         64 * u,
+         sweep(0, 9),
+         {0, 4},
+         image_size},
+        {"lens_focus",
+         {"lens_ray"},
+         "distance of the plane in focus [m]",
+         "error of the direction",
+         1e-5,
+         32 * u,
+         sweep(-9, 20, 1, {50, 100, 150, 160, 200, 250, 300}),
+         {-1, 3},
+         focus},
+        {"lens_aperture",
+         {"lens_ray"},
+         "radius of the lens [m]",
+         "error of the direction",
+         1e-5,
+         32 * u,
+         sweep(-20, 9),
+         {-3, 0},
+         aperture},
+        {"shutter_late",
+         {"shutter_time"},
+         "time when the shutter opens [s]",
+         "error of the time / x",
+         1e-5,
+         8 * u,
+         sweep(0, 12),
+         {0, 2},
+         late},
+        {"shutter_brief",
+         {"shutter_time"},
+         "time that the shutter is open [s]",
+         "error of the time / x",
+         1e-5,
+         8 * u,
+         sweep(-60, 0, 3),
+         {-3, 0},
+         brief},
         {"velocity", {"moved"}, "velocity [m/s]", "error / way", 1e-5, 8 * u, sweep(-12, 20), {-3, 3}, velocity},
     };
 }

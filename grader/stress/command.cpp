@@ -21,15 +21,21 @@ namespace {
 StressSettings settings_of(const StressArguments& arguments, const Toolchain& chain) {
     StressSettings settings;
     for (const std::string& name : arguments.only) {
-        const auto known = [&](const Family& family) { return family.name == name || family.fragments.front() == name; };
+        const auto known = [&](const Family& family) {
+            return family.name == name || family.fragments.front() == name;
+        };
         if (std::ranges::none_of(all_families(), known))
-            throw rt::InputError(fmt::format("--only {}: no family and no fragment of a family has this name; expected one that --list prints", name));
+            throw rt::InputError(fmt::format(
+                "--only {}: no family and no fragment of a family has this name; expected one that --list prints",
+                name));
         settings.only.insert(name);
     }
     settings.student = arguments.mode.empty() ? !chain.has_solution() : arguments.mode == "student";
-    if (!settings.student && !chain.has_solution()) throw rt::InputError("--mode instructor needs the folder solution/, which is not here");
+    if (!settings.student && !chain.has_solution())
+        throw rt::InputError("--mode instructor needs the folder solution/, which is not here");
     const fs::path folder = fs::path(arguments.json).parent_path();
-    if (!folder.empty() && !fs::is_directory(folder)) throw rt::InputError(fmt::format("--json {}: there is no folder {}", arguments.json, folder.string()));
+    if (!folder.empty() && !fs::is_directory(folder))
+        throw rt::InputError(fmt::format("--json {}: there is no folder {}", arguments.json, folder.string()));
     settings.trusted = arguments.trusted;
     settings.jobs = arguments.jobs;
     settings.time_limit = arguments.time_limit;
@@ -45,16 +51,25 @@ void print_list() {
 }  // namespace
 
 CLI::App* add_stress_command(CLI::App& app, StressArguments& arguments) {
-    CLI::App* stress = app.add_subcommand("stress", "how extreme a scene the fragments survive: far, tiny, huge, grazing, narrow");
+    CLI::App* stress =
+        app.add_subcommand("stress", "how extreme a scene the fragments survive: far, tiny, huge, grazing, narrow");
     stress->add_option("SUBMISSION", arguments.submission, "a folder, a .zip or a .tar.gz; default: starter");
-    stress->add_option("--only", arguments.only, "only these families, or those of these fragments")->delimiter(',')->type_name("NAME");
+    stress->add_option("--only", arguments.only, "only these families, or those of these fragments")
+        ->delimiter(',')
+        ->type_name("NAME");
     stress->add_option("--mode", arguments.mode, "as for grading")->check(CLI::IsMember({"instructor", "student"}));
     stress->add_option("--json", arguments.json, "write the record")->type_name("FILE");
     stress->add_option("--html", arguments.html, "write a page with plots into this folder")->type_name("DIR");
-    stress->add_option("--jobs", arguments.jobs, "how many programs run at a time; default: one for each core")->check(CLI::Range(1, 1024));
-    stress->add_option("--time-limit", arguments.time_limit, "CPU seconds for one answer")->capture_default_str()->check(CLI::Range(1.0, 600.0));
-    stress->add_flag("--long", arguments.many, "also the big counts: 1e8 rays against closed meshes, 2e8 that leave surfaces");
-    stress->add_option("--rays", arguments.rays, "of --long against meshes; twice as many leave surfaces")->type_name("N")->check(CLI::Range(1.0, 1e12));
+    stress->add_option("--jobs", arguments.jobs, "how many programs run at a time; default: one for each core")
+        ->check(CLI::Range(1, 1024));
+    stress->add_option("--time-limit", arguments.time_limit, "CPU seconds for one answer")
+        ->capture_default_str()
+        ->check(CLI::Range(1.0, 600.0));
+    stress->add_flag("--long", arguments.many,
+                     "also the big counts: 1e8 rays against closed meshes, 2e8 that leave surfaces");
+    stress->add_option("--rays", arguments.rays, "of --long against meshes; twice as many leave surfaces")
+        ->type_name("N")
+        ->check(CLI::Range(1.0, 1e12));
     stress->add_flag("--trusted", arguments.trusted, "the code is your own: limits, but no sandbox");
     stress->add_flag("--list", arguments.list, "print the families and leave");
     stress->add_flag("--require", arguments.require, "exit with 1 unless the scored tier is full");
@@ -69,8 +84,10 @@ int run_stress(const StressArguments& arguments, const std::string& command) {
     const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
     StressSettings settings = settings_of(arguments, chain);
     const std::string path = arguments.submission.empty() ? (chain.source / "starter").string() : arguments.submission;
-    if (arguments.store && (!settings.only.empty() || !chain.has_solution() || !fs::equivalent(path, chain.source / "solution")))
-        throw rt::InputError("--store keeps what all families find of the solution; expected: grade stress solution --store");
+    if (arguments.store &&
+        (!settings.only.empty() || !chain.has_solution() || !fs::equivalent(path, chain.source / "solution")))
+        throw rt::InputError(
+            "--store keeps what all families find of the solution; expected: grade stress solution --store");
     const Submission submission = read_submission(path, assignment.names());
 
     ProgressLine line;
@@ -88,7 +105,8 @@ int run_stress(const StressArguments& arguments, const std::string& command) {
         fs::create_directories(arguments.html);
         write_text(fs::path(arguments.html) / "stress.html", page(record, assignment.title));
     }
-    fmt::print("{}{} mode; {}\n", table(record, isatty(STDOUT_FILENO)), record.student_mode ? "student" : "instructor", record.sandbox);
+    fmt::print("{}{} mode; {}\n", table(record, isatty(STDOUT_FILENO)), record.student_mode ? "student" : "instructor",
+               record.sandbox);
     if (!arguments.html.empty()) fmt::print("page: {}\n", (fs::path(arguments.html) / "stress.html").string());
     return arguments.require && record.scored() < record.most_scored() ? 1 : 0;
 }

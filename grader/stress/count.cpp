@@ -22,34 +22,46 @@ struct Kind {
 };
 
 std::vector<Kind> kinds(double rays) {
-    return {{Swarm::mesh, {"mesh", "rays from within a closed mesh that get out", {"hit_triangle"}, rays}},
-            {Swarm::leave_sphere, {"leave_sphere", "rays that leave a sphere and meet it", {"shadow_ray", "hit_sphere"}, std::ceil(rays * 0.8)}},
-            {Swarm::leave_quad, {"leave_quad", "rays that leave a quad and meet it", {"shadow_ray", "hit_quad"}, std::ceil(rays * 0.6)}},
-            {Swarm::leave_triangle, {"leave_triangle", "rays that leave a triangle and meet it", {"shadow_ray", "hit_triangle"}, std::ceil(rays * 0.6)}}};
+    return {
+        {Swarm::mesh, {"mesh", "rays from within a closed mesh that get out", {"hit_triangle"}, rays}},
+        {Swarm::leave_sphere,
+         {"leave_sphere", "rays that leave a sphere and meet it", {"shadow_ray", "hit_sphere"}, std::ceil(rays * 0.8)}},
+        {Swarm::leave_quad,
+         {"leave_quad", "rays that leave a quad and meet it", {"shadow_ray", "hit_quad"}, std::ceil(rays * 0.6)}},
+        {Swarm::leave_triangle,
+         {"leave_triangle",
+          "rays that leave a triangle and meet it",
+          {"shadow_ray", "hit_triangle"},
+          std::ceil(rays * 0.6)}}};
 }
 
 bool is_fault(Swarm kind, double answer) { return kind == Swarm::mesh ? !(answer < rt::inf) : answer != rt::inf; }
 
 }  // namespace
 
-std::vector<CountRecord> big_counts(FamilyPrograms& programs, const Sandbox& sandbox, const fs::path& meshes, const StressSettings& settings) {
+std::vector<CountRecord> big_counts(FamilyPrograms& programs, const Sandbox& sandbox, const fs::path& meshes,
+                                    const StressSettings& settings) {
     std::vector<CountRecord> all;
     for (auto& [kind, record] : kinds(settings.rays)) {
         for (const std::string& name : record.fragments)
-            if (const std::string complaint = programs.complaint(name); !complaint.empty()) record.message = name + ": " + complaint;
+            if (const std::string complaint = programs.complaint(name); !complaint.empty())
+                record.message = name + ": " + complaint;
         if (!record.message.empty()) {
             record.calls = 0;
             all.push_back(record);
             continue;
         }
         const fs::path program = programs.with({record.fragments.begin(), record.fragments.end()});
-        const auto total = std::uint64_t(record.calls), requests = (total + calls_of_a_request - 1) / calls_of_a_request;
-        const int workers = std::min(int(requests), settings.jobs > 0 ? settings.jobs : std::max(1, int(std::thread::hardware_concurrency())));
+        const auto total = std::uint64_t(record.calls),
+                   requests = (total + calls_of_a_request - 1) / calls_of_a_request;
+        const int workers = std::min(
+            int(requests), settings.jobs > 0 ? settings.jobs : std::max(1, int(std::thread::hardware_concurrency())));
         std::mutex lock;
         std::uint64_t next = 0, done = 0;
         record.calls = 0;
         in_parallel(workers, workers, [&](int worker) {
-            Runner runner(programs.copy_for(fmt::format("{}{}", record.name, worker), program), sandbox, meshes, settings.time_limit);
+            Runner runner(programs.copy_for(fmt::format("{}{}", record.name, worker), program), sandbox, meshes,
+                          settings.time_limit);
             while (true) {
                 std::uint64_t mine = 0;
                 {

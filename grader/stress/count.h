@@ -6,6 +6,7 @@
 namespace grade {
 
 /// The big counts: rays from within closed meshes, and rays that leave surfaces, at sizes of 2^-40 to 2^40.
-std::vector<CountRecord> big_counts(FamilyPrograms& programs, const Sandbox& sandbox, const fs::path& meshes, const StressSettings& settings);
+std::vector<CountRecord> big_counts(FamilyPrograms& programs, const Sandbox& sandbox, const fs::path& meshes,
+                                    const StressSettings& settings);
 
 }  // namespace grade

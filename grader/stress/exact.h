@@ -4,7 +4,8 @@
 
 #include "rt/math.h"
 
-/// Arithmetic with 80 decimal digits, in which the textbook's formulas are right as they stand: for the truths of families.
+/// Arithmetic with 80 decimal digits, in which the textbook's formulas are right as they stand: for the truths of
+/// families.
 namespace grade {
 
 using Exact = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<80>, boost::multiprecision::et_off>;

@@ -10,7 +10,8 @@ int Family::mildest() const {
     bool best_scored = scored.holds(best);
     for (const int decade : decades) {
         const bool in = scored.holds(decade);
-        if ((in && !best_scored) || (in == best_scored && std::abs(decade) < std::abs(best))) best = decade, best_scored = in;
+        if ((in && !best_scored) || (in == best_scored && std::abs(decade) < std::abs(best)))
+            best = decade, best_scored = in;
     }
     return best;
 }
@@ -37,9 +38,10 @@ std::vector<rt::vec2> grid(int n) {
 const std::vector<Family>& all_families() {
     static const std::vector<Family> all = [] {
         std::vector<Family> list;
-        for (const auto& some : {sum_families(), camera_families(), sphere_families(), flat_families(), mesh_families(), leaving_families(),
-                                 shading_families(), glass_families(), warp_families(), lobe_families(), light_families(), frame_families(),
-                                 medium_families(), picture_families()})
+        for (const auto& some :
+             {sum_families(), camera_families(), sphere_families(), flat_families(), mesh_families(),
+              leaving_families(), shading_families(), glass_families(), warp_families(), lobe_families(),
+              light_families(), frame_families(), medium_families(), picture_families()})
             list.insert(list.end(), some.begin(), some.end());
         return list;
     }();

@@ -10,7 +10,8 @@
 
 namespace grade {
 
-FamilyPrograms::FamilyPrograms(const Submission& submission, const Toolchain& chain, const Sandbox& sandbox, bool student)
+FamilyPrograms::FamilyPrograms(const Submission& submission, const Toolchain& chain, const Sandbox& sandbox,
+                               bool student)
     : submission_(submission), chain_(chain), sandbox_(sandbox), student_(student) {}
 
 void FamilyPrograms::compile(const std::set<std::string>& fragments, int jobs) {
@@ -31,7 +32,8 @@ void FamilyPrograms::compile(const std::set<std::string>& fragments, int jobs) {
         const auto& [name, text] = sources[std::size_t(i)];
         const fs::path folder = work_.path() / "objects" / name;
         fs::create_directories(folder);
-        const Compiled compiled = compile_fragment(chain_, sandbox_, name, *text, submission_.folder + name + ".cpp", folder);
+        const Compiled compiled =
+            compile_fragment(chain_, sandbox_, name, *text, submission_.folder + name + ".cpp", folder);
         const std::scoped_lock lock(lock_);
         if (compiled.good) own_[name] = compiled.object;
         else complaints_[name] = "did not build: " + compiled.message;

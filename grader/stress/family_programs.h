@@ -16,7 +16,8 @@ namespace grade {
 /// The programs that a stress run needs. Fragments that are the solution's word for word are not compiled again.
 class FamilyPrograms {
 public:
-    /// student  the submission's fragments with each other; else only those that a family is about, with the solution's others
+    /// student  the submission's fragments with each other; else only those that a family is about, with the solution's
+    /// others
     FamilyPrograms(const Submission& submission, const Toolchain& chain, const Sandbox& sandbox, bool student);
 
     /// Compiles those of these fragments that are the submission's own.

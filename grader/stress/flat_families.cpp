@@ -7,8 +7,8 @@ namespace {
 
 using rt::Quad, rt::Ray, rt::Triangle, rt::vec3;
 
-/// Two half edges at right angles about a centre. As a quad, s and t of its points run from -1 to 1; as a triangle, it is the
-/// half with s + t < 0.
+/// Two half edges at right angles about a centre. As a quad, s and t of its points run from -1 to 1; as a triangle, it
+/// is the half with s + t < 0.
 struct Patch {
     vec3 center, u, v;
 
@@ -62,7 +62,8 @@ double measure(bool is_quad, const Aim& aim, double forgiven, Generator& random,
         Patch p = patch(random, aim.size, aim.aspect);
         p.center += aim.shift;
         const bool inside = chance(random, 0.6);
-        const double s = between(random, -0.8, 0.8), t = inside && !is_quad ? between(random, -0.9, -0.1 - s) : between(random, -0.8, 0.8);
+        const double s = between(random, -0.8, 0.8),
+                     t = inside && !is_quad ? between(random, -0.9, -0.1 - s) : between(random, -0.8, 0.8);
         const vec3 target = p.center + s * p.u + (inside ? t : 3 + t) * p.v;
         const vec3 n = rt::unit(cross(p.u, p.v));
         vec3 d = tilted(random, n, between(random, 0, 1.3));
@@ -85,10 +86,13 @@ auto scale(bool is_quad) {
     return [=](double x, Generator& random, const Asker& ask) { return measure(is_quad, {.size = x}, 1, random, ask); };
 }
 auto length(bool is_quad) {
-    return [=](double x, Generator& random, const Asker& ask) { return measure(is_quad, {.length = x}, 1, random, ask); };
+    return
+        [=](double x, Generator& random, const Asker& ask) { return measure(is_quad, {.length = x}, 1, random, ask); };
 }
 auto grazing(bool is_quad) {
-    return [=](double x, Generator& random, const Asker& ask) { return measure(is_quad, {.angle = x}, 1 / x, random, ask); };
+    return [=](double x, Generator& random, const Asker& ask) {
+        return measure(is_quad, {.angle = x}, 1 / x, random, ask);
+    };
 }
 auto far_away(bool is_quad) {
     return [=](double x, Generator& random, const Asker& ask) {
@@ -96,7 +100,8 @@ auto far_away(bool is_quad) {
     };
 }
 auto needle(bool is_quad) {
-    return [=](double x, Generator& random, const Asker& ask) { return measure(is_quad, {.aspect = x}, x, random, ask); };
+    return
+        [=](double x, Generator& random, const Asker& ask) { return measure(is_quad, {.aspect = x}, x, random, ask); };
 }
 
 }  // namespace
@@ -106,11 +111,51 @@ std::vector<Family> flat_families() {
     std::vector<Family> all;
     for (const bool quad : {true, false}) {
         const std::string shape = quad ? "quad" : "triangle", hit = "hit_" + shape;
-        all.push_back({shape + "_scale", {hit}, "size of " + shape + " and ray [m]", "error of the hit / size", 1e-7, 64 * u, sweep(-60, 60, 3), {-3, 3}, scale(quad)});
-        all.push_back({shape + "_direction", {hit}, "length of the direction", "error of the hit", 1e-7, 64 * u, sweep(-12, 12), {-3, 3}, length(quad)});
-        all.push_back({shape + "_grazing", {hit}, "angle between ray and " + shape, "error of the hit x angle", 1e-7, 64 * u, sweep(-12, -1), {-3, -1}, grazing(quad)});
-        all.push_back({shape + "_far", {hit}, "distance from the world's origin [m]", "error of the hit", 1e-7, 64 * u, sweep(0, 12), {0, 3}, far_away(quad)});
-        all.push_back({shape + "_needle", {hit}, "length / width of the " + shape, "error of the hit / aspect", 1e-7, 64 * u, sweep(0, 12), {0, 3}, needle(quad)});
+        all.push_back({shape + "_scale",
+                       {hit},
+                       "size of " + shape + " and ray [m]",
+                       "error of the hit / size",
+                       1e-7,
+                       64 * u,
+                       sweep(-60, 60, 3),
+                       {-3, 3},
+                       scale(quad)});
+        all.push_back({shape + "_direction",
+                       {hit},
+                       "length of the direction",
+                       "error of the hit",
+                       1e-7,
+                       64 * u,
+                       sweep(-12, 12),
+                       {-3, 3},
+                       length(quad)});
+        all.push_back({shape + "_grazing",
+                       {hit},
+                       "angle between ray and " + shape,
+                       "error of the hit x angle",
+                       1e-7,
+                       64 * u,
+                       sweep(-12, -1),
+                       {-3, -1},
+                       grazing(quad)});
+        all.push_back({shape + "_far",
+                       {hit},
+                       "distance from the world's origin [m]",
+                       "error of the hit",
+                       1e-7,
+                       64 * u,
+                       sweep(0, 12),
+                       {0, 3},
+                       far_away(quad)});
+        all.push_back({shape + "_needle",
+                       {hit},
+                       "length / width of the " + shape,
+                       "error of the hit / aspect",
+                       1e-7,
+                       64 * u,
+                       sweep(0, 12),
+                       {0, 3},
+                       needle(quad)});
     }
     return all;
 }

@@ -22,9 +22,9 @@ Row light_row(vec3 axis, vec2 u) {
     return row(light, vec3(0), u);
 }
 
-/// Directions about an axis that is x away from a pole of the coordinates: unit vectors and, where the fragment turns the
-/// same direction about every axis, at the same angles to it as about axes far from the poles. Beyond ordinary scenes also
-/// about the poles themselves.
+/// Directions about an axis that is x away from a pole of the coordinates: unit vectors and, where the fragment turns
+/// the same direction about every axis, at the same angles to it as about axes far from the poles. Beyond ordinary
+/// scenes also about the poles themselves.
 auto poles(const Turning& turning) {
     return [=](double x, Generator& random, const Asker& ask) {
         std::vector<vec3> axes;
@@ -47,10 +47,12 @@ auto poles(const Turning& turning) {
         const auto cosine = [](const Row& out, vec3 axis) { return dot(vec3(out.at(0), out.at(1), out.at(2)), axis); };
         const Rows base = ask.probe(turning.fragment, about_one), other = ask.probe(turning.fragment, about_two);
         double turned = 0;
-        for (std::size_t i = 0; i < rows.size(); ++i) turned = worse_error(turned, std::abs(cosine(base[i], one) - cosine(other[i], two)));
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            turned = worse_error(turned, std::abs(cosine(base[i], one) - cosine(other[i], two)));
         return worst_of(ask, turning.fragment, rows, [&](std::size_t i, const Row& out) {
             const vec3 d{out.at(0), out.at(1), out.at(2)};
-            return worse_error(std::abs(glm::length(d) - 1), turned < 1e-9 ? std::abs(dot(d, about[i]) - cosine(base[i], one)) : 0);
+            return worse_error(std::abs(glm::length(d) - 1),
+                               turned < 1e-9 ? std::abs(dot(d, about[i]) - cosine(base[i], one)) : 0);
         });
     };
 }
@@ -59,10 +61,18 @@ auto poles(const Turning& turning) {
 
 std::vector<Family> frame_families() {
     std::vector<Family> all;
-    for (const Turning& turning : {Turning{"color_bleeding", bounce_row}, Turning{"glossy_reflection", glossy_row}, Turning{"translucency", translucent_row},
-                                   Turning{"light_sample", light_row}, Turning{"scatter_direction", scatter_row}})
-        all.push_back({"poles_" + turning.fragment, {turning.fragment}, "angle of the axis from a pole", "error of length and angle", 1e-5, 32 * rt::roundoff,
-                       sweep(-16, -1), {-3, -1}, poles(turning)});
+    for (const Turning& turning : {Turning{"color_bleeding", bounce_row}, Turning{"glossy_reflection", glossy_row},
+                                   Turning{"translucency", translucent_row}, Turning{"light_sample", light_row},
+                                   Turning{"scatter_direction", scatter_row}})
+        all.push_back({"poles_" + turning.fragment,
+                       {turning.fragment},
+                       "angle of the axis from a pole",
+                       "error of length and angle",
+                       1e-5,
+                       32 * rt::roundoff,
+                       sweep(-16, -1),
+                       {-3, -1},
+                       poles(turning)});
     return all;
 }
 

@@ -10,7 +10,8 @@ using rt::Color, rt::Material, rt::Outgoing, rt::vec3;
 /// The direction by Snell's law; the zero vector at total internal reflection.
 Exact3 refracted(vec3 d, vec3 n, double from, double to) {
     const Exact3 way = unit(Exact3(d)), normal = unit(Exact3(n));
-    const Exact ratio = Exact(from) / to, cosine = -dot(way, normal), squared = 1 - ratio * ratio * (1 - cosine * cosine);
+    const Exact ratio = Exact(from) / to, cosine = -dot(way, normal),
+                squared = 1 - ratio * ratio * (1 - cosine * cosine);
     if (squared < 0) return {0, 0, 0};
     return ratio * way + (ratio * cosine - sqrt(squared)) * normal;
 }
@@ -19,7 +20,8 @@ Exact reflectance(double cosine, double from, double to) {
     const Exact e1 = from, e2 = to, c1 = cosine, cosine2 = 1 - e1 * e1 / (e2 * e2) * (1 - c1 * c1);
     if (cosine2 < 0) return Exact(1);
     if (from == to) return 0;
-    const Exact c2 = sqrt(cosine2), s = (e1 * c1 - e2 * c2) / (e1 * c1 + e2 * c2), p = (e2 * c1 - e1 * c2) / (e2 * c1 + e1 * c2);
+    const Exact c2 = sqrt(cosine2), s = (e1 * c1 - e2 * c2) / (e1 * c1 + e2 * c2),
+                p = (e2 * c1 - e1 * c2) / (e2 * c1 + e1 * c2);
     return s * s / 2 + p * p / 2;
 }
 
@@ -42,7 +44,9 @@ double measure(const std::vector<Bend>& bends, double factor, const Asker& ask) 
 }
 
 /// A sine that is the share x below or above that of the critical angle.
-double near_critical(Generator& random, double x, double from, double to) { return to / from * (chance(random, 0.7) ? 1 - x : 1 + x); }
+double near_critical(Generator& random, double x, double from, double to) {
+    return to / from * (chance(random, 0.7) ? 1 - x : 1 + x);
+}
 
 double refracted_critical(double x, Generator& random, const Asker& ask) {
     std::vector<Bend> bends;
@@ -67,7 +71,8 @@ double refracted_normal(double x, Generator& random, const Asker& ask) {
     std::vector<Bend> bends;
     for (int i = 0; i < 200; ++i) {
         const vec3 n = direction(random);
-        bends.push_back({i < 20 && x < 1e-3 ? -n : -tilted(random, n, x), n, between(random, 1, 1.5), between(random, 1, 1.5)});
+        bends.push_back(
+            {i < 20 && x < 1e-3 ? -n : -tilted(random, n, x), n, between(random, 1, 1.5), between(random, 1, 1.5)});
     }
     return measure(bends, 1, ask);
 }
@@ -112,10 +117,12 @@ double fresnel_grazing(double x, Generator& random, const Asker& ask) {
 /// Indices that differ by x, and beyond ordinary scenes also rays along the surface.
 double fresnel_even(double x, Generator& random, const Asker& ask) {
     std::vector<Boundary> boundaries;
-    for (int i = 0; i < 200; ++i) boundaries.push_back({between(random, 0.3, 1), 1, chance(random, 0.5) ? 1 + x : 1 - x});
+    for (int i = 0; i < 200; ++i)
+        boundaries.push_back({between(random, 0.3, 1), 1, chance(random, 0.5) ? 1 + x : 1 - x});
     for (const double other : {1.0, 1.5, 1 + x}) boundaries.push_back({1, 1, other});
     if (x < 1e-3)
-        for (const double even : {1.0, 1.5}) boundaries.push_back({0, even, even}), boundaries.push_back({1e-200, even, even});
+        for (const double even : {1.0, 1.5})
+            boundaries.push_back({0, even, even}), boundaries.push_back({1e-200, even, even});
     return measure(boundaries, 1, ask);
 }
 
@@ -146,7 +153,8 @@ double faint(double x, Generator& random, const Asker& ask) {
         const auto& [m, fresnel] = cases[i];
         const Outgoing got = from_row<Outgoing>(out);
         const Color mirror = fresnel * m.reflectance, glass = (1 - fresnel) * m.transmittance;
-        return worse_error(rt::largest(got.mirror - mirror) / rt::largest(mirror), rt::largest(got.glass - glass) / rt::largest(glass));
+        return worse_error(rt::largest(got.mirror - mirror) / rt::largest(mirror),
+                           rt::largest(got.glass - glass) / rt::largest(glass));
     });
 }
 
@@ -155,15 +163,87 @@ double faint(double x, Generator& random, const Asker& ask) {
 std::vector<Family> glass_families() {
     constexpr double u = rt::roundoff;
     return {
-        {"mirror_length", {"mirror_direction"}, "length of the direction", "error / length", 1e-5, 16 * u, sweep(-60, 60, 3), {-3, 3}, mirror_length},
-        {"refracted_critical", {"refracted_direction"}, "distance from the critical angle", "error x root of x", 1e-5, 32 * u, sweep(-13, -1), {-3, -1}, refracted_critical},
-        {"refracted_grazing", {"refracted_direction"}, "cosine of the incoming ray", "error", 1e-5, 16 * u, sweep(-15, -1), {-3, -1}, refracted_grazing},
-        {"refracted_normal", {"refracted_direction"}, "angle between ray and normal", "error", 1e-5, 16 * u, sweep(-16, -1), {-3, -1}, refracted_normal},
-        {"refracted_even", {"refracted_direction"}, "difference of the indices", "error", 1e-5, 16 * u, sweep(-17, -1), {-3, -1}, refracted_even},
-        {"fresnel_critical", {"fresnel_dielectric"}, "distance from the critical angle", "error x root of x", 1e-5, 64 * u, sweep(-13, -1), {-3, -1}, fresnel_critical},
-        {"fresnel_grazing", {"fresnel_dielectric"}, "cosine of the incoming ray", "error", 1e-5, 16 * u, sweep(-15, -1), {-3, -1}, fresnel_grazing},
-        {"fresnel_even", {"fresnel_dielectric"}, "difference of the indices", "error", 1e-5, 16 * u, sweep(-17, -1), {-3, -1}, fresnel_even},
-        {"whitted_faint", {"whitted"}, "transmittance", "relative error", 1e-5, 8 * u, sweep(-60, 0, 3), {-3, 0}, faint},
+        {"mirror_length",
+         {"mirror_direction"},
+         "length of the direction",
+         "error / length",
+         1e-5,
+         16 * u,
+         sweep(-60, 60, 3),
+         {-3, 3},
+         mirror_length},
+        {"refracted_critical",
+         {"refracted_direction"},
+         "distance from the critical angle",
+         "error x root of x",
+         1e-5,
+         32 * u,
+         sweep(-13, -1),
+         {-3, -1},
+         refracted_critical},
+        {"refracted_grazing",
+         {"refracted_direction"},
+         "cosine of the incoming ray",
+         "error",
+         1e-5,
+         16 * u,
+         sweep(-15, -1),
+         {-3, -1},
+         refracted_grazing},
+        {"refracted_normal",
+         {"refracted_direction"},
+         "angle between ray and normal",
+         "error",
+         1e-5,
+         16 * u,
+         sweep(-16, -1),
+         {-3, -1},
+         refracted_normal},
+        {"refracted_even",
+         {"refracted_direction"},
+         "difference of the indices",
+         "error",
+         1e-5,
+         16 * u,
+         sweep(-17, -1),
+         {-3, -1},
+         refracted_even},
+        {"fresnel_critical",
+         {"fresnel_dielectric"},
+         "distance from the critical angle",
+         "error x root of x",
+         1e-5,
+         64 * u,
+         sweep(-13, -1),
+         {-3, -1},
+         fresnel_critical},
+        {"fresnel_grazing",
+         {"fresnel_dielectric"},
+         "cosine of the incoming ray",
+         "error",
+         1e-5,
+         16 * u,
+         sweep(-15, -1),
+         {-3, -1},
+         fresnel_grazing},
+        {"fresnel_even",
+         {"fresnel_dielectric"},
+         "difference of the indices",
+         "error",
+         1e-5,
+         16 * u,
+         sweep(-17, -1),
+         {-3, -1},
+         fresnel_even},
+        {"whitted_faint",
+         {"whitted"},
+         "transmittance",
+         "relative error",
+         1e-5,
+         8 * u,
+         sweep(-60, 0, 3),
+         {-3, 0},
+         faint},
     };
 }
 

@@ -38,7 +38,8 @@ const char* fragment_of(Surface kind) {
     return kind == Surface::sphere ? "hit_sphere" : kind == Surface::quad ? "hit_quad" : "hit_triangle";
 }
 
-/// The share of rays which leave a surface that meet that surface. Hits, errors and rays are made as the framework does.
+/// The share of rays which leave a surface that meet that surface. Hits, errors and rays are made as the framework
+/// does.
 double self_hits(Surface kind, double size, Generator& random, const Asker& ask) {
     constexpr int count = 300;
     std::vector<Wall> walls;
@@ -47,7 +48,9 @@ double self_hits(Surface kind, double size, Generator& random, const Asker& ask)
     for (int i = 0; i < count; ++i) {
         walls.push_back(wall(kind, size, random));
         const Wall& w = walls.back();
-        const vec3 d = direction(random), target = w.quad.center + 0.3 * (w.kind == Surface::sphere ? w.sphere.radius * tilted(random, d, 1) : w.quad.u);
+        const vec3 d = direction(random),
+                   target = w.quad.center +
+                            0.3 * (w.kind == Surface::sphere ? w.sphere.radius * tilted(random, d, 1) : w.quad.u);
         rays.push_back({target - between(random, 3, 6) * size * d, d, 0, rt::inf});
         rows.push_back(w.row_with(rays.back()));
     }
@@ -100,7 +103,8 @@ double shadow_end(double x, Generator& random, const Asker& ask) {
     Rows rows;
     for (int i = 0; i < 100; ++i) {
         const vec3 n = direction(random);
-        rows.push_back(row(Hit{x * box(random, -1, 1), n, 64 * rt::roundoff * x}, tilted(random, n, between(random, 0, 1.5)), x * between(random, 1, 5)));
+        rows.push_back(row(Hit{x * box(random, -1, 1), n, 64 * rt::roundoff * x},
+                           tilted(random, n, between(random, 0, 1.5)), x * between(random, 1, 5)));
     }
     return worst_of(ask, "shadow_ray", rows, [&](std::size_t i, const Row& out) {
         const double distance = rows[i].back(), end = from_row<Ray>(out).far;
@@ -112,11 +116,51 @@ double shadow_end(double x, Generator& random, const Asker& ask) {
 
 std::vector<Family> leaving_families() {
     return {
-        {"self_hit_sphere", {"shadow_ray", "hit_sphere"}, "size of the scene [m]", "share of rays that meet the surface they leave", 0.01, 0, sweep(-60, 60, 3), {-3, 3}, self_hit(Surface::sphere)},
-        {"self_hit_quad", {"shadow_ray", "hit_quad"}, "size of the scene [m]", "share of rays that meet the surface they leave", 0.01, 0, sweep(-60, 60, 3), {-3, 3}, self_hit(Surface::quad)},
-        {"self_hit_triangle", {"shadow_ray", "hit_triangle"}, "size of the scene [m]", "share of rays that meet the surface they leave", 0.01, 0, sweep(-60, 60, 3), {-3, 3}, self_hit(Surface::triangle)},
-        {"shadow_offset", {"shadow_ray"}, "size of the scene [m]", "gap between surface and ray / size", 5e-3, 1e-9, sweep(-60, 60, 3), {-3, 3}, shadow_offset},
-        {"shadow_end", {"shadow_ray"}, "distance of the light [m]", "gap between ray and light / distance", 5e-3, 1e-6, sweep(-60, 60, 3), {-3, 3}, shadow_end},
+        {"self_hit_sphere",
+         {"shadow_ray", "hit_sphere"},
+         "size of the scene [m]",
+         "share of rays that meet the surface they leave",
+         0.01,
+         0,
+         sweep(-60, 60, 3),
+         {-3, 3},
+         self_hit(Surface::sphere)},
+        {"self_hit_quad",
+         {"shadow_ray", "hit_quad"},
+         "size of the scene [m]",
+         "share of rays that meet the surface they leave",
+         0.01,
+         0,
+         sweep(-60, 60, 3),
+         {-3, 3},
+         self_hit(Surface::quad)},
+        {"self_hit_triangle",
+         {"shadow_ray", "hit_triangle"},
+         "size of the scene [m]",
+         "share of rays that meet the surface they leave",
+         0.01,
+         0,
+         sweep(-60, 60, 3),
+         {-3, 3},
+         self_hit(Surface::triangle)},
+        {"shadow_offset",
+         {"shadow_ray"},
+         "size of the scene [m]",
+         "gap between surface and ray / size",
+         5e-3,
+         1e-9,
+         sweep(-60, 60, 3),
+         {-3, 3},
+         shadow_offset},
+        {"shadow_end",
+         {"shadow_ray"},
+         "distance of the light [m]",
+         "gap between ray and light / distance",
+         5e-3,
+         1e-6,
+         sweep(-60, 60, 3),
+         {-3, 3},
+         shadow_end},
     };
 }
 

@@ -25,7 +25,8 @@ double mean_over_density(const Emitter& light, vec3 p, int n, const Asker& ask, 
     double sum = 0;
     for (const Row& out : ask.probe("light_sample", rows)) {
         const LightSample sample = from_row<LightSample>(out);
-        if (std::isnan(sample.density) || std::isnan(sample.distance) || std::isnan(dot(sample.direction, vec3(1)))) return rt::inf;
+        if (std::isnan(sample.density) || std::isnan(sample.distance) || std::isnan(dot(sample.direction, vec3(1))))
+            return rt::inf;
         if (sample.density > 0) sum += of(sample) / sample.density;
     }
     return sum / (n * n);
@@ -76,7 +77,8 @@ auto flat_gap(Emitter::Kind kind) {
     return [=](double x, Generator& random, const Asker& ask) {
         const double size = log_between(random, 0.5, 2), h = x * size;
         const vec3 p = box(random, -1, 1), n = direction(random);
-        const double seen = mean_over_density(light_of(kind, size, p + h * n, -n), p, 48, ask, [&](const LightSample& s) { return dot(s.direction, n); });
+        const double seen = mean_over_density(light_of(kind, size, p + h * n, -n), p, 48, ask,
+                                              [&](const LightSample& s) { return dot(s.direction, n); });
         // of a quad, all distances count as equal
         const double truth = kind == Emitter::Kind::disc ? rt::pi / (1 + x * x) : 2 / (x * x);
         return std::abs(seen / truth - 1);
@@ -88,7 +90,8 @@ double light_size(double x, Generator& random, const Asker& ask) {
     Rows one, many;
     for (int i = 0; i < 90; ++i) {
         const auto kind = Emitter::Kind(i % 3);
-        const vec3 center = box(random, -1, 1), towards = direction(random), p = center + 3.0 * tilted(random, towards, between(random, 0, 1));
+        const vec3 center = box(random, -1, 1), towards = direction(random),
+                   p = center + 3.0 * tilted(random, towards, between(random, 0, 1));
         const double size = log_between(random, 0.3, 1);
         const vec2 u = square(random);
         one.push_back(row(light_of(kind, size, center, towards), p, u));
@@ -98,7 +101,8 @@ double light_size(double x, Generator& random, const Asker& ask) {
     return worst_of(ask, "light_sample", many, [&](std::size_t i, const Row& out) {
         const LightSample a = from_row<LightSample>(base[i]), b = from_row<LightSample>(out);
         const double density = a.density > 0 ? std::abs(b.density / a.density - 1) : std::abs(b.density);
-        return worse_error(density, worse_error(rt::largest(b.direction - a.direction), std::abs(b.distance / x / a.distance - 1)));
+        return worse_error(
+            density, worse_error(rt::largest(b.direction - a.direction), std::abs(b.distance / x / a.distance - 1)));
     });
 }
 
@@ -107,12 +111,60 @@ double light_size(double x, Generator& random, const Asker& ask) {
 std::vector<Family> light_families() {
     constexpr double u = rt::roundoff;
     return {
-        {"sphere_light_far", {"light_sample"}, "distance of a sphere light / its radius", "error of its solid angle", 0.05, 0.05, sweep(0, 14), {0, 3}, sphere_gap},
-        {"sphere_light_near", {"light_sample"}, "gap to a sphere light / its radius", "error of its solid angle", 0.05, 0.05, sweep(-13, 0), {0, 0}, sphere_gap},
-        {"sphere_light_point", {"light_sample"}, "gap to a sphere light / its radius", "distance of a sample from the light / distance", 1e-5, 1e-9, sweep(-13, 14), {0, 3}, sphere_point},
-        {"quad_light_far", {"light_sample"}, "distance of a quad light / its size", "error of its irradiance", 0.05, 0.05, sweep(1, 20), {1, 3}, flat_gap(Emitter::Kind::quad)},
-        {"disc_light_far", {"light_sample"}, "distance of a disc light / its radius", "error of its irradiance", 0.05, 0.05, sweep(0, 20), {0, 3}, flat_gap(Emitter::Kind::disc)},
-        {"light_size", {"light_sample"}, "size of light and scene [m]", "error against that at 1 m", 1e-5, 256 * u, sweep(-60, 60, 3), {-3, 3}, light_size},
+        {"sphere_light_far",
+         {"light_sample"},
+         "distance of a sphere light / its radius",
+         "error of its solid angle",
+         0.05,
+         0.05,
+         sweep(0, 14),
+         {0, 3},
+         sphere_gap},
+        {"sphere_light_near",
+         {"light_sample"},
+         "gap to a sphere light / its radius",
+         "error of its solid angle",
+         0.05,
+         0.05,
+         sweep(-13, 0),
+         {0, 0},
+         sphere_gap},
+        {"sphere_light_point",
+         {"light_sample"},
+         "gap to a sphere light / its radius",
+         "distance of a sample from the light / distance",
+         1e-5,
+         1e-9,
+         sweep(-13, 14),
+         {0, 3},
+         sphere_point},
+        {"quad_light_far",
+         {"light_sample"},
+         "distance of a quad light / its size",
+         "error of its irradiance",
+         0.05,
+         0.05,
+         sweep(1, 20),
+         {1, 3},
+         flat_gap(Emitter::Kind::quad)},
+        {"disc_light_far",
+         {"light_sample"},
+         "distance of a disc light / its radius",
+         "error of its irradiance",
+         0.05,
+         0.05,
+         sweep(0, 20),
+         {0, 3},
+         flat_gap(Emitter::Kind::disc)},
+        {"light_size",
+         {"light_sample"},
+         "size of light and scene [m]",
+         "error against that at 1 m",
+         1e-5,
+         256 * u,
+         sweep(-60, 60, 3),
+         {-3, 3},
+         light_size},
     };
 }
 

@@ -46,7 +46,8 @@ double forward(double x, Generator& random, const Asker& ask) {
     return worst_of(ask, "scatter_direction", rows, [&](std::size_t, const Row& out) {
         const auto [d, density] = from_row<DirectionSample>(out);
         const long double s2 = (long double)d.x * d.x + (long double)d.y * d.y;
-        const long double off = d.z > 0 ? s2 / (1 + std::sqrt(std::max(0.0L, 1 - s2))) : 1 - (long double)d.z;  // 1 - cos
+        const long double off =
+            d.z > 0 ? s2 / (1 + std::sqrt(std::max(0.0L, 1 - s2))) : 1 - (long double)d.z;  // 1 - cos
         const long double base = rest * rest + 2 * g * off;
         const long double truth = rest * (1 + (long double)g) / (4 * (long double)rt::pi * base * std::sqrt(base));
         return worse_error(double(std::abs(density / truth - 1)), std::abs(glm::length(d) - 1));
@@ -109,11 +110,51 @@ double forward_width(double x, Generator& random, const Asker& ask) {
 std::vector<Family> medium_families() {
     constexpr double u = rt::roundoff;
     return {
-        {"extinction", {"free_flight"}, "extinction [1/m]", "error of the mean distance", 1e-2, 1e-2, sweep(-60, 60, 3), {-3, 3}, extinction},
-        {"short_flight", {"free_flight"}, "random number, from 0 and from 1", "relative error", 1e-5, 16 * u, sweep(-16, -1), {-3, -1}, short_flight},
-        {"even_scattering", {"scatter_direction"}, "g", "error of density or length", 1e-5, 32 * u, sweep(-17, -1), {-3, -1}, even},
-        {"forward_density", {"scatter_direction"}, "1 - g", "relative error of the density", 1e-4, 1e-8, sweep(-15, -1), {-2, -1}, forward},
-        {"forward_width", {"scatter_direction"}, "1 - g", "relative error of the mean angle", 0.05, 0.05, sweep(-15, -1), {-2, -1}, forward_width},
+        {"extinction",
+         {"free_flight"},
+         "extinction [1/m]",
+         "error of the mean distance",
+         1e-2,
+         1e-2,
+         sweep(-60, 60, 3),
+         {-3, 3},
+         extinction},
+        {"short_flight",
+         {"free_flight"},
+         "random number, from 0 and from 1",
+         "relative error",
+         1e-5,
+         16 * u,
+         sweep(-16, -1),
+         {-3, -1},
+         short_flight},
+        {"even_scattering",
+         {"scatter_direction"},
+         "g",
+         "error of density or length",
+         1e-5,
+         32 * u,
+         sweep(-17, -1),
+         {-3, -1},
+         even},
+        {"forward_density",
+         {"scatter_direction"},
+         "1 - g",
+         "relative error of the density",
+         1e-4,
+         1e-8,
+         sweep(-15, -1),
+         {-2, -1},
+         forward},
+        {"forward_width",
+         {"scatter_direction"},
+         "1 - g",
+         "relative error of the mean angle",
+         0.05,
+         0.05,
+         sweep(-15, -1),
+         {-2, -1},
+         forward_width},
     };
 }
 

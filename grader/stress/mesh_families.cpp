@@ -53,17 +53,53 @@ double missed(vec3 center, double size, bool at_edges, Generator& random, const 
 
 double closed(double x, Generator& random, const Asker& ask) { return missed(vec3(0), x, false, random, ask); }
 double edges(double x, Generator& random, const Asker& ask) { return missed(vec3(0), x, true, random, ask); }
-double far_away(double x, Generator& random, const Asker& ask) { return missed(x * vec3(0.7, 0.1, -0.8), 2, false, random, ask); }
-double far_edges(double x, Generator& random, const Asker& ask) { return missed(x * vec3(0.7, 0.1, -0.8), 2, true, random, ask); }
+double far_away(double x, Generator& random, const Asker& ask) {
+    return missed(x * vec3(0.7, 0.1, -0.8), 2, false, random, ask);
+}
+double far_edges(double x, Generator& random, const Asker& ask) {
+    return missed(x * vec3(0.7, 0.1, -0.8), 2, true, random, ask);
+}
 
 }  // namespace
 
 std::vector<Family> mesh_families() {
     return {
-        {"mesh_scale", {"hit_triangle"}, "size of a closed mesh [m]", "share of rays that get out", 0, 0, sweep(-60, 60, 3), {-3, 3}, closed},
-        {"mesh_edges", {"hit_triangle"}, "size of a closed mesh [m]", "share of rays at edges that get out", 0, 0, sweep(-12, 12), {}, edges},
-        {"mesh_far", {"hit_triangle"}, "distance of a mesh from the world's origin [m]", "share of rays that get out", 0, 0, sweep(0, 12), {0, 3}, far_away},
-        {"mesh_far_edges", {"hit_triangle"}, "distance of a mesh from the world's origin [m]", "share of rays at edges that get out", 0, 0, sweep(0, 12), {}, far_edges},
+        {"mesh_scale",
+         {"hit_triangle"},
+         "size of a closed mesh [m]",
+         "share of rays that get out",
+         0,
+         0,
+         sweep(-60, 60, 3),
+         {-3, 3},
+         closed},
+        {"mesh_edges",
+         {"hit_triangle"},
+         "size of a closed mesh [m]",
+         "share of rays at edges that get out",
+         0,
+         0,
+         sweep(-12, 12),
+         {},
+         edges},
+        {"mesh_far",
+         {"hit_triangle"},
+         "distance of a mesh from the world's origin [m]",
+         "share of rays that get out",
+         0,
+         0,
+         sweep(0, 12),
+         {0, 3},
+         far_away},
+        {"mesh_far_edges",
+         {"hit_triangle"},
+         "distance of a mesh from the world's origin [m]",
+         "share of rays at edges that get out",
+         0,
+         0,
+         sweep(0, 12),
+         {},
+         far_edges},
     };
 }
 

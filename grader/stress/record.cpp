@@ -18,7 +18,8 @@ using Json = nlohmann::ordered_json;
 constexpr const char* stored_schema = "penumbra/stress-reference/v1";
 
 int bonus_of(const Family& family, const Reach& reach) {
-    return int(std::ranges::count_if(family.decades, [&](int decade) { return reach.holds(decade) && !family.scored.holds(decade); }));
+    return int(std::ranges::count_if(family.decades,
+                                     [&](int decade) { return reach.holds(decade) && !family.scored.holds(decade); }));
 }
 
 /// JSON has no infinity.
@@ -66,14 +67,26 @@ std::string in_words(const Reach& reach) {
 }
 
 std::string to_json(const StressRecord& record) {
-    Json json{{"schema", "penumbra/stress/v1"}, {"submission", record.submission}, {"mode", record.student_mode ? "student" : "instructor"},
-              {"scored", record.scored()},      {"max_scored", record.most_scored()}, {"bonus", record.bonus()},
+    Json json{{"schema", "penumbra/stress/v1"},
+              {"submission", record.submission},
+              {"mode", record.student_mode ? "student" : "instructor"},
+              {"scored", record.scored()},
+              {"max_scored", record.most_scored()},
+              {"bonus", record.bonus()},
               {"solution_bonus", record.most_bonus()}};
     for (const FamilyRecord& f : record.families) {
-        Json family{{"name", f.family->name}, {"fragments", f.family->fragments}, {"swept", f.family->swept}, {"error", f.family->error},
-                    {"tolerance", f.family->tolerance}, {"bound", f.family->bound}, {"scored_decades", pair(f.family->scored)}, {"started", f.started},
-                    {"reach", pair(f.reach)}, {"solution_reach", f.solution ? pair(*f.solution) : Json("unknown")},
-                    {"scored", f.is_scored() ? Json(f.scored_passed()) : Json(nullptr)}, {"bonus", f.bonus()}};
+        Json family{{"name", f.family->name},
+                    {"fragments", f.family->fragments},
+                    {"swept", f.family->swept},
+                    {"error", f.family->error},
+                    {"tolerance", f.family->tolerance},
+                    {"bound", f.family->bound},
+                    {"scored_decades", pair(f.family->scored)},
+                    {"started", f.started},
+                    {"reach", pair(f.reach)},
+                    {"solution_reach", f.solution ? pair(*f.solution) : Json("unknown")},
+                    {"scored", f.is_scored() ? Json(f.scored_passed()) : Json(nullptr)},
+                    {"bonus", f.bonus()}};
         if (!f.message.empty()) family["message"] = f.message;
         for (const DecadeRecord& d : f.decades) {
             Json decade{{"decade", d.decade}, {"error", number(d.error)}, {"passed", d.passed}};
@@ -83,8 +96,13 @@ std::string to_json(const StressRecord& record) {
         json["families"].push_back(family);
     }
     for (const CountRecord& c : record.counts)
-        json["counts"].push_back({{"name", c.name}, {"what", c.what}, {"fragments", c.fragments}, {"calls", c.calls}, {"faults", c.faults},
-                                  {"cpu_seconds", c.seconds}, {"message", c.message}});
+        json["counts"].push_back({{"name", c.name},
+                                  {"what", c.what},
+                                  {"fragments", c.fragments},
+                                  {"calls", c.calls},
+                                  {"faults", c.faults},
+                                  {"cpu_seconds", c.seconds},
+                                  {"message", c.message}});
     json["cpu_seconds"] = record.cpu_seconds;
     json["sandbox"] = record.sandbox;
     json["toolchain"] = record.toolchain;
@@ -103,7 +121,8 @@ std::map<std::string, Reach> read_solution_reach(const std::string& path) {
         for (const auto& [name, reach] : json.at("reach").items())
             all[name] = reach.is_null() ? Reach{} : Reach{reach.at(0), reach.at(1)};
     } catch (const nlohmann::json::exception& error) {
-        throw std::runtime_error(fmt::format("{}: {}; expected what `grade stress solution --store` writes", path, error.what()));
+        throw std::runtime_error(
+            fmt::format("{}: {}; expected what `grade stress solution --store` writes", path, error.what()));
     }
     return all;
 }
@@ -111,7 +130,8 @@ std::map<std::string, Reach> read_solution_reach(const std::string& path) {
 void write_solution_reach(const std::string& path, const StressRecord& of_solution) {
     std::string text = fmt::format("{{\n \"schema\": \"{}\",\n \"reach\": {{", stored_schema);
     for (bool first = true; const FamilyRecord& f : of_solution.families) {
-        text += fmt::format("{}\n  \"{}\": {}", first ? "" : ",", f.family->name, f.reach.empty() ? "null" : fmt::format("[{}, {}]", f.reach.low, f.reach.high));
+        text += fmt::format("{}\n  \"{}\": {}", first ? "" : ",", f.family->name,
+                            f.reach.empty() ? "null" : fmt::format("[{}, {}]", f.reach.low, f.reach.high));
         first = false;
     }
     write_text(path, text + "\n }\n}\n");

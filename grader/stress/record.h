@@ -29,7 +29,9 @@ struct FamilyRecord {
     std::optional<Reach> solution;      // none: not stored
 
     bool is_scored() const { return !family->scored.empty(); }
-    bool scored_passed() const { return is_scored() && !reach.empty() && reach.low <= family->scored.low && reach.high >= family->scored.high; }
+    bool scored_passed() const {
+        return is_scored() && !reach.empty() && reach.low <= family->scored.low && reach.high >= family->scored.high;
+    }
 
     /// Decades beyond those of ordinary scenes that pass.
     int bonus() const;

@@ -21,7 +21,8 @@ namespace {
 struct Broken : std::runtime_error {
     bool timed_out;
 
-    explicit Broken(const Fault& fault) : std::runtime_error(fault.message), timed_out(fault.verdict == Verdict::timed_out) {}
+    explicit Broken(const Fault& fault)
+        : std::runtime_error(fault.message), timed_out(fault.verdict == Verdict::timed_out) {}
 };
 
 template <class Value>
@@ -32,12 +33,13 @@ Value value_of(Outcome<Value> outcome) {
 
 /// A family on one program. A decade without an answer fails, and the next one starts a new process; after one that did
 /// not end, those beyond it are not tried.
-void sweep_family(FamilyRecord& record, const FamilyPrograms& programs, const fs::path& program, const Sandbox& sandbox, const fs::path& meshes,
-                  double time_limit, double& cpu_seconds) {
+void sweep_family(FamilyRecord& record, const FamilyPrograms& programs, const fs::path& program, const Sandbox& sandbox,
+                  const fs::path& meshes, double time_limit, double& cpu_seconds) {
     const Family& family = *record.family;
     std::unique_ptr<Runner> runner;
     const auto alive = [&]() -> Runner& {
-        if (!runner) runner = std::make_unique<Runner>(programs.copy_for(family.name, program), sandbox, meshes, time_limit);
+        if (!runner)
+            runner = std::make_unique<Runner>(programs.copy_for(family.name, program), sandbox, meshes, time_limit);
         return *runner;
     };
     const Asker ask{
@@ -79,7 +81,8 @@ void sweep_family(FamilyRecord& record, const FamilyPrograms& programs, const fs
 
 }  // namespace
 
-StressRecord stress_submission(const Submission& submission, const Assignment& assignment, const Toolchain& chain, const StressSettings& settings) {
+StressRecord stress_submission(const Submission& submission, const Assignment& assignment, const Toolchain& chain,
+                               const StressSettings& settings) {
     const Sandbox sandbox = find_sandbox(settings.trusted);
     StressRecord record;
     record.submission = submission.name;
@@ -100,7 +103,8 @@ StressRecord stress_submission(const Submission& submission, const Assignment& a
         fragments.insert(family.fragments.begin(), family.fragments.end());
     }
     if (settings.rays > 0) fragments.insert({"shadow_ray", "hit_sphere", "hit_quad", "hit_triangle"});
-    std::ranges::stable_sort(record.families, {}, [&](const FamilyRecord& one) { return assignment.place(one.family->fragments.front()); });
+    std::ranges::stable_sort(record.families, {},
+                             [&](const FamilyRecord& one) { return assignment.place(one.family->fragments.front()); });
     FamilyPrograms programs(submission, chain, sandbox, settings.student);
     if (settings.progress) settings.progress(0, int(record.families.size()), "compiling");
     programs.compile(fragments, settings.jobs);
@@ -113,10 +117,12 @@ StressRecord stress_submission(const Submission& submission, const Assignment& a
         const auto& needed = one.family->fragments;
         double seconds = 0;
         for (const std::string& name : needed)
-            if (one.message.empty() && (settings.student || name == needed.front())) one.message = programs.complaint(name);
+            if (one.message.empty() && (settings.student || name == needed.front()))
+                one.message = programs.complaint(name);
         one.started = one.message.empty();
         if (one.started)
-            sweep_family(one, programs, programs.with({needed.begin(), needed.end()}), sandbox, chain.source / "scenes", settings.time_limit, seconds);
+            sweep_family(one, programs, programs.with({needed.begin(), needed.end()}), sandbox, chain.source / "scenes",
+                         settings.time_limit, seconds);
         const std::scoped_lock guard(lock);
         record.cpu_seconds += seconds;
         if (settings.progress) settings.progress(++done, int(record.families.size()), one.family->name);

@@ -22,6 +22,7 @@ struct StressSettings {
 
 /// Runs families on a submission. Whatever a fragment does costs its families only. Throws std::runtime_error where the
 /// machine fails.
-StressRecord stress_submission(const Submission& submission, const Assignment& assignment, const Toolchain& chain, const StressSettings& settings);
+StressRecord stress_submission(const Submission& submission, const Assignment& assignment, const Toolchain& chain,
+                               const StressSettings& settings);
 
 }  // namespace grade

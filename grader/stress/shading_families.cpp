@@ -25,7 +25,8 @@ double light_distance(double x, Generator& random, const Asker& ask) {
         const Exact3 way = Exact3(light.position) - Exact3(p);
         truths.push_back(Exact(light.intensity.x) * dot(way, Exact3(n)) / (dot(way, way) * length(way)));
     }
-    return worst_of(ask, "point_irradiance", rows, [&](std::size_t i, const Row& out) { return relative(out, truths[i]); });
+    return worst_of(ask, "point_irradiance", rows,
+                    [&](std::size_t i, const Row& out) { return relative(out, truths[i]); });
 }
 
 /// n, the direction to the light, and the viewer at an angle from the mirrored one.
@@ -56,7 +57,8 @@ auto exponent(bool direct) {
             const Exact3 n = unit(Exact3(s.n)), d = unit(Exact3(s.to_light)), c = unit(Exact3(s.to_viewer));
             truths.push_back(pow(dot(2 * dot(n, d) * n - d, c), Exact(x)));
         }
-        return worst_of(ask, direct ? "direct_light" : "phong", rows, [&](std::size_t i, const Row& out) { return relative(out, truths[i]); });
+        return worst_of(ask, direct ? "direct_light" : "phong", rows,
+                        [&](std::size_t i, const Row& out) { return relative(out, truths[i]); });
     };
 }
 
@@ -84,12 +86,14 @@ auto intensity(const std::string& fragment) {
             const Sight s = sight(random, 0.3);
             for (Rows* rows : {&one, &many}) {
                 const Color light(rows == &one ? 1 : x);
-                if (fragment == "point_irradiance") rows->push_back(row(PointLight{2.0 * s.to_light, light}, vec3(0), s.n));
+                if (fragment == "point_irradiance")
+                    rows->push_back(row(PointLight{2.0 * s.to_light, light}, vec3(0), s.n));
                 else rows->push_back(call_of(fragment == "direct_light", m, light, s));
             }
         }
         const Rows base = ask.probe(fragment, one);
-        return worst_of(ask, fragment, many, [&](std::size_t i, const Row& out) { return relative(out, Exact(base[i].at(0)) * x); });
+        return worst_of(ask, fragment, many,
+                        [&](std::size_t i, const Row& out) { return relative(out, Exact(base[i].at(0)) * x); });
     };
 }
 
@@ -99,13 +103,61 @@ std::vector<Family> shading_families() {
     constexpr double u = rt::roundoff;
     const std::vector<int> wide = sweep(-60, 60, 3);
     return {
-        {"light_distance", {"point_irradiance"}, "distance of a point light [m]", "relative error", 1e-5, 32 * u, wide, {-3, 3}, light_distance},
-        {"light_intensity", {"point_irradiance"}, "intensity of a point light", "relative error", 1e-5, 16 * u, wide, {-3, 3}, intensity("point_irradiance")},
-        {"phong_exponent", {"phong"}, "exponent of a highlight", "relative error", 2e-2, 1e-10, sweep(0, 14), {0, 4}, exponent(false)},
+        {"light_distance",
+         {"point_irradiance"},
+         "distance of a point light [m]",
+         "relative error",
+         1e-5,
+         32 * u,
+         wide,
+         {-3, 3},
+         light_distance},
+        {"light_intensity",
+         {"point_irradiance"},
+         "intensity of a point light",
+         "relative error",
+         1e-5,
+         16 * u,
+         wide,
+         {-3, 3},
+         intensity("point_irradiance")},
+        {"phong_exponent",
+         {"phong"},
+         "exponent of a highlight",
+         "relative error",
+         2e-2,
+         1e-10,
+         sweep(0, 14),
+         {0, 4},
+         exponent(false)},
         {"phong_intensity", {"phong"}, "irradiance", "relative error", 1e-5, 16 * u, wide, {-3, 3}, intensity("phong")},
-        {"direct_exponent", {"direct_light"}, "exponent of a highlight", "relative error", 2e-2, 1e-10, sweep(0, 14), {0, 4}, exponent(true)},
-        {"direct_density", {"direct_light"}, "density of a light's sample [1/sr]", "relative error", 1e-5, 32 * u, wide, {-3, 3}, density},
-        {"direct_intensity", {"direct_light"}, "radiance of a light", "relative error", 1e-5, 16 * u, wide, {-3, 3}, intensity("direct_light")},
+        {"direct_exponent",
+         {"direct_light"},
+         "exponent of a highlight",
+         "relative error",
+         2e-2,
+         1e-10,
+         sweep(0, 14),
+         {0, 4},
+         exponent(true)},
+        {"direct_density",
+         {"direct_light"},
+         "density of a light's sample [1/sr]",
+         "relative error",
+         1e-5,
+         32 * u,
+         wide,
+         {-3, 3},
+         density},
+        {"direct_intensity",
+         {"direct_light"},
+         "radiance of a light",
+         "relative error",
+         1e-5,
+         16 * u,
+         wide,
+         {-3, 3},
+         intensity("direct_light")},
     };
 }
 

@@ -45,7 +45,9 @@ double error_of(double t, const Sphere& sphere, const Ray& ray, double size) {
 double measure(const Asker& ask, const std::vector<std::pair<Sphere, Ray>>& shots, double size) {
     Rows rows;
     for (const auto& [sphere, ray] : shots) rows.push_back(row(sphere, ray));
-    return worst_of(ask, "hit_sphere", rows, [&](std::size_t i, const Row& out) { return error_of(out.at(0), shots[i].first, shots[i].second, size); });
+    return worst_of(ask, "hit_sphere", rows, [&](std::size_t i, const Row& out) {
+        return error_of(out.at(0), shots[i].first, shots[i].second, size);
+    });
 }
 
 /// Rays at spheres from so far away.
@@ -53,10 +55,12 @@ double far_sphere(double x, Generator& random, const Asker& ask) {
     double worst = 0;
     std::vector<Shot> shots;
     Rows rows;
-    for (int i = 0; i < 200; ++i) shots.push_back(shot(random, 1.5 + x)), rows.push_back(row(shots.back().sphere, shots.back().ray));
+    for (int i = 0; i < 200; ++i)
+        shots.push_back(shot(random, 1.5 + x)), rows.push_back(row(shots.back().sphere, shots.back().ray));
     const Rows out = ask.probe("hit_sphere", rows);
     for (std::size_t i = 0; i < shots.size(); ++i)
-        worst = worse_error(worst, error_of(out[i].at(0), shots[i].sphere, shots[i].ray, (2.5 + x) * shots[i].sphere.radius));
+        worst = worse_error(worst,
+                            error_of(out[i].at(0), shots[i].sphere, shots[i].ray, (2.5 + x) * shots[i].sphere.radius));
     return worst;
 }
 
@@ -65,7 +69,8 @@ double ground_sphere(double x, Generator& random, const Asker& ask) {
     std::vector<std::pair<Sphere, Ray>> shots;
     const double radius = 10 * x, eye = 1.7;
     for (int i = 0; i < 200; ++i)
-        shots.push_back({{{0, -radius, 0}, radius}, {{0, eye, 0}, tilted(random, {0, -1, 0}, between(random, 0, 1.2)), 0, rt::inf}});
+        shots.push_back({{{0, -radius, 0}, radius},
+                         {{0, eye, 0}, tilted(random, {0, -1, 0}, between(random, 0, 1.2)), 0, rt::inf}});
     return measure(ask, shots, radius + eye);
 }
 
@@ -95,7 +100,8 @@ double sphere_offset(double x, Generator& random, const Asker& ask) {
     for (int i = 0; i < 200; ++i) {
         Shot s = shot(random, between(random, 2, 5));
         const vec3 offset = x * vec3(0.6, -0.7, 0.3);
-        shots.push_back({{s.sphere.center + offset, s.sphere.radius}, {s.ray.origin + offset, s.ray.direction, 0, rt::inf}});
+        shots.push_back(
+            {{s.sphere.center + offset, s.sphere.radius}, {s.ray.origin + offset, s.ray.direction, 0, rt::inf}});
         // as rounding has moved both, some rays pass nearer to the rim
         const Exact3 f = Exact3(shots.back().second.origin) - Exact3(shots.back().first.center), d(s.ray.direction);
         const double passing = double(length(f - dot(f, d) / dot(d, d) * d)) / s.sphere.radius;
@@ -111,7 +117,8 @@ double sphere_rim(double x, Generator& random, const Asker& ask) {
     for (int i = 0; i < 400; ++i) {
         const bool hit = i % 2;
         const Sphere sphere{vec3(0), log_between(random, 0.5, 2)};
-        const vec3 d = direction(random), beside = sphere.radius * (hit ? 1 - x : 1 + x) * tilted(random, d, rt::pi / 2);
+        const vec3 d = direction(random),
+                   beside = sphere.radius * (hit ? 1 - x : 1 + x) * tilted(random, d, rt::pi / 2);
         const Ray ray{beside - between(random, 2, 4) * sphere.radius * d, d, 0, rt::inf};
         rows.push_back(row(sphere, ray)), hits.push_back(hit);
     }
@@ -125,12 +132,60 @@ double sphere_rim(double x, Generator& random, const Asker& ask) {
 std::vector<Family> sphere_families() {
     constexpr double u = rt::roundoff;
     return {
-        {"far_sphere", {"hit_sphere"}, "distance of a sphere / its radius", "error of the hit / distance", 1e-7, 16 * u, sweep(0, 12), {0, 3}, far_sphere},
-        {"ground_sphere", {"hit_sphere"}, "radius of the ground [10 m]", "error of the hit / radius", 1e-7, 16 * u, sweep(0, 12), {0, 2}, ground_sphere},
-        {"sphere_scale", {"hit_sphere"}, "size of sphere and ray [m]", "error of the hit / size", 1e-7, 64 * u, sweep(-60, 60, 3), {-3, 3}, sphere_scale},
-        {"sphere_direction", {"hit_sphere"}, "length of the direction", "error of the hit", 1e-7, 64 * u, sweep(-12, 12), {-3, 3}, sphere_direction},
-        {"sphere_offset", {"hit_sphere"}, "distance from the world's origin [m]", "error of the hit", 1e-7, 64 * u, sweep(0, 12), {0, 3}, sphere_offset},
-        {"sphere_rim", {"hit_sphere"}, "distance of a ray from the rim / radius", "wrong verdicts", 0, 0, sweep(-13, -1), {-3, -1}, sphere_rim},
+        {"far_sphere",
+         {"hit_sphere"},
+         "distance of a sphere / its radius",
+         "error of the hit / distance",
+         1e-7,
+         16 * u,
+         sweep(0, 12),
+         {0, 3},
+         far_sphere},
+        {"ground_sphere",
+         {"hit_sphere"},
+         "radius of the ground [10 m]",
+         "error of the hit / radius",
+         1e-7,
+         16 * u,
+         sweep(0, 12),
+         {0, 2},
+         ground_sphere},
+        {"sphere_scale",
+         {"hit_sphere"},
+         "size of sphere and ray [m]",
+         "error of the hit / size",
+         1e-7,
+         64 * u,
+         sweep(-60, 60, 3),
+         {-3, 3},
+         sphere_scale},
+        {"sphere_direction",
+         {"hit_sphere"},
+         "length of the direction",
+         "error of the hit",
+         1e-7,
+         64 * u,
+         sweep(-12, 12),
+         {-3, 3},
+         sphere_direction},
+        {"sphere_offset",
+         {"hit_sphere"},
+         "distance from the world's origin [m]",
+         "error of the hit",
+         1e-7,
+         64 * u,
+         sweep(0, 12),
+         {0, 3},
+         sphere_offset},
+        {"sphere_rim",
+         {"hit_sphere"},
+         "distance of a ray from the rim / radius",
+         "wrong verdicts",
+         0,
+         0,
+         sweep(-13, -1),
+         {-3, -1},
+         sphere_rim},
     };
 }
 

@@ -39,7 +39,8 @@ double strata_end(double x, Generator&, const Asker& ask) {
     Rows rows;
     for (int n = 1; n <= 100; ++n) {
         const double u = std::min(1 - x, almost_one);
-        rows.push_back(row(n - 1, n, vec2(u))), rows.push_back(row(n / 2, n, vec2(u))), rows.push_back(row(0, n, vec2(u)));
+        rows.push_back(row(n - 1, n, vec2(u))), rows.push_back(row(n / 2, n, vec2(u))),
+            rows.push_back(row(0, n, vec2(u)));
     }
     return worst_of(ask, "stratified_2d", rows, [&](std::size_t, const Row& out) {
         return out.at(0) >= 0 && out[0] < 1 && out.at(1) >= 0 && out[1] < 1 ? 0 : rt::inf;
@@ -53,7 +54,8 @@ double film_position(double x, Generator& random, const Asker& ask) {
         const vec2 low(std::floor(x * between(random, 1, 2)), std::floor(x * between(random, 1, 2)));
         Rows rows;
         for (int i = 0; i < 16; ++i)
-            for (const double u : {0.0, 0.25, 0.8125, almost_one}) rows.push_back(row(Extent{low, low + 1.0}, i, 16, vec2(u)));
+            for (const double u : {0.0, 0.25, 0.8125, almost_one})
+                rows.push_back(row(Extent{low, low + 1.0}, i, 16, vec2(u)));
         const Rows out = ask.probe("film_sample", rows);
         for (std::size_t k = 0; k < out.size(); ++k) {
             const auto [p, weight] = from_row<FilmSample>(out[k]);
@@ -101,11 +103,51 @@ double hemisphere_border(double x, Generator&, const Asker& ask) {
 std::vector<Family> warp_families() {
     constexpr double u = rt::roundoff;
     return {
-        {"strata_count", {"stratified_2d"}, "number of cells", "relative error of a cell's area", 1e-4, 1e-9, sweep(0, 9), {0, 4}, strata_count},
-        {"strata_end", {"stratified_2d"}, "distance of u from 1", "points at 1", 0, 0, sweep(-16, -1), {-3, -1}, strata_end},
-        {"film_position", {"film_sample"}, "place of a pixel on the film", "error of a cell's area / place", 1e-3, 64 * u, sweep(0, 9), {0, 3}, film_position},
-        {"disk_border", {"uniform_disk"}, "distance of u from a border", "length beyond 1, error of the density", 1e-5, 8 * u, sweep(-16, -1), {-3, -1}, disk_border},
-        {"hemisphere_border", {"cosine_hemisphere"}, "distance of u from a border", "error of length and density", 1e-5, 8 * u, sweep(-16, -1), {-3, -1}, hemisphere_border},
+        {"strata_count",
+         {"stratified_2d"},
+         "number of cells",
+         "relative error of a cell's area",
+         1e-4,
+         1e-9,
+         sweep(0, 9),
+         {0, 4},
+         strata_count},
+        {"strata_end",
+         {"stratified_2d"},
+         "distance of u from 1",
+         "points at 1",
+         0,
+         0,
+         sweep(-16, -1),
+         {-3, -1},
+         strata_end},
+        {"film_position",
+         {"film_sample"},
+         "place of a pixel on the film",
+         "error of a cell's area / place",
+         1e-3,
+         64 * u,
+         sweep(0, 9),
+         {0, 3},
+         film_position},
+        {"disk_border",
+         {"uniform_disk"},
+         "distance of u from a border",
+         "length beyond 1, error of the density",
+         1e-5,
+         8 * u,
+         sweep(-16, -1),
+         {-3, -1},
+         disk_border},
+        {"hemisphere_border",
+         {"cosine_hemisphere"},
+         "distance of u from a border",
+         "error of length and density",
+         1e-5,
+         8 * u,
+         sweep(-16, -1),
+         {-3, -1},
+         hemisphere_border},
     };
 }
 

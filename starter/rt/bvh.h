@@ -42,13 +42,14 @@ struct Bvh {
 /// Source: Wald, "On Fast Construction of SAH-based Bounding Volume Hierarchies", IRT 2007.
 Bvh build_bvh(const std::vector<Box>& boxes);
 
-/// Calls leaf(item, far) for each item whose box the ray may meet before far, near boxes first. leaf returns the new far;
-/// the search ends when it is not above ray.near.
+/// Calls leaf(item, far) for each item whose box the ray may meet before far, near boxes first. leaf returns the new
+/// far; the search ends when it is not above ray.near.
 ///
 /// All boxes are widened by a few roundings of the largest numbers that take part in finding a hit, so that none is
 /// missed that the leaf finds; and a NaN (0/0: the ray runs in a face) leaves the interval as it is.
 ///
-/// Source: Kay and Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986; Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013.
+/// Source: Kay and Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986; Ize, "Robust BVH Ray Traversal", JCGT 2(2),
+/// 2013.
 template <class Leaf>
 void traverse(const Bvh& bvh, const Ray& ray, Leaf leaf) {
     if (bvh.nodes.empty()) return;

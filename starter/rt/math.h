@@ -61,8 +61,8 @@ inline vec2 unit_circle(Real turn) {
 
 /// a b - c d with an error of two roundings of the result, where plain arithmetic may have no digit right.
 ///
-/// Source: Cornea, Harrison, Tang, "Scientific Computing on Itanium-based Systems", 2002; Jeannerod, "A Radix-Independent
-/// Error Analysis of the Cornea-Harrison-Tang Method", ACM TOMS 42(3), 2016.
+/// Source: Cornea, Harrison, Tang, "Scientific Computing on Itanium-based Systems", 2002; Jeannerod, "A
+/// Radix-Independent Error Analysis of the Cornea-Harrison-Tang Method", ACM TOMS 42(3), 2016.
 inline Real difference_of_products(Real a, Real b, Real c, Real d) {
     const Real ab = a * b, cd = c * d;
     return (ab - cd) + (std::fma(a, b, -ab) - std::fma(c, d, -cd));

@@ -12,7 +12,9 @@ std::string to_world(vec3 x, vec3 y, vec3 z, vec3 origin) {
     return "<transform name=\"to_world\"><matrix value=\"" + rows + "0 0 0 1\"/></transform>";
 }
 
-std::string geometry(const Sphere& s) { return "\"sphere\">" + xml_point("center", s.center) + xml_number("radius", s.radius); }
+std::string geometry(const Sphere& s) {
+    return "\"sphere\">" + xml_point("center", s.center) + xml_number("radius", s.radius);
+}
 
 std::string geometry(const Quad& q) { return "\"rectangle\">" + to_world(q.u, q.v, unit(cross(q.u, q.v)), q.center); }
 
@@ -44,7 +46,8 @@ std::string ply(const Mesh& mesh, vec3 shift) {
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
         const vec3 p = mesh.vertices[i] + shift;
         text += fmt::format("{:.9g} {:.9g} {:.9g}", p.x, p.y, p.z);
-        if (smooth) text += fmt::format(" {:.9g} {:.9g} {:.9g}", mesh.normals[i].x, mesh.normals[i].y, mesh.normals[i].z);
+        if (smooth)
+            text += fmt::format(" {:.9g} {:.9g} {:.9g}", mesh.normals[i].x, mesh.normals[i].y, mesh.normals[i].z);
         text += "\n";
     }
     for (const glm::ivec3 t : mesh.triangles) text += fmt::format("3 {} {} {}\n", t.x, t.y, t.z);
@@ -86,9 +89,12 @@ void add_mitsuba_shapes(const Scene& scene, const std::string& stem, MitsubaFile
         if (!said.empty()) out.xml += shape(said, s.material, scene);
     }
     const auto add_mesh = [&](const Mesh& mesh) {
-        out.meshes.push_back({fmt::format("{}{}.ply", stem, out.meshes.size()), ply(mesh, scene.shutter.open * mesh.velocity)});
-        out.xml += shape(fmt::format("\"ply\"><string name=\"filename\" value=\"{}\"/><boolean name=\"face_normals\" value=\"{}\"/>",
-                                     out.meshes.back().name, mesh.normals.empty()), mesh.material, scene);
+        out.meshes.push_back(
+            {fmt::format("{}{}.ply", stem, out.meshes.size()), ply(mesh, scene.shutter.open * mesh.velocity)});
+        out.xml += shape(
+            fmt::format("\"ply\"><string name=\"filename\" value=\"{}\"/><boolean name=\"face_normals\" value=\"{}\"/>",
+                        out.meshes.back().name, mesh.normals.empty()),
+            mesh.material, scene);
     };
     for (const Mesh& mesh : loose_triangles(scene)) add_mesh(mesh);
     for (const Mesh& mesh : scene.meshes) add_mesh(mesh);

@@ -30,7 +30,9 @@ std::string with_id(std::string bsdf, const std::string& id) {
 
 std::string coordinates(vec3 v) { return fmt::format("{:.10g}, {:.10g}, {:.10g}", v.x, v.y, v.z); }
 
-std::string xml_number(const char* name, Real x) { return fmt::format("<float name=\"{}\" value=\"{:.10g}\"/>", name, x); }
+std::string xml_number(const char* name, Real x) {
+    return fmt::format("<float name=\"{}\" value=\"{:.10g}\"/>", name, x);
+}
 
 std::string xml_color(const char* name, Color c) {
     return fmt::format("<rgb name=\"{}\" value=\"{}\"/>", name, coordinates(c));
@@ -52,15 +54,16 @@ std::string mitsuba_surface(const Material& m, const std::string& id) {
     if (share == 0) return with_id(two_sided(diffuse(m.albedo)), id);
     if (m.albedo == Color(0)) return with_id(specular(m, 1), id);
     // Both: a mixture, whose parts are brighter by as much as they are rarer.
-    return with_id("<bsdf type=\"blendbsdf\">" + xml_number("weight", share) + two_sided(diffuse(m.albedo / (1 - share))) +
-                       specular(m, share) + "</bsdf>",
+    return with_id("<bsdf type=\"blendbsdf\">" + xml_number("weight", share) +
+                       two_sided(diffuse(m.albedo / (1 - share))) + specular(m, share) + "</bsdf>",
                    id);
 }
 
 std::string mitsuba_medium(const Medium& medium, const std::string& id) {
     return fmt::format("<medium type=\"homogeneous\" id=\"{}\">", id) + xml_number("sigma_t", medium.extinction) +
            xml_color("albedo", medium.albedo) +
-           (medium.g == 0 ? "<phase type=\"isotropic\"/>" : "<phase type=\"hg\">" + xml_number("g", medium.g) + "</phase>") +
+           (medium.g == 0 ? "<phase type=\"isotropic\"/>"
+                          : "<phase type=\"hg\">" + xml_number("g", medium.g) + "</phase>") +
            "</medium>";
 }
 

@@ -67,7 +67,8 @@ void Worker::find_fault(const std::vector<PixelWork>& pixels, int n) {
         const Color c = chunk.radiance[slot];
         if (std::isfinite(c.x + c.y + c.z)) continue;
         const PixelWork& pixel = pixels[slot / std::size_t(n)];
-        fault = fmt::format("pixel {},{}, sample {}: radiance {} {} {}", pixel.x, pixel.y, slot % std::size_t(n), c.x, c.y, c.z);
+        fault = fmt::format("pixel {},{}, sample {}: radiance {} {} {}", pixel.x, pixel.y, slot % std::size_t(n), c.x,
+                            c.y, c.z);
         return;
     }
     fault = fmt::format("pixel {},{}: the mean is no finite number, though every sample is", pixels[0].x, pixels[0].y);

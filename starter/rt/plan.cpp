@@ -19,7 +19,8 @@ std::vector<char> materials_in_use(const Scene& scene) {
 
 bool is_sampled(const Scene& scene, const Shape& shape) {
     const Material& m = scene.materials[std::size_t(shape.material)];
-    return m.sampled && m.emission != Color(0) && !std::holds_alternative<Triangle>(shape.geometry) && shape.velocity == vec3(0);
+    return m.sampled && m.emission != Color(0) && !std::holds_alternative<Triangle>(shape.geometry) &&
+           shape.velocity == vec3(0);
 }
 
 int emitters(const Scene& scene) {
@@ -90,9 +91,11 @@ std::string describe(const RenderPlan& plan, const Scene& scene) {
     text += fmt::format("integrals\n");
     row("pixel", plan.pixel, fmt::format("{} samples a pixel", scene.samples), "one sample a pixel");
     row("lens", plan.lens, fmt::format("radius {:g} m", scene.camera.lens_radius), "a pinhole");
-    row("time", plan.time, fmt::format("{:g} s to {:g} s", scene.shutter.open, scene.shutter.close), "nothing moves while the shutter is open");
+    row("time", plan.time, fmt::format("{:g} s to {:g} s", scene.shutter.open, scene.shutter.close),
+        "nothing moves while the shutter is open");
     row("light", plan.light, fmt::format("{} emitters", emitters(scene)), "no emitter that lights a diffuse surface");
-    row("environment", plan.environment_lit, "lights the diffuse surfaces", "no environment that lights a diffuse surface");
+    row("environment", plan.environment_lit, "lights the diffuse surfaces",
+        "no environment that lights a diffuse surface");
     row("lobe", plan.lobe, "glossy or translucent surfaces", "no glossy or translucent surface");
     row("bounce", plan.bounce, fmt::format("up to {}", scene.bounces), "no diffuse surface, or no bounces asked for");
     row("medium", plan.medium, "random walks", "no medium");
@@ -103,22 +106,27 @@ std::string describe(const RenderPlan& plan, const Scene& scene) {
                                      plan.bvh ? "in a tree" : "one by one"), "");
     row("medium", plan.medium, "", "no medium");
     row("surface", plan.spheres || plan.triangles || plan.quads || plan.discs, "", "nothing to hit");
-    row("emission", plan.emission || plan.environment || scene.background != Color(0), "", "nothing shines that a ray can hit");
+    row("emission", plan.emission || plan.environment || scene.background != Color(0), "",
+        "nothing shines that a ray can hit");
     row("direct", plan.point_lights || plan.light || plan.environment_lit || scene.ambient != Color(0),
-        fmt::format("{} lights without extent, {} with", scene.lights.size(), emitters(scene) * plan.light), "no lights");
+        fmt::format("{} lights without extent, {} with", scene.lights.size(), emitters(scene) * plan.light),
+        "no lights");
     row("scatter", plan.specular || plan.lobe || plan.bounce,
-        plan.split ? "mirror and glass rays are both followed" : plan.choice ? "one way on is chosen at random" : "one way on",
+        plan.split    ? "mirror and glass rays are both followed"
+        : plan.choice ? "one way on is chosen at random"
+                      : "one way on",
         "no ray goes on: a single wave");
     row("film", true, "", "");
 
     // Of one sample: the dimensions that are drawn.
     const int camera = 2 * plan.pixel + 2 * plan.lens + plan.time;
-    const int wave = 2 * plan.light * emitters(scene) + 2 * plan.environment_lit + 2 * (plan.lobe || plan.bounce) + plan.choice + 3 * plan.medium;
+    const int wave = 2 * plan.light * emitters(scene) + 2 * plan.environment_lit + 2 * (plan.lobe || plan.bounce) +
+                     plan.choice + 3 * plan.medium;
     text += fmt::format("dimensions       {} for the camera, {} for each wave\n", camera, wave);
     const std::size_t shadow = scene.lights.size() + std::size_t(plan.light * emitters(scene)) + plan.environment_lit;
     const int waves = 1 + (plan.bounce ? scene.bounces : 0);
-    text += fmt::format("rays per pixel   {} camera, at most {} shadow where no path meets mirrors, glass or media\n", scene.samples,
-                        std::size_t(scene.samples) * shadow * std::size_t(waves));
+    text += fmt::format("rays per pixel   {} camera, at most {} shadow where no path meets mirrors, glass or media\n",
+                        scene.samples, std::size_t(scene.samples) * shadow * std::size_t(waves));
     return text;
 }
 

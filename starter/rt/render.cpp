@@ -53,10 +53,12 @@ struct Pass {
             for (std::size_t c = range.begin(); c < range.end(); ++c) {
                 if (settings.stop && settings.stop()) stopped = true;
                 if (stopped) return;
-                const std::size_t first = c * std::size_t(chunk), last = std::min(pixels.size(), first + std::size_t(chunk));
+                const std::size_t first = c * std::size_t(chunk),
+                                  last = std::min(pixels.size(), first + std::size_t(chunk));
                 std::vector<PixelWork> work;
                 for (std::size_t k = first; k < last; ++k) {
-                    const int x = crop.x + int(pixels[k] % std::size_t(crop.width)), y = crop.y + int(pixels[k] / std::size_t(crop.width));
+                    const int x = crop.x + int(pixels[k] % std::size_t(crop.width)),
+                              y = crop.y + int(pixels[k] / std::size_t(crop.width));
                     work.push_back({x, y, pixel_key(world.scene.camera, seed, x, y)});
                 }
                 worker.render(work, settings.samples, settings.sampler, &means[first]);
@@ -117,7 +119,8 @@ Rendering render(const Scene& scene, const RenderSettings& settings) {
     do {
         pass.done = 0;
         arena.execute([&] {
-            pass.run(combine(settings.seed, Bits(passes)), all, means, settings.progress ? progress : std::function<void(std::size_t)>{});
+            pass.run(combine(settings.seed, Bits(passes)), all, means,
+                     settings.progress ? progress : std::function<void(std::size_t)>{});
         });
         // Of the first pass, what is there is better than nothing; of a later one, half a pass would be uneven.
         if (pass.stopped && passes > 0) break;
@@ -133,7 +136,8 @@ Rendering render(const Scene& scene, const RenderSettings& settings) {
         }
         ++passes;
         if (settings.estimate_error && !pass.stopped) result.rmse = std::sqrt(of_one_pass / passes);
-    } while (limited && seconds_since(start) < settings.time_limit && !(result.rmse <= settings.target_error) && !pass.stopped);
+    } while (limited && seconds_since(start) < settings.time_limit && !(result.rmse <= settings.target_error) &&
+             !pass.stopped);
 
     result.samples = std::uint64_t(settings.samples) * std::uint64_t(passes);
     result.rays = pass.rays;

@@ -14,7 +14,8 @@ namespace rt {
 
 /// Rays by what sent them.
 enum class RayKind { camera, shadow, mirror, glass, lobe, bounce, medium };
-constexpr std::array<const char*, 7> ray_kind_names = {"camera", "shadow", "mirror", "glass", "lobe", "bounce", "medium"};
+constexpr std::array<const char*, 7> ray_kind_names = {"camera", "shadow", "mirror", "glass",
+                                                       "lobe",   "bounce", "medium"};
 using RayCounts = std::array<std::uint64_t, 7>;
 
 /// A rectangle of pixels: x, y of its top left corner, width, height.

@@ -65,7 +65,8 @@ struct Material {
     Color specular{0};       // r_s: reflectance of Phong's highlight [1]
     Real shininess = 1;      // exponent of the highlight
     Color reflectance{0};    // of a mirror, or of the glossy lobe about the mirror direction [1]
-    Color transmittance{0};  // of glass, or of the lobe about the refracted direction; > 0: Fresnel's law shares the light
+    Color transmittance{
+        0};  // of glass, or of the lobe about the refracted direction; > 0: Fresnel's law shares the light
     Real exponent = inf;     // of the lobe; inf: a perfect mirror, clear glass
     Real ior = 1;            // index of refraction behind the surface; in front it is 1
     Color emission{0};       // radiance that leaves the front side

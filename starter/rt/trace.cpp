@@ -17,19 +17,22 @@ std::string describe_wave(const World& world, int wave, const Batch& b, const Su
     std::string out;
     for (int i = 0; i < b.count; ++i) {
         out += fmt::format("sample {}, wave {}, from {}\n", b.sample[i], wave, event_names[b.event[i]]);
-        out += fmt::format("  origin     {}\n  direction  {}\n", text({b.ox[i], b.oy[i], b.oz[i]}), text({b.dx[i], b.dy[i], b.dz[i]}));
+        out += fmt::format("  origin     {}\n  direction  {}\n", text({b.ox[i], b.oy[i], b.oz[i]}),
+                           text({b.dx[i], b.dy[i], b.dz[i]}));
         out += fmt::format("  weight     {}\n", text(b.weight(i)));
         if (world.plan.time) out += fmt::format("  time       {:.17g} s\n", b.time[i]);
-        if (b.medium[i] != nothing) out += fmt::format("  inside     {}\n", world.scene.materials[std::size_t(b.medium[i])].name);
+        if (b.medium[i] != nothing)
+            out += fmt::format("  inside     {}\n", world.scene.materials[std::size_t(b.medium[i])].name);
         if (b.shape[i] == ended) {
             out += "  scattered before it meets a surface\n";
         } else if (s.material[i] == nothing) {
             out += "  meets nothing\n";
         } else {
             out += fmt::format("  meets      shape {} of material {}, from {}, at distance {:.17g}\n", b.shape[i],
-                               world.scene.materials[std::size_t(s.material[i])].name, s.behind[i] ? "behind" : "the front", b.far[i]);
-            out += fmt::format("  point      {}, off by less than {:.3g}\n  normal     {}\n", text(s.hit(i).point), s.error[i],
-                               text(s.normal(i)));
+                               world.scene.materials[std::size_t(s.material[i])].name,
+                               s.behind[i] ? "behind" : "the front", b.far[i]);
+            out += fmt::format("  point      {}, off by less than {:.3g}\n  normal     {}\n", text(s.hit(i).point),
+                               s.error[i], text(s.normal(i)));
         }
     }
     return out;

@@ -6,7 +6,8 @@
 
 using namespace rt;
 
-TEST_CASE("58 59 focus from 1e-9 to 1e12 and infinitely far: the ray meets the pinhole's ray in that plane", "[extremes]") {
+TEST_CASE("58 59 focus from 1e-9 to 1e12 and infinitely far: the ray meets the pinhole's ray in that plane",
+          "[extremes]") {
     Random random(59);
     Greatest missed, bent, still;
     for (int k = 0; k < 100000; ++k) {
@@ -40,13 +41,15 @@ TEST_CASE("58 59 focus from 1e-9 to 1e12 and infinitely far: the ray meets the p
 TEST_CASE("60 fields of view from 1e-6 to 179.9999 degrees", "[extremes]") {
     Greatest off;
     for (const Real degrees : {1e-6, 1e-3, 1.0, 90.0, 179.0, 179.99, 179.9999}) {
-        const Scene scene = parse_scene("[camera]\neye = [0, 0, 0]\ntarget = [0, 0, -1]\nvfov = " + std::to_string(degrees), "s.toml");
+        const Scene scene =
+            parse_scene("[camera]\neye = [0, 0, 0]\ntarget = [0, 0, -1]\nvfov = " + std::to_string(degrees), "s.toml");
         const Camera& camera = scene.camera;
         for (int y = 0; y <= camera.size.y; y += 16) {
             const Ray ray = camera_ray(camera, {0.5 * camera.size.x, Real(y)});
             CHECK(std::isfinite(dot(ray.direction, ray.direction)));
             // The tangent of the angle goes linearly with the film.
-            const Real due = camera.tan_half_fov * (1 - 2.0 * y / camera.size.y), is = ray.direction.y / -ray.direction.z;
+            const Real due = camera.tan_half_fov * (1 - 2.0 * y / camera.size.y),
+                       is = ray.direction.y / -ray.direction.z;
             if (due != 0) off.see(std::abs(is / due - 1) / roundoff);
         }
     }

@@ -16,10 +16,12 @@ inline bool long_run() {
     return value && *value && *value != '0';
 }
 
-inline std::int64_t count_of(double in_check, double in_long_run) { return std::int64_t(long_run() ? in_long_run : in_check); }
+inline std::int64_t count_of(double in_check, double in_long_run) {
+    return std::int64_t(long_run() ? in_long_run : in_check);
+}
 
-/// A figure of the README's table: the greatest value found, which must not be above the bound. With PENUMBRA_FIGURES=1 the
-/// figures are printed when the tests end.
+/// A figure of the README's table: the greatest value found, which must not be above the bound. With PENUMBRA_FIGURES=1
+/// the figures are printed when the tests end.
 void figure(int number, const std::string& what, double value, double bound);
 
 /// The greatest of the values seen; a NaN is greater than any number.

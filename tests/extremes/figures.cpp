@@ -19,7 +19,8 @@ struct Table {
         const char* wanted = std::getenv("PENUMBRA_FIGURES");
         if (!wanted || *wanted == '0' || figures.empty()) return;
         std::printf("%4s  %-74s %12s %12s\n", "case", "what", "measured", "bound");
-        for (const Figure& f : figures) std::printf("%4d  %-74s %12.4g %12.4g\n", f.number, f.what.c_str(), f.value, f.bound);
+        for (const Figure& f : figures)
+            std::printf("%4d  %-74s %12.4g %12.4g\n", f.number, f.what.c_str(), f.value, f.bound);
     }
 };
 

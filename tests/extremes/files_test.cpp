@@ -23,15 +23,22 @@ std::string complaint(const std::string& lines) {
 
 }  // namespace
 
-TEST_CASE("16 66 shapes and lights without size, singular transforms: rejected by name, with line and column", "[extremes]") {
+TEST_CASE("16 66 shapes and lights without size, singular transforms: rejected by name, with line and column",
+          "[extremes]") {
     const std::pair<const char*, const char*> cases[] = {
         {"[[shape]]\ntype = 'sphere'\ncenter = [0, 0, 0]\nradius = 0\nmaterial = 'm'", "s.toml:10:10: 'radius' is 0"},
-        {"[[shape]]\ntype = 'sphere'\ncenter = [0, 0, 0]\nradius = -0.0\nmaterial = 'm'", "s.toml:10:10: 'radius' is -0"},
-        {"[[shape]]\ntype = 'disc'\ncenter = [0, 0, 0]\nnormal = [0, 0, 0]\nradius = 1\nmaterial = 'm'", "s.toml:10:10: 'normal' is zero"},
-        {"[[shape]]\ntype = 'disc'\ncenter = [0, 0, 0]\nnormal = [0, 0, 1]\nradius = 0\nmaterial = 'm'", "s.toml:11:10: 'radius' is 0"},
-        {"[[shape]]\ntype = 'quad'\ncenter = [0, 0, 0]\nu = [0, 0, 0]\nv = [0, 1, 0]\nmaterial = 'm'", "s.toml:10:5: 'u' is zero"},
-        {"[[shape]]\ntype = 'quad'\ncenter = [0, 0, 0]\nu = [1, 0, 0]\nv = [0, 0, 0]\nmaterial = 'm'", "s.toml:11:5: 'v' is zero"},
-        {"[materials.dark]\n[[shape]]\ntype = 'mesh'\nfile = 'x.obj'\nscale = [1, 0, 1]\nmaterial = 'dark'", "s.toml:11:13: 'scale' is 0"},
+        {"[[shape]]\ntype = 'sphere'\ncenter = [0, 0, 0]\nradius = -0.0\nmaterial = 'm'",
+         "s.toml:10:10: 'radius' is -0"},
+        {"[[shape]]\ntype = 'disc'\ncenter = [0, 0, 0]\nnormal = [0, 0, 0]\nradius = 1\nmaterial = 'm'",
+         "s.toml:10:10: 'normal' is zero"},
+        {"[[shape]]\ntype = 'disc'\ncenter = [0, 0, 0]\nnormal = [0, 0, 1]\nradius = 0\nmaterial = 'm'",
+         "s.toml:11:10: 'radius' is 0"},
+        {"[[shape]]\ntype = 'quad'\ncenter = [0, 0, 0]\nu = [0, 0, 0]\nv = [0, 1, 0]\nmaterial = 'm'",
+         "s.toml:10:5: 'u' is zero"},
+        {"[[shape]]\ntype = 'quad'\ncenter = [0, 0, 0]\nu = [1, 0, 0]\nv = [0, 0, 0]\nmaterial = 'm'",
+         "s.toml:11:5: 'v' is zero"},
+        {"[materials.dark]\n[[shape]]\ntype = 'mesh'\nfile = 'x.obj'\nscale = [1, 0, 1]\nmaterial = 'dark'",
+         "s.toml:11:13: 'scale' is 0"},
         {"[[light]]\ntype = 'directional'\ntoward = [0, 0, 0]\nirradiance = 1", "s.toml:9:10: 'toward' is zero"},
         {"[[light]]\ntype = 'point'\nposition = [0, 0, 0]\nintensity = -1", "s.toml:10:13: 'intensity' is -1"},
         {"[[light]]\ntype = 'point'\nposition = [0, 0, nan]\nintensity = 1", "s.toml:9:19: 'position' is nan"},
@@ -47,7 +54,8 @@ TEST_CASE("16 66 shapes and lights without size, singular transforms: rejected b
     }
 }
 
-TEST_CASE("65 -0, denormals, the largest and smallest numbers: a scene or a located error, and a picture without a NaN", "[extremes]") {
+TEST_CASE("65 -0, denormals, the largest and smallest numbers: a scene or a located error, and a picture without a NaN",
+          "[extremes]") {
     const char* numbers[] = {"-0.0", "4.9e-324", "1e-308", "1e-200", "1e-70", "1e-30", "1e30", "1e70", "1e71", "1e308"};
     int pictures = 0;
     for (const char* a : numbers)
@@ -55,9 +63,13 @@ TEST_CASE("65 -0, denormals, the largest and smallest numbers: a scene or a loca
             for (const std::string shape : {"type = 'sphere'\nradius = $b\ncenter = [$a, 0, 0]\n",
                                             "type = 'disc'\nradius = $b\nnormal = [0, $a, 1]\ncenter = [0, 0, $a]\n",
                                             "type = 'quad'\nu = [$b, 0, 0]\nv = [0, $b, 0]\ncenter = [0, $a, 0]\n"}) {
-                std::string text = head + "[[light]]\ntype = 'point'\nposition = [$b, $a, 1]\nintensity = $b\n[[shape]]\nmaterial = 'm'\n" + shape;
+                std::string text =
+                    head +
+                    "[[light]]\ntype = 'point'\nposition = [$b, $a, 1]\nintensity = $b\n[[shape]]\nmaterial = 'm'\n" +
+                    shape;
                 for (const auto& [name, number] : {std::pair<std::string, std::string>{"$a", a}, {"$b", b}})
-                    for (auto at = text.find(name); at != std::string::npos; at = text.find(name)) text.replace(at, 2, number);
+                    for (auto at = text.find(name); at != std::string::npos; at = text.find(name))
+                        text.replace(at, 2, number);
                 INFO(text);
                 try {
                     Scene scene = parse_scene(text, "s.toml");
@@ -73,7 +85,8 @@ TEST_CASE("65 -0, denormals, the largest and smallest numbers: a scene or a loca
     CHECK(pictures > 50);
 }
 
-TEST_CASE("41 63 intensities and emissions of 0, 1e-30 and 1e30: finite, zero is never drawn, all add up", "[extremes]") {
+TEST_CASE("41 63 intensities and emissions of 0, 1e-30 and 1e30: finite, zero is never drawn, all add up",
+          "[extremes]") {
     for (const std::string name : {"penumbra", "sphere_light", "disc_light", "whitted", "color_bleeding"})
         for (const Real power : {1e-30, 1e30}) {
             const Scene scene = small_scene(name);
@@ -112,7 +125,8 @@ TEST_CASE("68 a point light of intensity E D^2 at D = 1e3 to 1e12: as the direct
     Greatest worst;
     for (int k = 0; k < 100000; ++k) {
         const Real distance = random.scale(1e3, 1e12), rho = 1;
-        const vec3 way = random.direction(), n = random.direction_about(way, 0.5), p = rho * random.number() * random.direction();
+        const vec3 way = random.direction(), n = random.direction_about(way, 0.5),
+                   p = rho * random.number() * random.direction();
         const Real near = point_irradiance({distance * way, Color(3 * distance * distance), false}, p, n).x;
         const Real far = point_irradiance({way, Color(3), true}, p, n).x;
         worst.see(std::abs(near / far - 1) / (4 * rho / distance + 16 * roundoff));

@@ -58,7 +58,8 @@ TEST_CASE("47 lobes of exponent 1 to 1e12: sine, cosine and density relative 8u"
         sine.see(double(std::abs(std::sqrt(d.x * d.x + d.y * d.y) / std::sqrt(-std::expm1(2 * l)) - 1)) / roundoff);
         const Real u_of_l = roundoff * (1 + std::abs(double(l)));
         cosine.see(double(std::abs(d.z / std::exp(l) - 1)) / u_of_l);
-        density.see(double(std::abs(lobe.density / ((exponent + 1.0L) / (2 * exact_pi) * std::exp(exponent * l)) - 1)) / u_of_l);
+        density.see(double(std::abs(lobe.density / ((exponent + 1.0L) / (2 * exact_pi) * std::exp(exponent * l)) - 1)) /
+                    u_of_l);
     }
     figure(47, "sine of a lobe's angle, relative, in u", sine.value, 8);
     figure(47, "cosine, relative, in u(1 + |l|), |l| < 3e-7 at n = 1e8", cosine.value, 8);
@@ -74,7 +75,8 @@ TEST_CASE("48 the lobe narrows into the mirror as n^-1/2", "[extremes]") {
         for (int k = 0; k < n; ++k) {
             const vec3 normal = random.direction(), d = -random.direction_about(normal, 0.3);
             const vec2 u = random.point();
-            const Scattered mirror = glossy_reflection(d, normal, exponent, u), glass = translucency(d, normal, 1, 1.5, exponent, u);
+            const Scattered mirror = glossy_reflection(d, normal, exponent, u),
+                            glass = translucency(d, normal, 1, 1.5, exponent, u);
             squares.add(double(2 * one_minus_cosine(mirror.direction, mirror_direction(d, normal))));
             squares_clear.add(double(2 * one_minus_cosine(glass.direction, refracted_direction(d, normal, 1, 1.5))));
             heavy.see(mirror.weight.x - (exponent + 2) / (exponent + 1));
@@ -92,7 +94,8 @@ TEST_CASE("49 towards the critical angle, to 1e-15: the cosine behind to 8u/delt
     Random random(49);
     Greatest squared, share, length;
     for (int k = 0; k < 200000; ++k) {
-        const Real from = random.between(1.1, 3), to = random.between(1, from - 0.05), delta = random.scale(1e-15, 1e-2);
+        const Real from = random.between(1.1, 3), to = random.between(1, from - 0.05),
+                   delta = random.scale(1e-15, 1e-2);
         const Real critical = std::asin(to / from), angle = critical - delta;
         const vec3 n = vec3(0, 0, 1);
         const vec3 d{std::sin(angle), 0, -std::cos(angle)};
@@ -127,7 +130,8 @@ TEST_CASE("50 grazing incidence to 1e-9 and beyond: R goes to 1, without NaN", "
             const Real r = fresnel_dielectric(c, 1, to);
             INFO("cosine " << c << ", index " << to << ": R " << r);
             CHECK((r >= 0 && r <= 1));
-            if (slope * c < 1e-3) CHECK(std::abs((1 - r) - double(slope * c)) <= 2 * double(slope * slope) * c * c + 4 * roundoff);
+            if (slope * c < 1e-3)
+                CHECK(std::abs((1 - r) - double(slope * c)) <= 2 * double(slope * slope) * c * c + 4 * roundoff);
             const vec3 d{std::sqrt(1 - c * c), 0, -c}, t = refracted_direction(d, {0, 0, 1}, 1, to);
             CHECK(std::isfinite(dot(t, t)));
             CHECK(t.z < 0);
@@ -184,7 +188,8 @@ TEST_CASE("56 f(a, b) = f(b, a), for what a surface reflects and for what glass 
             return (exponent + 2) / (2 * pi) * std::exp(exponent * std::log1p(-dot(off, off) / 2));
         };
         const Real density = phong_lobe(exponent, u).density, f = way.weight.x * density / dot(way.direction, n);
-        lobe.see(std::abs(f / brdf(way.direction, a) - 1) / (roundoff * (1 + exponent / dot(mirror_direction(-a, n), way.direction))));
+        lobe.see(std::abs(f / brdf(way.direction, a) - 1) /
+                 (roundoff * (1 + exponent / dot(mirror_direction(-a, n), way.direction))));
     }
     figure(56, "highlight, light and viewer changed places, relative, in u(1 + n/cos)", highlight.value, 32);
     figure(56, "glossy lobe against its BRDF backwards, relative, in u(1 + n/cos)", lobe.value, 32);

@@ -11,10 +11,11 @@ namespace {
 
 const std::vector<std::string> ten_scenes = {"whitted", "penumbra", "sphere_light", "depth_of_field", "motion_blur",
                                              "glossy", "color_bleeding", "scattering", "mesh", "many_shapes"};
-const std::vector<std::string> whitted_scenes = {"whitted", "phong", "refraction", "fresnel", "mirror", "shadow", "mesh"};
+const std::vector<std::string> whitted_scenes = {"whitted", "phong",  "refraction", "fresnel",
+                                                 "mirror",  "shadow", "mesh"};
 
-/// Turns a scene by a map of vectors that keeps lengths: a mirror image, say, which has the corners run the other way round.
-/// The camera's axes go with it, so the picture stays as it is.
+/// Turns a scene by a map of vectors that keeps lengths: a mirror image, say, which has the corners run the other way
+/// round. The camera's axes go with it, so the picture stays as it is.
 template <class Map>
 Scene turned(Scene scene, Map map) {
     const bool mirrored = dot(map(vec3(1, 0, 0)), cross(map(vec3(0, 1, 0)), map(vec3(0, 0, 1)))) < 0;
@@ -109,7 +110,8 @@ TEST_CASE("4 a mirror image of a Whitted scene: bit by bit", "[extremes]") {
         Scene scene = small_scene(name);
         // Interpolated normals are a sum of three, in the order of the corners, which a mirror image turns round.
         for (Mesh& mesh : scene.meshes) mesh.normals.clear();
-        const auto here = pixels_apart(picture(turned(scene, [](vec3 v) { return vec3(-v.x, v.y, v.z); })), picture(scene));
+        const auto here =
+            pixels_apart(picture(turned(scene, [](vec3 v) { return vec3(-v.x, v.y, v.z); })), picture(scene));
         INFO(name << ": " << here);
         CHECK(here == 0);
         apart += here;
@@ -152,7 +154,8 @@ TEST_CASE("7 lights A, B, and both: the sum within 4u", "[extremes]") {
         both.samples = 1;
         both.ambient = both.environment = both.background = Color(0);
         for (Material& m : both.materials) m.emission = Color(0);
-        both.lights = {{both.camera.eye + vec3(3, 2, 1), Color(20), false}, {both.camera.eye + vec3(-1, 5, 0), Color(30), false}};
+        both.lights = {{both.camera.eye + vec3(3, 2, 1), Color(20), false},
+                       {both.camera.eye + vec3(-1, 5, 0), Color(30), false}};
         Scene a = both, b = both;
         a.lights.pop_back();
         b.lights.erase(b.lights.begin());
@@ -160,7 +163,8 @@ TEST_CASE("7 lights A, B, and both: the sum within 4u", "[extremes]") {
         for (std::size_t i = 0; i < of_a.pixels.size(); ++i) {
             const Color sum = of_a.pixels[i] + of_b.pixels[i];
             if (largest(sum) == 0) continue;
-            (make_plan(both).specular ? worst_of_paths : worst).see(largest(of_both.pixels[i] - sum) / (roundoff * largest(sum)));
+            (make_plan(both).specular ? worst_of_paths : worst)
+                .see(largest(of_both.pixels[i] - sum) / (roundoff * largest(sum)));
         }
     }
     figure(7, "sum of two lights' pictures against both, in u", worst.value, 4);
@@ -213,5 +217,6 @@ TEST_CASE("58 61 aperture 0, a closed shutter, things at rest: bitwise as withou
     Scene closed = still;
     closed.shutter = {0, 0};
     figure(61, "pixels that a closed shutter changes", double(pixels_apart(picture(instant), picture(closed))), 0);
-    figure(61, "pixels that an open shutter changes where nothing moves", double(pixels_apart(picture(still), picture(closed))), 0);
+    figure(61, "pixels that an open shutter changes where nothing moves",
+           double(pixels_apart(picture(still), picture(closed))), 0);
 }

@@ -81,10 +81,12 @@ TEST_CASE("52 a glass ball in a furnace: invisible up to what is left at the gre
         const Image image = picture(scene);
         for (int y = 0; y < 32; ++y)
             for (int x = 0; x < 32; ++x) {
-                // Inside, the light meets the glass at the same angle each time: of the 1 - R that comes in, R is left each time.
+                // Inside, the light meets the glass at the same angle each time: of the 1 - R that comes in, R is left
+                // each time.
                 const Ray ray = camera_ray(scene.camera, {x + 0.5, y + 0.5});
                 const Real t = hit_sphere({vec3(0), 1}, ray);
-                const Real r = t < inf ? fresnel_dielectric(-dot(ray.direction, unit(ray.origin + t * ray.direction)), 1, 1.5) : 0;
+                const Real r =
+                    t < inf ? fresnel_dielectric(-dot(ray.direction, unit(ray.origin + t * ray.direction)), 1, 1.5) : 0;
                 const Real tail = t < inf ? (1 - r) * std::pow(r, depth - 1) : 0;
                 off.see(std::abs(1 - tail - image.at(x, y).x));
             }
@@ -125,7 +127,8 @@ TEST_CASE("54 a closed cavity, albedo 0.5 to 1 - 1e-5: E(1 - a^(D+1))/(1 - a), e
     figure(54, "cavity, largest difference of two paths, relative", spread.value, 1e-14);
 }
 
-TEST_CASE("55 a path that is ended at random with its probability, and one that never is: the same mean", "[extremes]") {
+TEST_CASE("55 a path that is ended at random with its probability, and one that never is: the same mean",
+          "[extremes]") {
     // The framework has no roulette: its paths end where the scene says. A student's color_bleeding may have one.
     Random random(55);
     const Real albedo = 0.9;
@@ -140,7 +143,8 @@ TEST_CASE("55 a path that is ended at random with its probability, and one that 
         }
         ended.add(light), squares.add(light * light);
     }
-    const Real mean = ended.value() / paths, variance = squares.value() / paths - mean * mean, due = geometric(1, albedo, 401);
+    const Real mean = ended.value() / paths, variance = squares.value() / paths - mean * mean,
+               due = geometric(1, albedo, 401);
     figure(55, "roulette against none, in standard errors", std::abs(mean - due) / std::sqrt(variance / paths), 4);
 }
 
@@ -158,7 +162,9 @@ TEST_CASE("57 a medium of optical depth 1e-9 to 1e4 and albedo 1 in a furnace: w
         scene.samples = 16;
         const Flat image = flatness(picture(scene));
         // Walks of more than 2^20 steps are given up: at 1e4 one in a thousand.
-        figure(57, "medium of optical depth 1e" + std::to_string(int(std::round(std::log10(optical_depth)))) + ": light lost", std::abs(1 - image.mean),
-               optical_depth > 1000 ? 5e-3 : 1e-12);
+        figure(
+            57,
+            "medium of optical depth 1e" + std::to_string(int(std::round(std::log10(optical_depth)))) + ": light lost",
+            std::abs(1 - image.mean), optical_depth > 1000 ? 5e-3 : 1e-12);
     }
 }

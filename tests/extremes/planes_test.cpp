@@ -17,7 +17,8 @@ TEST_CASE("19 a quad seen at its diagonal has no hole, nor has one of two triang
         const Ray ray{eye, target - eye, 0, inf};
         if (std::abs(dot(unit(ray.direction), frame.z)) < 1e-6) continue;
         holes += hit_quad(q, ray) == inf;
-        const vec3 a = q.center - q.u - q.v, b = q.center + q.u - q.v, c = q.center + q.u + q.v, d = q.center - q.u + q.v;
+        const vec3 a = q.center - q.u - q.v, b = q.center + q.u - q.v, c = q.center + q.u + q.v,
+                   d = q.center - q.u + q.v;
         holes_of_two += hit_triangle({a, b, c}, ray) == inf && hit_triangle({a, c, d}, ray) == inf;
     }
     figure(19, "holes at the diagonal of a quad, of 1000000", double(holes), 0);
@@ -73,7 +74,8 @@ TEST_CASE("27 rays at r(1 +- 10^-k) of a disc's rim: the right verdict beyond 8u
             const Long p = o - exact_dot(o, n) / exact_dot(d, n) * d;
             const long double outside = exact_length(p) - disc.radius;
             if ((b.shape[i] == 0) == (outside < 0)) continue;
-            wrong.see(double(std::abs(outside) / (roundoff * (exact_length(o) / std::abs(exact_dot(d, n)) + disc.radius))));
+            wrong.see(
+                double(std::abs(outside) / (roundoff * (exact_length(o) / std::abs(exact_dot(d, n)) + disc.radius))));
         }
     }
     figure(27, "farthest from a disc's rim with the wrong verdict, in u(d / cos + r)", wrong.value, 8);
@@ -94,7 +96,9 @@ TEST_CASE("29 parallel sheets 16u z apart: the nearer one", "[extremes]") {
         farther += !(quad(z) < quad(behind));
 
         // Corners must not be moved by more than that when they are rounded: along an axis they are not.
-        const auto triangle = [&](Real at) { return hit_triangle({{9 * z, 0, at}, {-6 * z, 9 * z, at}, {-6 * z, -9 * z, at}}, ray); };
+        const auto triangle = [&](Real at) {
+            return hit_triangle({{9 * z, 0, at}, {-6 * z, 9 * z, at}, {-6 * z, -9 * z, at}}, ray);
+        };
         const Real up = d.z > 0 ? 1 : -1;
         if (std::abs(d.z) > 0.5) farther_triangles += !(triangle(up * z) < triangle(up * behind));
     }

@@ -47,10 +47,11 @@ TEST_CASE("32 the cone towards a sphere at d/r = 1 to 1e8 and beyond: relative 8
         const Real s = k % 2 ? 1 / random.scale(1e4, 1e8) : 1 / random.scale(1.01, 1e30);
         const vec2 u = random.point();
         const DirectionSample cone = sphere_cone(s, u);
-        const long double m = (long double)(s) * s / (1 + std::sqrt(1 - (long double)(s) * s)), c = (long double)(u.x) * m;
+        const long double m = (long double)(s)*s / (1 + std::sqrt(1 - (long double)(s)*s)), c = (long double)(u.x) * m;
         density.see(double(std::abs(cone.density * 2 * 3.14159265358979323846264L * m - 1)) / roundoff);
         cosine.see(double(std::abs(cone.direction.z - (1 - c))) / roundoff);
-        const long double across = std::sqrt((long double)(cone.direction.x) * cone.direction.x + (long double)(cone.direction.y) * cone.direction.y);
+        const long double across = std::sqrt((long double)(cone.direction.x) * cone.direction.x +
+                                             (long double)(cone.direction.y) * cone.direction.y);
         if (u.x > 0) sine.see(double(std::abs(across / std::sqrt(c * (2 - c)) - 1)) / roundoff);
     }
     figure(32, "density of the cone, relative, in u", density.value, 8);
@@ -62,7 +63,8 @@ TEST_CASE("33 a sphere light of radiance I/(pi r^2), r/d = 1e-8 to 0.999: lights
     Random random(33);
     Greatest worst;
     for (int k = 0; k < 300; ++k) {
-        const Real distance = random.scale(1e-3, 1e3), share = k % 3 ? random.scale(1e-8, 0.999) : random.between(0.5, 0.999);
+        const Real distance = random.scale(1e-3, 1e3),
+                   share = k % 3 ? random.scale(1e-8, 0.999) : random.between(0.5, 0.999);
         const vec3 p = 10.0 * random.in_cube(), n = random.direction();
         const Real radius = share * distance;
         const Emitter light = sphere_light(p + distance * n, radius, 1 / (pi * radius * radius));
@@ -75,7 +77,8 @@ TEST_CASE("33 a sphere light of radiance I/(pi r^2), r/d = 1e-8 to 0.999: lights
     figure(33, "sphere light against point light, relative", worst.value, 1e-12);
 }
 
-TEST_CASE("34 a sphere light that touches the floor: E = pi L r^3/(rho^2 + r^2)^1.5, from the contact outwards", "[extremes]") {
+TEST_CASE("34 a sphere light that touches the floor: E = pi L r^3/(rho^2 + r^2)^1.5, from the contact outwards",
+          "[extremes]") {
     Greatest worst, highest;
     for (const Real scale : {1e-6, 1.0, 1e6})
         for (const Real rho : {1e-6, 1e-3, 0.1, 0.5, 1.0, 3.0, 100.0, 1e4}) {
@@ -114,7 +117,9 @@ TEST_CASE("35 a coaxial disc light at h = 1e-9 R to 1e9 R: E = pi L R^2/(R^2 + h
 
 TEST_CASE("37 a shading point on the light: finite", "[extremes]") {
     Random random(37);
-    const auto finite = [](const Emitter& light, vec3 p, vec3 n, vec2 u) { return std::isfinite(irradiance(light, p, n, u)); };
+    const auto finite = [](const Emitter& light, vec3 p, vec3 n, vec2 u) {
+        return std::isfinite(irradiance(light, p, n, u));
+    };
     int infinite = 0;
     for (int k = 0; k < 100000; ++k) {
         const vec2 u = k % 3 ? random.point() : vec2(0.5);
@@ -127,7 +132,8 @@ TEST_CASE("37 a shading point on the light: finite", "[extremes]") {
         light.kind = Emitter::Kind::disc;
         infinite += !finite(light, light.disc.center, n, u) + !finite(light, light.disc.center + 1e-300 * n, -n, u);
         light = sphere_light(random.in_cube(), random.scale(1e-9, 1), 1);
-        infinite += !finite(light, light.sphere.center + light.sphere.radius * n, n, u) + !finite(light, light.sphere.center, n, u);
+        infinite += !finite(light, light.sphere.center + light.sphere.radius * n, n, u) +
+                    !finite(light, light.sphere.center, n, u);
     }
     figure(37, "samples from points on the light that are not finite, of 600000", infinite, 0);
 }
@@ -138,7 +144,8 @@ TEST_CASE("38 orthonormal frames: axes, poles, 1e7 random normals within 4u", "[
     const auto look = [](vec3 n, Greatest& greatest) {
         const Frame f = frame_about(n);
         const Long x(f.x), y(f.y), z(n);
-        for (const long double off : {exact_dot(x, y), exact_dot(x, z), exact_dot(y, z), exact_length(x) - 1, exact_length(y) - 1})
+        for (const long double off :
+             {exact_dot(x, y), exact_dot(x, z), exact_dot(y, z), exact_length(x) - 1, exact_length(y) - 1})
             greatest.see(double(std::abs(off)) / roundoff);
         return f;
     };
@@ -205,7 +212,8 @@ TEST_CASE("43 the middle of the disc, the rim of the hemisphere, the tail of the
     for (const Real x : {0.0, 4.9e-324, 1e-300, 0x1p-52, 0.5, below_one})
         for (const Real y : {0.0, 0.25, 0.5, below_one}) {
             const auto good = [](const DirectionSample& s) {
-                return std::abs(dot(s.direction, s.direction) - 1) < 1e-15 * 8 && s.density >= 0 && std::isfinite(s.density);
+                return std::abs(dot(s.direction, s.direction) - 1) < 1e-15 * 8 && s.density >= 0 &&
+                       std::isfinite(s.density);
             };
             CHECK(good(cosine_hemisphere({x, y})));
             for (const Real exponent : {0.0, 1e-300, 1.0, 1e9, 1e300}) {

@@ -78,7 +78,8 @@ void query(const Shape& shape, Real scale, Random& random, Found& found) {
         if constexpr (std::is_same_v<Shape, Sphere>) {
             const bool inside = exact_length(Long(away.ray(i).origin) - Long(shape.center)) < shape.radius;
             if (inside) least[i] = shape.radius * std::abs(dot(direction, unit(hit.point - shape.center)));
-            found.off.see(double(std::abs(exact_length(Long(hit.point) - Long(shape.center)) - shape.radius)) / hit.error);
+            found.off.see(double(std::abs(exact_length(Long(hit.point) - Long(shape.center)) - shape.radius)) /
+                          hit.error);
         }
         if constexpr (std::is_same_v<Shape, Quad>) {
             const Long u(shape.u), v(shape.v), p = Long(hit.point) - Long(shape.center);
@@ -106,7 +107,8 @@ void check_shape(const char* name, unsigned seed) {
         query(any(Shape{}, scale, center, random), scale, random, found);
         if (found.again > 0) break;
     }
-    figure(13, std::string(name) + ": self-hits among " + std::to_string(found.queries) + " queries", double(found.again), 0);
+    figure(13, std::string(name) + ": self-hits among " + std::to_string(found.queries) + " queries",
+           double(found.again), 0);
     if (found.off.value > 0)
         figure(13, std::string(name) + ": points off the surface, in units of the offset", found.off.value, 0.5);
 }

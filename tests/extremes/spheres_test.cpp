@@ -35,7 +35,8 @@ TEST_CASE("11 a unit sphere from 1e3 to 1e12 away: the point is on it to 8u(d + 
             const Real distance = std::sqrt(dot(eye, eye));
             worst.see(t < inf ? double(off(sphere, ray, t)) / (roundoff * (distance + 1)) : inf);
         }
-        figure(11, "unit sphere seen from " + std::to_string(int(std::log10(decade))) + " decades away, in u(d + r)", worst.value, 8);
+        figure(11, "unit sphere seen from " + std::to_string(int(std::log10(decade))) + " decades away, in u(d + r)",
+               worst.value, 8);
     }
 }
 
@@ -64,7 +65,8 @@ TEST_CASE("14 a sphere passed at r(1 +- 10^-k): the right verdict beyond 8ud, ne
         for (int round = 0; round < 40000; ++round) {
             const Frame frame = frame_about(random.direction());
             const Sphere sphere{random.vector(0.1, 10), random.scale(0.01, 100)};
-            const Real distance = sphere.radius * random.scale(1.1, 1e6), share = 1 + (round % 2 ? 1 : -1) * std::pow(10.0, -k);
+            const Real distance = sphere.radius * random.scale(1.1, 1e6),
+                       share = 1 + (round % 2 ? 1 : -1) * std::pow(10.0, -k);
             const vec3 eye = sphere.center + share * sphere.radius * frame.x - distance * frame.z;
             const Ray ray{eye, random.scale(1e-3, 1e3) * frame.z, 0, inf};
             const Real t = hit_sphere(sphere, ray);

@@ -21,7 +21,8 @@ TEST_CASE("40 8192 x 8192 pixels with 64 samples: no number wraps at 32 bits", "
     CHECK(pixel_key(camera, 0, 0, 0) != pixel_key(camera, 0, 0, 65535));
     CHECK(pixel_key(camera, 0, 1, 0) != pixel_key(camera, 0, 65535, 65535));
 
-    // The last pixels of the large film, with all their samples: the floor there, and the film's far corner is where it is.
+    // The last pixels of the large film, with all their samples: the floor there, and the film's far corner is where it
+    // is.
     Scene scene = small_scene("hit_quad");
     scene.camera.size = {8192, 8192};
     scene.samples = 64;
@@ -32,7 +33,8 @@ TEST_CASE("40 8192 x 8192 pixels with 64 samples: no number wraps at 32 bits", "
     CHECK(part.fault == "");
     CHECK(part.rays[int(RayKind::camera)] >= 16u * 16 * 64);
     const Ray corner = camera_ray(scene.camera, {8192, 8192}), opposite = camera_ray(scene.camera, {0, 0});
-    CHECK(dot(corner.direction, scene.camera.right) == Approx(-dot(opposite.direction, scene.camera.right)).epsilon(1e-14));
+    CHECK(dot(corner.direction, scene.camera.right) ==
+          Approx(-dot(opposite.direction, scene.camera.right)).epsilon(1e-14));
 
     // The bounds in which the framework counts: samples to 2^30, pixels to 2^28, paths to 2^20 are within their types.
     STATIC_REQUIRE(sizeof(Index) == 8);
@@ -101,7 +103,8 @@ TEST_CASE("45 1e8 accumulations: relative 1e-12", "[extremes]") {
            std::max({std::abs(mean.x / 0.1 - 1), std::abs(mean.y / 1e30 - 1), std::abs(mean.z / 1e-30 - 1)}), 1e-12);
     const int points = int(count_of(1e7, 1e8));
     const Real tenth = integrate_uniform([](Real) { return 0.1; }, 0, 1, points);
-    figure(45, "integrate_uniform with " + std::to_string(points) + " points, relative", std::abs(tenth / 0.1 - 1), 1e-12);
+    figure(45, "integrate_uniform with " + std::to_string(points) + " points, relative", std::abs(tenth / 0.1 - 1),
+           1e-12);
 
     // Passes that follow each other: each adds a little to a long sum.
     Scene scene = small_scene("whitted");
@@ -116,5 +119,6 @@ TEST_CASE("45 1e8 accumulations: relative 1e-12", "[extremes]") {
     settings.time_limit = inf;
     const Color one = render(scene, settings).image.pixels[0];
     CHECK(many.samples > 100);
-    figure(45, "mean of many passes against one, relative", largest(many.image.pixels[0] - one) / largest(one), 2 * roundoff);
+    figure(45, "mean of many passes against one, relative", largest(many.image.pixels[0] - one) / largest(one),
+           2 * roundoff);
 }

@@ -32,7 +32,8 @@ inline std::int64_t pixels_apart(const rt::Image& a, const rt::Image& b) {
     return n;
 }
 
-/// Calls point(p) for each point, vector(v) for each length or velocity with a direction, length(x) for each without one.
+/// Calls point(p) for each point, vector(v) for each length or velocity with a direction, length(x) for each without
+/// one.
 template <class Point, class Vector, class Length>
 void transform(rt::Scene& s, Point point, Vector vector, Length length) {
     using namespace rt;
@@ -43,9 +44,11 @@ void transform(rt::Scene& s, Point point, Vector vector, Length length) {
     for (Shape& shape : s.shapes) {
         shape.velocity = vector(shape.velocity);
         if (auto* q = std::get_if<Sphere>(&shape.geometry)) q->center = point(q->center), q->radius = length(q->radius);
-        if (auto* q = std::get_if<Quad>(&shape.geometry)) q->center = point(q->center), q->u = vector(q->u), q->v = vector(q->v);
+        if (auto* q = std::get_if<Quad>(&shape.geometry))
+            q->center = point(q->center), q->u = vector(q->u), q->v = vector(q->v);
         if (auto* q = std::get_if<Disc>(&shape.geometry)) q->center = point(q->center), q->radius = length(q->radius);
-        if (auto* q = std::get_if<Triangle>(&shape.geometry)) q->a = point(q->a), q->b = point(q->b), q->c = point(q->c);
+        if (auto* q = std::get_if<Triangle>(&shape.geometry))
+            q->a = point(q->a), q->b = point(q->b), q->c = point(q->c);
     }
     for (Mesh& mesh : s.meshes) {
         mesh.velocity = vector(mesh.velocity);

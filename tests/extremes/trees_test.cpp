@@ -44,7 +44,8 @@ Batch rays_through(Random& random, Real scale = 1) {
     Batch b{};
     b.count = lanes;
     for (int i = 0; i < lanes; ++i) {
-        const vec3 target = scale * random.in_cube(), eye = i % 2 ? scale * random.in_cube() : random.vector(2 * scale, 1e3 * scale);
+        const vec3 target = scale * random.in_cube(),
+                   eye = i % 2 ? scale * random.in_cube() : random.vector(2 * scale, 1e3 * scale);
         b.set_ray(i, {eye, unit(target - eye), 0, inf});
     }
     return b;
@@ -59,7 +60,8 @@ TEST_CASE("10 the tree finds what brute force finds, bit by bit", "[extremes]") 
     for (int round = 0; round < 16; ++round) {
         World world = make_world(crowd(round % 2 ? 60 : 400, random));
         REQUIRE(world.plan.bvh);
-        for (std::int64_t k = 0; k < wanted / 16 / lanes + 1; ++k) different += differences(world, rays_through(random)), rays += lanes;
+        for (std::int64_t k = 0; k < wanted / 16 / lanes + 1; ++k)
+            different += differences(world, rays_through(random)), rays += lanes;
     }
     figure(10, "rays that the tree answers in another way, of " + std::to_string(rays), double(different), 0);
 }
@@ -87,7 +89,8 @@ TEST_CASE("10 likewise where rays go through edges and corners that shapes share
             different += differences(world, b), rays += lanes;
         }
     }
-    figure(10, "rays at edges and corners that the tree answers in another way, of " + std::to_string(rays), double(different), 0);
+    figure(10, "rays at edges and corners that the tree answers in another way, of " + std::to_string(rays),
+           double(different), 0);
 }
 
 TEST_CASE("26 origins on the faces of boxes, directions with zeros of either sign", "[extremes]") {
@@ -127,7 +130,8 @@ TEST_CASE("28 1e5 identical triangles: the tree is built, and the lowest number 
     Random random(28);
     Batch b{};
     b.count = 16;
-    for (int i = 0; i < b.count; ++i) b.set_ray(i, {{0.1 * random.number(), 0, 3}, {0.01, 0.01 * random.number(), -1}, 0, inf});
+    for (int i = 0; i < b.count; ++i)
+        b.set_ray(i, {{0.1 * random.number(), 0, 3}, {0.01, 0.01 * random.number(), -1}, 0, inf});
     nearest_stage(world, b);
     for (int i = 0; i < b.count; ++i) CHECK(b.shape[i] == 1);
 }
@@ -139,6 +143,7 @@ TEST_CASE("31 1e5 and 1e6 shapes, as brute force", "[extremes]") {
         const int batches = int(count_of(n == 100000 ? 2e3 : 256, 1e4) / lanes) + 1;
         std::int64_t different = 0;
         for (int k = 0; k < batches; ++k) different += differences(world, rays_through(random));
-        figure(31, std::to_string(n) + " shapes: rays answered in another way, of " + std::to_string(batches * lanes), double(different), 0);
+        figure(31, std::to_string(n) + " shapes: rays answered in another way, of " + std::to_string(batches * lanes),
+               double(different), 0);
     }
 }

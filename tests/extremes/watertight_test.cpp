@@ -10,7 +10,8 @@ namespace {
 /// A point of the mesh: anywhere on a triangle, on an edge, or a vertex.
 vec3 target_on(const Mesh& mesh, Random& random) {
     const auto t = mesh.triangles[std::size_t(random.integer(0, int(mesh.triangles.size()) - 1))];
-    const vec3 a = mesh.vertices[std::size_t(t.x)], b = mesh.vertices[std::size_t(t.y)], c = mesh.vertices[std::size_t(t.z)];
+    const vec3 a = mesh.vertices[std::size_t(t.x)], b = mesh.vertices[std::size_t(t.y)],
+               c = mesh.vertices[std::size_t(t.z)];
     switch (random.integer(0, 2)) {
         case 0: return a;
         case 1: return a + random.number() * (b - a);
@@ -59,7 +60,8 @@ void shoot(const World& world, const Mesh& mesh, vec3 middle, Real scale, int ba
         for (int i = 0; i < lanes; ++i) {
             if (b.shape[i] != nothing) continue;
             ++found.misses;
-            UNSCOPED_INFO("origin " << text(b.ray(i).origin) << ", direction " << text(b.ray(i).direction) << ", scale " << scale);
+            UNSCOPED_INFO("origin " << text(b.ray(i).origin) << ", direction " << text(b.ray(i).direction) << ", scale "
+                                    << scale);
         }
     }
 }
@@ -92,7 +94,8 @@ TEST_CASE("21 a mesh at (148376, 1234, -223423) of radius 2", "[extremes]") {
     figure(21, "misses among " + std::to_string(found.rays) + " rays", double(found.misses), 0);
 }
 
-TEST_CASE("17 18 two triangles with one edge: a ray at the edge meets one or both, whatever the order of the corners", "[extremes]") {
+TEST_CASE("17 18 two triangles with one edge: a ray at the edge meets one or both, whatever the order of the corners",
+          "[extremes]") {
     Random random(18);
     std::int64_t misses = 0, rays = count_of(1e6, 1e7);
     for (std::int64_t k = 0; k < rays; ++k) {
@@ -179,8 +182,11 @@ TEST_CASE("23 a triangle without area is never hit, and changes nothing about it
     std::int64_t hits = 0;
     for (int k = 0; k < 1000000; ++k) {
         // Corners whose sums are exact: a, a + v, a + 2v or twice the same.
-        const auto whole = [&] { return vec3(random.integer(-1000, 1000), random.integer(-1000, 1000), random.integer(-1000, 1000)); };
-        const vec3 a = whole(), v = whole(), target = a + random.between(0, 2) * v, eye = target + random.vector(1, 1e4);
+        const auto whole = [&] {
+            return vec3(random.integer(-1000, 1000), random.integer(-1000, 1000), random.integer(-1000, 1000));
+        };
+        const vec3 a = whole(), v = whole(), target = a + random.between(0, 2) * v,
+                   eye = target + random.vector(1, 1e4);
         const int shape = random.integer(0, 2);
         const Triangle t{a, a + v, shape == 0 ? a + 2.0 * v : shape == 1 ? a : a + v};
         hits += hit_triangle(t, {eye, target - eye, 0, inf}) < inf;
@@ -190,7 +196,8 @@ TEST_CASE("23 a triangle without area is never hit, and changes nothing about it
     Mesh mesh = ball(2, 0.1, random);
     const World without = world_of_mesh(mesh);
     const std::size_t n = mesh.triangles.size();
-    for (std::size_t i = 0; i < n; i += 3) mesh.triangles.push_back({mesh.triangles[i].x, mesh.triangles[i].y, mesh.triangles[i].y});
+    for (std::size_t i = 0; i < n; i += 3)
+        mesh.triangles.push_back({mesh.triangles[i].x, mesh.triangles[i].y, mesh.triangles[i].y});
     const World with = world_of_mesh(mesh);
     Missed found;
     shoot(with, mesh, vec3(0), 1, 2000, random, found);

@@ -8,8 +8,8 @@
 #include "child/protocol.h"
 #include "mutate.h"
 
-/// answers FAKE_CHILD CASES [SEED]: children that answer with mutated bytes. What comes back is what was asked for, or a
-/// fault, and soon.
+/// answers FAKE_CHILD CASES [SEED]: children that answer with mutated bytes. What comes back is what was asked for, or
+/// a fault, and soon.
 namespace {
 
 using namespace grade;
@@ -32,11 +32,20 @@ const std::string scene = "[camera]\neye = [0, 0, 5]\ntarget = [0, 0, 0]\nvfov =
 
 int main(int argc, char** argv) {
     if (argc < 3) return std::fprintf(stderr, "answers FAKE_CHILD CASES [SEED]\n"), 2;
-    const std::uint64_t cases = std::strtoull(argv[2], nullptr, 10), seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
+    const std::uint64_t cases = std::strtoull(argv[2], nullptr, 10),
+                        seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
     const std::string done = frame(FrameKind::done, {});
-    const std::vector<std::string> corpus = {
-        done + rows_frame({{1, 2, 3}, {4, 5, 6}}), done + rows_frame({{1, 2, 3}}), done + rows_frame({}), done + image_frame(2, 2, 4), done + image_frame(2, 2, 3),
-        done + image_frame(1e9, 1e9, 4), done + frame(FrameKind::error, "a word"), frame(FrameKind::error, std::string(5000, 'x')), frame(FrameKind::swarm, "x"), "", "\1\2\3"};
+    const std::vector<std::string> corpus = {done + rows_frame({{1, 2, 3}, {4, 5, 6}}),
+                                             done + rows_frame({{1, 2, 3}}),
+                                             done + rows_frame({}),
+                                             done + image_frame(2, 2, 4),
+                                             done + image_frame(2, 2, 3),
+                                             done + image_frame(1e9, 1e9, 4),
+                                             done + frame(FrameKind::error, "a word"),
+                                             frame(FrameKind::error, std::string(5000, 'x')),
+                                             frame(FrameKind::swarm, "x"),
+                                             "",
+                                             "\1\2\3"};
     const double numbers[] = {1e308, -1, 0, 2, 1.0 / 0.0, 0.0 / 0.0, 0x1p63};
     std::vector<std::string> words;
     for (const double& x : numbers) words.push_back(std::string(reinterpret_cast<const char*>(&x), sizeof x));
@@ -63,9 +72,11 @@ int main(int argc, char** argv) {
                 ++(image ? answers : faults);
             }
             const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-            if (!right || seconds > 15) throw std::runtime_error(right ? "it took too long" : "an answer of the wrong size counts");
+            if (!right || seconds > 15)
+                throw std::runtime_error(right ? "it took too long" : "an answer of the wrong size counts");
         } catch (const std::exception& error) {
-            std::fprintf(stderr, "case %llu of seed %llu: %s\n", (unsigned long long)i, (unsigned long long)seed, error.what());
+            std::fprintf(stderr, "case %llu of seed %llu: %s\n", (unsigned long long)i, (unsigned long long)seed,
+                         error.what());
             return 1;
         }
     }

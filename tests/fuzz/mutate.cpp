@@ -22,15 +22,45 @@ std::uint64_t seed = 1, number = 0;
 
 void name_the_case(int signal) {
     char words[160];
-    const int length = std::snprintf(words, sizeof words, "signal %d in case %llu of seed %llu: --seed %llu --only %llu repeats it\n", signal, (unsigned long long)number,
-                                     (unsigned long long)seed, (unsigned long long)seed, (unsigned long long)number);
+    const int length = std::snprintf(
+        words, sizeof words, "signal %d in case %llu of seed %llu: --seed %llu --only %llu repeats it\n", signal,
+        (unsigned long long)number, (unsigned long long)seed, (unsigned long long)seed, (unsigned long long)number);
     std::fwrite(words, 1, std::size_t(length), stderr);
     std::_Exit(1);
 }
 
-const std::vector<std::string> words = {"nan", "inf", "-inf", "1e400", "-0.0", "0", "-1", "1e-320", "1e308", "9223372036854775807", "0x7fffffff", "true", "\"\"", "[]", "[[shape]]",
-                                        "[camera]", "[render]", "[materials.", "[[light]]", "type = ", "radius = ", "= [", "\n", "\0", "\xff", "\"sphere\"", "\"mesh\"", "vfov = 180",
-                                        "size = [1, 65536]", "focus = 0", "material = ", "samples = 2147483648"};
+const std::vector<std::string> words = {"nan",
+                                        "inf",
+                                        "-inf",
+                                        "1e400",
+                                        "-0.0",
+                                        "0",
+                                        "-1",
+                                        "1e-320",
+                                        "1e308",
+                                        "9223372036854775807",
+                                        "0x7fffffff",
+                                        "true",
+                                        "\"\"",
+                                        "[]",
+                                        "[[shape]]",
+                                        "[camera]",
+                                        "[render]",
+                                        "[materials.",
+                                        "[[light]]",
+                                        "type = ",
+                                        "radius = ",
+                                        "= [",
+                                        "\n",
+                                        "\0",
+                                        "\xff",
+                                        "\"sphere\"",
+                                        "\"mesh\"",
+                                        "vfov = 180",
+                                        "size = [1, 65536]",
+                                        "focus = 0",
+                                        "material = ",
+                                        "samples = 2147483648"};
 
 }  // namespace
 
@@ -68,12 +98,14 @@ int main(int argc, char** argv) {
 
     const std::clock_t start = std::clock();
     const auto elapsed = [&] { return double(std::clock() - start) / CLOCKS_PER_SEC; };
-    for (number = one ? only : 0; one ? number == only : (cases == 0 || number < cases) && (seconds == 0 || elapsed() < seconds); ++number) {
+    for (number = one ? only : 0;
+         one ? number == only : (cases == 0 || number < cases) && (seconds == 0 || elapsed() < seconds); ++number) {
         const std::string text = number < corpus.size() ? corpus[number] : fuzz::mutated(corpus, words, seed, number);
         if (one) std::printf("%s\n", text.c_str());
         LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
         if (cases == 0 && seconds == 0 && number + 1 == corpus.size()) break;
     }
-    std::printf("%llu cases of seed %llu from %zu files in %.1f s\n", (unsigned long long)number, (unsigned long long)seed, corpus.size(), elapsed());
+    std::printf("%llu cases of seed %llu from %zu files in %.1f s\n", (unsigned long long)number,
+                (unsigned long long)seed, corpus.size(), elapsed());
     return 0;
 }

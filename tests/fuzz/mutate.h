@@ -15,7 +15,8 @@ inline std::size_t below(Random& random, std::size_t n) { return n == 0 ? 0 : ra
 /// One of the texts, with some of its bytes changed, removed, doubled, or replaced by a word that means something.
 ///
 /// words  may be empty
-inline std::string mutated(const std::vector<std::string>& corpus, const std::vector<std::string>& words, std::uint64_t seed, std::uint64_t number) {
+inline std::string mutated(const std::vector<std::string>& corpus, const std::vector<std::string>& words,
+                           std::uint64_t seed, std::uint64_t number) {
     Random random(seed * 0x9e3779b97f4a7c15u + number);
     std::string text = corpus[below(random, corpus.size())];
     const std::size_t changes = below(random, 6);

@@ -34,8 +34,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             std::abort();
         }
         for (const auto& row : rows) {
-            read_as<rt::Ray>(row), read_as<rt::vec3>(row), read_as<rt::LightSample>(row), read_as<rt::Scattered>(row), read_as<rt::Outgoing>(row);
-            read_as<std::vector<double>>(row), read_as<std::vector<grade::StratumOf>>(row), read_as<grade::Integrand>(row);
+            read_as<rt::Ray>(row), read_as<rt::vec3>(row), read_as<rt::LightSample>(row), read_as<rt::Scattered>(row),
+                read_as<rt::Outgoing>(row);
+            read_as<std::vector<double>>(row), read_as<std::vector<grade::StratumOf>>(row),
+                read_as<grade::Integrand>(row);
         }
     }
     return 0;

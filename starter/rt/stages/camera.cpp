@@ -15,17 +15,22 @@ void camera_stage(const World& world, const CameraWork& work, Batch& batch, Chun
                 for (int i = 0; i < lanes; ++i) {
                     const Bits key = work.keys[i];
                     const int index = work.samples[i];
-                    // The cells of a stratified pixel are film_sample's own; other patterns are laid over the whole pixel.
+                    // The cells of a stratified pixel are film_sample's own; other patterns are laid over the whole
+                    // pixel.
                     const vec2 u = sampler() == Sampler::stratified ? random_2d(key, Bits(index), pixel_dimension)
-                                   : sampler() == Sampler::uniform  ? vec2(0.5)
-                                                                    : pattern_2d<sampler()>(key, index, work.n, pixel_dimension);
-                    const FilmSample film = film_sample(work.extents[i], in_cells ? index : 0, in_cells ? work.n : 1, u);
+                                   : sampler() == Sampler::uniform
+                                       ? vec2(0.5)
+                                       : pattern_2d<sampler()>(key, index, work.n, pixel_dimension);
+                    const FilmSample film =
+                        film_sample(work.extents[i], in_cells ? index : 0, in_cells ? work.n : 1, u);
                     Ray ray = camera_ray(camera, film.position);
-                    if constexpr (lens()) ray = lens_ray(camera, ray, pattern_2d<sampler()>(key, index, work.n, lens_dimension));
+                    if constexpr (lens())
+                        ray = lens_ray(camera, ray, pattern_2d<sampler()>(key, index, work.n, lens_dimension));
                     batch.set_ray(i, ray);
                     batch.time[i] = 0;
                     if constexpr (time())
-                        batch.time[i] = shutter_time(shutter, pattern_1d<sampler()>(key, index, work.n, time_dimension));
+                        batch.time[i] =
+                            shutter_time(shutter, pattern_1d<sampler()>(key, index, work.n, time_dimension));
                     batch.set_weight(i, Color(1));
                     batch.key[i] = key;
                     batch.sample[i] = index;

@@ -34,8 +34,8 @@ void gather(const World& world, const Batch& b, const Colors& light, Batch& shad
 }
 
 /// Light without extent. A surface with a highlight is shaded by phong, any other by Lambert's law.
-void point_light(const World& world, const PointLight& light_in_memory, const Batch& b, const Surfaces& s, Batch& shadow,
-                 Colors& light) {
+void point_light(const World& world, const PointLight& light_in_memory, const Batch& b, const Surfaces& s,
+                 Batch& shadow, Colors& light) {
     const PointLight lamp = light_in_memory;
     for (int i = 0; i < b.count; ++i) {
         light.set(i, Color(0));
@@ -73,9 +73,9 @@ void area_light(const World& world, const Emitter& emitter, Bits dimension, int 
         const LightSample sample = light_sample(lamp, hit.point, u);
         Color reflected;
         if constexpr (highlights) {
-            reflected = s.material[i] == nothing
-                            ? Color(0)
-                            : direct_light(world.scene.materials[std::size_t(s.material[i])], radiance, sample, normal, to_viewer);
+            reflected = s.material[i] == nothing ? Color(0)
+                                                 : direct_light(world.scene.materials[std::size_t(s.material[i])],
+                                                                radiance, sample, normal, to_viewer);
         } else {
             Material lambert;
             lambert.albedo = reflectances.albedo(i);
@@ -127,8 +127,8 @@ void ambient_light(const World& world, const Batch& b, const Surfaces& s, Chunk&
 
 }  // namespace
 
-void direct_stage(const World& world, Sampler sampler_in_use, int n, int wave, const Batch& b, const Surfaces& s, Batch& shadow,
-                  Chunk& chunk) {
+void direct_stage(const World& world, Sampler sampler_in_use, int n, int wave, const Batch& b, const Surfaces& s,
+                  Batch& shadow, Chunk& chunk) {
     if (world.scene.ambient != Color(0)) ambient_light(world, b, s, chunk);
     Reflectances reflectances;
     if (!gather_reflectances(world, b.count, s, reflectances)) return;
@@ -143,8 +143,8 @@ void direct_stage(const World& world, Sampler sampler_in_use, int n, int wave, c
             for (std::size_t l = 0; l < world.emitters.size(); ++l) {
                 const Bits dimension = wave_dimension(world, wave, light_dimension + int(l));
                 const auto sample = [&](auto kind) {
-                    area_light<sampler(), highlights(), kind()>(world, world.emitters[l], dimension, n, b, s, reflectances,
-                                                                shadow, light);
+                    area_light<sampler(), highlights(), kind()>(world, world.emitters[l], dimension, n, b, s,
+                                                                reflectances, shadow, light);
                 };
                 using Kind = Emitter::Kind;
                 switch (world.emitters[l].kind) {
@@ -156,8 +156,8 @@ void direct_stage(const World& world, Sampler sampler_in_use, int n, int wave, c
             }
         });
         if (world.plan.environment_lit) {
-            environment_light<sampler()>(world, wave_dimension(world, wave, environment_dimension), n, b, s, reflectances, shadow,
-                                         light);
+            environment_light<sampler()>(world, wave_dimension(world, wave, environment_dimension), n, b, s,
+                                         reflectances, shadow, light);
             gather(world, b, light, shadow, chunk);
         }
     });

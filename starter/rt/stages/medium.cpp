@@ -3,7 +3,8 @@
 namespace rt {
 namespace {
 
-/// Share of the light that a scattering turns from d to w, per solid angle [1/sr]: Henyey and Greenstein's phase function.
+/// Share of the light that a scattering turns from d to w, per solid angle [1/sr]: Henyey and Greenstein's phase
+/// function.
 Real phase(vec3 d, vec3 w, Real g) {
     const vec3 off = g < 0 ? d + w : d - w;  // from the peak: its square has more digits than d . w
     const Real h = std::abs(g), k = sqr(1 - h) + h * dot(off, off);
@@ -15,7 +16,8 @@ Real phase(vec3 d, vec3 w, Real g) {
 void medium_stage(const World& world, Sampler sampler_in_use, int n, int wave, Batch& b, Queue& next, Chunk& chunk) {
     if (!world.plan.medium) return;
     with_sampler(sampler_in_use, [&](auto sampler) {
-        const Bits flight = wave_dimension(world, wave, flight_dimension), turn = wave_dimension(world, wave, phase_dimension);
+        const Bits flight = wave_dimension(world, wave, flight_dimension),
+                   turn = wave_dimension(world, wave, phase_dimension);
         for (int i = 0; i < b.count; ++i) {
             if (b.medium[i] == nothing) continue;
             const Medium& medium = world.scene.materials[std::size_t(b.medium[i])].medium;
@@ -25,8 +27,10 @@ void medium_stage(const World& world, Sampler sampler_in_use, int n, int wave, B
 
             // The path goes on from here; what the ray would have met further on no longer matters.
             const Ray ray = b.ray(i);
-            const DirectionSample way = scatter_direction(ray.direction, medium.g, pattern_2d<sampler()>(b.key[i], sample, n, turn));
-            const Color weight = b.weight(i) * medium.albedo * (phase(ray.direction, way.direction, medium.g) / way.density);
+            const DirectionSample way =
+                scatter_direction(ray.direction, medium.g, pattern_2d<sampler()>(b.key[i], sample, n, turn));
+            const Color weight =
+                b.weight(i) * medium.albedo * (phase(ray.direction, way.direction, medium.g) / way.density);
             b.shape[i] = ended;
             if (weight == Color(0)) continue;
             const auto [to, j] = next.push();

@@ -25,7 +25,8 @@ inline Triangle at_time(Triangle t, vec3 velocity, Real time) {
     return {moved(t.a, velocity, time), moved(t.b, velocity, time), moved(t.c, velocity, time)};
 }
 
-/// One shape against all rays of a batch. Of two shapes at one distance the first is hit, the one with the lower number.
+/// One shape against all rays of a batch. Of two shapes at one distance the first is hit, the one with the lower
+/// number.
 template <auto hit, bool moves, class Shape>
 void try_shape(const Numbered<Shape>& in_memory, Batch& b) {
     const Numbered<Shape> numbered = in_memory;

@@ -39,7 +39,8 @@ void mirror(const Crossing& c, const Batch& b, int i, Color weight, Queue& next,
     else
         way = glossy_reflection(c.direction, c.normal, c.material.exponent, c.u);
     if (way.weight == Color(0)) return;
-    send(b, i, spawn_ray(c.hit, way.direction), weight * way.weight, perfect ? Event::specular : Event::lobe, b.medium[i], 0, next);
+    send(b, i, spawn_ray(c.hit, way.direction), weight * way.weight, perfect ? Event::specular : Event::lobe,
+         b.medium[i], 0, next);
     ++chunk.rays[int(perfect ? RayKind::mirror : RayKind::lobe)];
 }
 
@@ -52,7 +53,8 @@ void glass(const Crossing& c, const Batch& b, int i, Index material, Color weigh
         way = translucency(c.direction, c.normal, c.ior_from, c.ior_to, c.material.exponent, c.u);
     if (way.weight == Color(0) || way.direction == vec3(0)) return;
     const Index inside = c.behind || c.material.medium.extinction == 0 ? nothing : material;
-    send(b, i, spawn_ray(c.hit, way.direction), weight * way.weight, perfect ? Event::specular : Event::lobe, inside, 1, next);
+    send(b, i, spawn_ray(c.hit, way.direction), weight * way.weight, perfect ? Event::specular : Event::lobe, inside, 1,
+         next);
     ++chunk.rays[int(perfect ? RayKind::glass : RayKind::lobe)];
 }
 
@@ -65,11 +67,12 @@ void bounce(const Crossing& c, const Batch& b, int i, Color weight, Queue& next,
 
 }  // namespace
 
-void scatter_stage(const World& world, Sampler sampler_in_use, int n, int wave, const Batch& b, const Surfaces& s, Queue& next,
-                   Chunk& chunk) {
+void scatter_stage(const World& world, Sampler sampler_in_use, int n, int wave, const Batch& b, const Surfaces& s,
+                   Queue& next, Chunk& chunk) {
     const RenderPlan& plan = world.plan;
     if (!plan.specular && !plan.lobe && !plan.bounce) return;
-    const Bits choice = wave_dimension(world, wave, choice_dimension), lobe = wave_dimension(world, wave, lobe_dimension);
+    const Bits choice = wave_dimension(world, wave, choice_dimension),
+               lobe = wave_dimension(world, wave, lobe_dimension);
     with_sampler(sampler_in_use, [&](auto sampler) {
         for (int i = 0; i < b.count; ++i) {
             if (s.material[i] == nothing) continue;
@@ -83,7 +86,8 @@ void scatter_stage(const World& world, Sampler sampler_in_use, int n, int wave, 
             const bool dielectric = deeper && m.transmittance != Color(0);
             const Real fresnel = dielectric ? fresnel_dielectric(-dot(c.direction, c.normal), c.ior_from, c.ior_to) : 0;
             const Outgoing out = deeper ? whitted(m, fresnel) : Outgoing{Color(1), Color(0), Color(0)};
-            const Real mirror_share = deeper ? strongest(out.mirror) : 0, glass_share = deeper ? strongest(out.glass) : 0;
+            const Real mirror_share = deeper ? strongest(out.mirror) : 0,
+                       glass_share = deeper ? strongest(out.glass) : 0;
             const Real bounce_share = b.bounce[i] < world.scene.bounces ? strongest(out.local * m.albedo) : 0;
             const Real sum = mirror_share + glass_share + bounce_share;
             if (sum == 0) continue;

@@ -68,7 +68,14 @@ auto with_flag(bool flag, F f) {
 
 /// The pattern's dimensions: first those of the camera, then as many for each wave.
 enum CameraDimension : int { pixel_dimension, lens_dimension, time_dimension, camera_dimensions };
-enum WaveDimension : int { choice_dimension, lobe_dimension, flight_dimension, phase_dimension, environment_dimension, light_dimension };
+enum WaveDimension : int {
+    choice_dimension,
+    lobe_dimension,
+    flight_dimension,
+    phase_dimension,
+    environment_dimension,
+    light_dimension
+};
 
 inline Bits wave_dimension(const World& world, int wave, int dimension) {
     return Bits(world.plan.camera_dimensions + wave * world.plan.wave_dimensions + dimension);

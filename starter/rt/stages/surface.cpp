@@ -3,8 +3,8 @@
 namespace rt {
 namespace {
 
-/// How far a point is from its surface, and how far above it a ray must start so that no rounding brings it back: roundings
-/// of the largest number that takes part.
+/// How far a point is from its surface, and how far above it a ray must start so that no rounding brings it back:
+/// roundings of the largest number that takes part.
 ///
 /// Source: Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed., section 6.8.
 constexpr Real surface_error = 32 * roundoff;
@@ -13,7 +13,8 @@ constexpr Real surface_error = 32 * roundoff;
 vec3 smooth_normal(const SmoothTriangle& s, vec3 p) {
     const Triangle& t = s.triangle;
     const vec3 n = cross(t.b - t.a, t.c - t.a);
-    const Real u = dot(cross(t.c - t.b, p - t.b), n), v = dot(cross(t.a - t.c, p - t.c), n), w = dot(cross(t.b - t.a, p - t.a), n);
+    const Real u = dot(cross(t.c - t.b, p - t.b), n), v = dot(cross(t.a - t.c, p - t.c), n),
+               w = dot(cross(t.b - t.a, p - t.a), n);
     return unit(u * s.na + v * s.nb + w * s.nc);
 }
 
@@ -53,7 +54,8 @@ void find_smooth_normals(const World& world, const Batch& b, Surfaces& s) {
         if (s.material[i] == nothing) continue;
         const SurfaceRecord& record = world.surfaces[std::size_t(b.shape[i])];
         if (record.smooth == nothing) continue;
-        const vec3 p = vec3(s.px[i], s.py[i], s.pz[i]) - (world.plan.time ? moved(vec3(0), record.velocity, b.time[i]) : vec3(0));
+        const vec3 p =
+            vec3(s.px[i], s.py[i], s.pz[i]) - (world.plan.time ? moved(vec3(0), record.velocity, b.time[i]) : vec3(0));
         const vec3 n = smooth_normal(world.smooth[std::size_t(record.smooth)], p);
         const vec3 side = s.behind[i] ? -n : n;
         // Seen from below, an interpolated normal would send light through the surface: there the flat one stands in.

@@ -4,7 +4,8 @@ namespace rt {
 
 /// The ray from a pinhole camera through a point of its film.
 ///
-///     d = x right + y up - back,    y = h (1 - 2 film_y / size_y),    x = h (2 film_x - size_x) / size_y,    h = tan_half_fov
+///     d = x right + y up - back,    y = h (1 - 2 film_y / size_y),    x = h (2 film_x - size_x) / size_y,    h =
+///     tan_half_fov
 ///
 /// camera   see scene.h: right, up and back are unit vectors at right angles; the camera looks along -back
 /// film     a point of the film [pixel]: x to the right, y down, (0, 0) the top left corner of the image and
@@ -17,7 +18,8 @@ Ray camera_ray(const Camera& camera, vec2 film) {
     double aspect = double(camera.size.x) / camera.size.y;
     double ndc_x = film.x / camera.size.x * 2 - 1;
     double ndc_y = 1 - film.y / camera.size.y * 2;
-    vec3 d = ndc_x * aspect * camera.tan_half_fov * camera.right + ndc_y * camera.tan_half_fov * camera.up - camera.back;
+    vec3 d =
+        ndc_x * aspect * camera.tan_half_fov * camera.right + ndc_y * camera.tan_half_fov * camera.up - camera.back;
     Ray ray;
     ray.origin = camera.eye;
     ray.direction = unit(d);

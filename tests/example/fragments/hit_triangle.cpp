@@ -11,9 +11,9 @@ namespace rt {
 /// returns   t in units of |d|, near < t < far; else inf. A triangle without area is never hit
 /// blank     inf
 ///
-/// Two triangles that share an edge must leave no gap between them. Turn and shear space so that the ray starts at 0 and
-/// runs along z: then u, v and w are the signs of three edge functions p.x q.y - p.y q.x, and a shared edge gives both of its
-/// triangles the same number with opposite signs.
+/// Two triangles that share an edge must leave no gap between them. Turn and shear space so that the ray starts at 0
+/// and runs along z: then u, v and w are the signs of three edge functions p.x q.y - p.y q.x, and a shared edge gives
+/// both of its triangles the same number with opposite signs.
 ///
 /// Source: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
 Real hit_triangle(const Triangle& triangle, const Ray& ray) {

@@ -6,8 +6,8 @@ namespace rt {
 ///
 ///     density = (1 - g^2) / (4 pi (1 + g^2 - 2 g c)^(3/2)),    c = cosine of the angle between old and new direction
 ///
-/// With s = 2 u.x - 1 the cosine is (2 s + g (3 + s^2) + 2 g^2 s + g^3 (s^2 - 1)) / (2 (1 + g s)^2), which is s for g = 0:
-/// all directions alike.
+/// With s = 2 u.x - 1 the cosine is (2 s + g (3 + s^2) + 2 g^2 s + g^3 (s^2 - 1)) / (2 (1 + g s)^2), which is s for g =
+/// 0: all directions alike.
 ///
 /// d        unit direction of travel [world]
 /// g        mean cosine, -1 < g < 1
