@@ -51,6 +51,10 @@ std::vector<Bundle> bundles(const std::vector<const Variant*>& variants, const s
             if (!alternate || place++ % 2 == turn % 2)
                 bundle.variants.push_back(list.front()), list.erase(list.begin());
         std::erase_if(waiting, [](const auto& entry) { return entry.second.empty(); });
+        // results are kept by name: another choice of variants must not find those of this one
+        std::size_t hash = 0;
+        for (const Variant* variant : bundle.variants) hash = 31 * hash + std::hash<std::string>{}(variant->name);
+        bundle.name += fmt::format("-{:04x}", hash & 0xffff);
         if (!bundle.variants.empty()) all.push_back(std::move(bundle));
     }
     return all;

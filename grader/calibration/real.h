@@ -14,7 +14,7 @@ namespace grade {
 /// Variants of different fragments in one submission: the grader judges each fragment with the solution's others, so
 /// they cannot disturb each other, and what is not changed must pass.
 struct Bundle {
-    std::string name;  // "wrong-3"
+    std::string name;  // "wrong-3-1f09"
     std::vector<const Variant*> variants;
 };
 

@@ -48,7 +48,7 @@ Step pool_step(const Workshop& workshop, const Variant* variant, const std::stri
 
 std::vector<Step> pool_steps(const Workshop& workshop, int part) {
     std::vector<Step> steps;
-    for (const std::string& fragment : workshop.assignment().names())
+    for (const std::string& fragment : workshop.fragments())
         steps.push_back(pool_step(workshop, nullptr, fragment, part));
     for (const auto kind : {Variant::Kind::right, Variant::Kind::wrong})
         for (const Variant* variant : workshop.variants(kind))
@@ -64,7 +64,7 @@ Step real_step(const Workshop& workshop, const Bundle& bundle, std::vector<std::
         std::vector<std::uint64_t> open;
         for (const std::uint64_t seed : seeds)
             if (!fs::exists(real_file(workshop, bundle, seed))) open.push_back(seed);
-        const auto gradings = grade_changed(workshop, changed_texts(bundle, workshop), open, {}, 1);
+        const auto gradings = grade_changed(workshop, changed_texts(bundle, workshop), open, workshop.fragments(), 1);
         for (std::size_t i = 0; i < open.size(); ++i) write_grading(real_file(workshop, bundle, open[i]), gradings[i]);
     };
     return step;
@@ -181,14 +181,14 @@ Step load_step(const Workshop& workshop, const Bundle& bundle) {
     const fs::path file = load_file(workshop, bundle);
     return {"the same grading under load: " + bundle.name, {file}, [&workshop, bundle, file] {
                 const auto texts = changed_texts(bundle, workshop);
-                const std::string calm = grade_changed(workshop, texts, {1}, {}, 1).at(0).record;
+                const std::string calm = grade_changed(workshop, texts, {1}, workshop.fragments(), 1).at(0).record;
                 std::atomic<bool> on = true;
                 std::string busy;
                 {
                     std::vector<std::jthread> load;
                     for (unsigned i = 0; i < std::thread::hardware_concurrency(); ++i)
                         load.emplace_back([&] { while (on) {} });
-                    busy = grade_changed(workshop, texts, {1}, {}, 7).at(0).record;
+                    busy = grade_changed(workshop, texts, {1}, workshop.fragments(), 7).at(0).record;
                     on = false;
                 }
                 write_json(file, {{"same", calm == busy}});
@@ -204,7 +204,7 @@ std::vector<Step> steps_of(const Workshop& workshop) {
         steps.push_back(dose_step(workshop, *variant));
     for (const Variant* variant : workshop.variants(Variant::Kind::confined))
         steps.push_back(confined_step(workshop, *variant));
-    for (const std::string& fragment : workshop.assignment().names()) steps.push_back(peer_step(workshop, fragment));
+    for (const std::string& fragment : workshop.fragments()) steps.push_back(peer_step(workshop, fragment));
     add(wrong_steps(workshop));
     add(pool_steps(workshop, 0));
     add(right_steps(workshop));

@@ -27,21 +27,21 @@ struct Stores {
     int least = 0;
 };
 
-Stores stores_of(const Workshop& workshop, const std::string& name, const std::string& fragment) {
+Stores stores_of(const Workshop& workshop, const std::string& name, const std::set<std::string>& fragments) {
     Stores stores;
     for (int part = 0; part < workshop.amount().seeds; ++part) {
         PooledChecks checks;
+        std::size_t wanted = 0;
         int least = std::numeric_limits<int>::max();
         for (const Check& check : workshop.checks(pool_seed(part))) {
-            if (!fragment.empty() && check.fragment != fragment) continue;
+            if (!fragments.contains(check.fragment)) continue;
+            ++wanted;
             auto pool = read_pool(pool_file(workshop, name, check, pool_seed(part)));
-            if (!pool) break;
+            if (!pool) continue;
             if (pool->faults == 0) least = std::min(least, pool->replicates());
             stores.pools.push_back(std::make_unique<Pool>(std::move(*pool)));
             checks.push_back({&check, stores.pools.back().get()});
         }
-        const auto wanted = fragment.empty() ? workshop.checks(pool_seed(part)).size()
-                                             : workshop.checks(pool_seed(part), fragment).size();
         if (checks.size() != wanted) continue;
         stores.seeds.push_back(std::move(checks));
         if (least < std::numeric_limits<int>::max()) stores.least += least;
@@ -179,7 +179,7 @@ Summary summarize(const Workshop& workshop, int jobs,
     const long draws = workshop.amount().draws;
     summary.noisy = settings.statistics;
     for (const int c : {8, 16, 32, 64, 128, 256, 512}) summary.budgets.push_back({c, {}, {}, 0, {}});
-    const Stores solution = stores_of(workshop, "solution", "");
+    const Stores solution = stores_of(workshop, "solution", workshop.fragments());
     std::map<std::string, int> fixed;
     if (!solution.seeds.empty())
         for (const PooledCheck& stored : solution.seeds.front())
@@ -207,7 +207,7 @@ Summary summarize(const Workshop& workshop, int jobs,
         for (VariantSummary& row : *rows)
             work.emplace_back(row.variant->name, [&] {
                 read_peers(workshop, row);
-                const Stores stores = stores_of(workshop, row.variant->name, row.variant->fragment);
+                const Stores stores = stores_of(workshop, row.variant->name, {row.variant->fragment});
                 if (stores.seeds.empty()) return;
                 row.replayed = replay(stores.seeds, settings, draws / 10, 3);
                 for (const PooledCheck& stored : stores.seeds.front())

@@ -56,7 +56,17 @@ Workshop::Workshop(const fs::path& toolchain, const fs::path& results, Amount am
       sandbox_(find_sandbox(true)),
       amount_(amount),
       results_(results),
-      variants_(chosen(read_variants(chain_.source / "tests/variants"), words)) {}
+      variants_(chosen(read_variants(chain_.source / "tests/variants"), words)),
+      by_name_(!words.empty()) {}
+
+std::set<std::string> Workshop::fragments() const {
+    std::set<std::string> names;
+    if (by_name_)
+        for (const Variant& variant : variants_) names.insert(variant.fragment);
+    else
+        for (const std::string& name : assignment_.names()) names.insert(name);
+    return names;
+}
 
 fs::path Workshop::results(const std::string& fragment) const {
     const std::scoped_lock lock(lock_);

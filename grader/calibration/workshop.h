@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,9 @@ public:
     const std::vector<Variant>& variants() const { return variants_; }
     std::vector<const Variant*> variants(Variant::Kind kind) const;
 
+    /// Fragments that are graded: those of the variants that were asked for by name, else all.
+    std::set<std::string> fragments() const;
+
     /// All checks with the parameters of one grading seed; and those of one fragment. They live as long as this.
     const std::vector<Check>& checks(std::uint64_t seed) const;
     std::vector<const Check*> checks(std::uint64_t seed, const std::string& fragment) const;
@@ -62,6 +66,7 @@ private:
     Amount amount_;
     fs::path results_;
     std::vector<Variant> variants_;
+    bool by_name_;
     mutable std::mutex lock_;
     mutable std::map<std::uint64_t, std::vector<Check>> checks_;
     mutable std::map<std::string, fs::path> folders_;
