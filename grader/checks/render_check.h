@@ -43,10 +43,9 @@ rt::vec3 view_direction(const rt::Camera& camera, rt::vec2 film);
 /// Where the ray through a film point meets a plane.
 rt::vec3 seen_on_plane(const rt::Camera& camera, rt::vec2 film, rt::vec3 point, rt::vec3 normal);
 
-/// The mean of a function of the film over pixel x, y.
+/// The mean of a function of the film over pixel x, y, from n x n points.
 template <class F>
-double over_pixel(int x, int y, F f) {
-    constexpr int n = 4;
+double over_pixel(int x, int y, F f, int n = 4) {
     double sum = 0;
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) sum += f(rt::vec2(x + (i + 0.5) / n, y + (j + 0.5) / n));
