@@ -58,8 +58,8 @@ if grep -q '\bsse\b' /proc/cpuinfo; then
 
     cp -r solution "$work/mine"
     sed -i 's|^namespace rt {|&\nstatic const int flushed = (__builtin_ia32_ldmxcsr(__builtin_ia32_stmxcsr() \| 0x8040), 0);|' "$work/mine/moved.cpp"
-    expect 0 "changes the arithmetic of its program" "$grade" "$work/mine" --only moved,mirror_direction
-    expect 0 "passed" "$grade" "$work/mine" --only mirror_direction
+    expect 0 "changes the arithmetic of its program" "$grade" "$work/mine" --only moved,mirror_direction --seed 1
+    expect 0 "passed" "$grade" "$work/mine" --only mirror_direction --seed 1
 fi
 
 [ $failures = 0 ] && echo "all as expected"

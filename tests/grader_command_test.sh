@@ -49,10 +49,10 @@ expect 0 "" diff <(timeless "$work/a.json") <(timeless "$work/b.json")
 expect 0 "the submission is trusted" "$grade" solution --only moved --trusted
 
 # known variants: really graded, kept, gone on with, and reported
-calibrate() { "$grade" calibrate mirror_direction --folder "$work/calibration" --replicates 64 --gradings 1 --draws 1000 "$@"; }
+calibrate=("$grade" calibrate mirror_direction --folder "$work/calibration" --replicates 64 --gradings 1 --draws 1000)
 expect 0 "gradings of variants, 0 off" "$grade" calibrate --fast mirror_direction
-expect 0 "shard 1/2 is done" calibrate --shard 1/2
-expect 0 "wrong variants failed, real gradings" calibrate --out "$work/report"
+expect 0 "shard 1/2 is done" "${calibrate[@]}" --shard 1/2
+expect 0 "wrong variants failed, real gradings" "${calibrate[@]}" --out "$work/report"
 expect 0 "What was to be shown" cat "$work/report/calibration.md"
 expect 0 "</svg>" cat "$work/report/calibration.svg"
 expect 2 "expected one like 2/4" "$grade" calibrate --shard 5/4
