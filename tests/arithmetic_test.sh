@@ -4,22 +4,8 @@
 set -uo pipefail
 build=$1
 grade=$build/grader/grade
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-failures=0
-
-# expect CODE WORDS COMMAND...: the exit code, and words that the output must hold
-expect() {
-    local code=$1 words=$2
-    shift 2
-    local output
-    output=$("$@" 2>&1)
-    local got=$?
-    if [ "$got" != "$code" ] || [[ $output != *"$words"* ]]; then
-        printf 'FAILED: %s\n  exit %s, expected %s with "%s"; it said:\n%s\n' "$*" "$got" "$code" "$words" "$output"
-        failures=$((failures + 1))
-    fi
-}
+# shellcheck source=tests/expect.sh
+. "$(dirname "$0")/expect.sh"
 
 # self_test COMPILER OPTIONS...: prints what the self-test finds in a program that is compiled so
 cat >"$work/main.cpp" <<'END'

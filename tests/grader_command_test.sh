@@ -3,22 +3,8 @@
 # machine.
 set -uo pipefail
 grade=$1/grader/grade
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-failures=0
-
-# expect CODE WORDS COMMAND...: the exit code, and words that the output must hold
-expect() {
-    local code=$1 words=$2
-    shift 2
-    local output
-    output=$("$@" 2>&1)
-    local got=$?
-    if [ "$got" != "$code" ] || [[ $output != *"$words"* ]]; then
-        printf 'FAILED: %s\n  exit %s, expected %s with "%s"; it said:\n%s\n' "$*" "$got" "$code" "$words" "$output"
-        failures=$((failures + 1))
-    fi
-}
+# shellcheck source=tests/expect.sh
+. "$(dirname "$0")/expect.sh"
 
 expect 0 "2 of 2" "$grade" solution --only moved --seed 5 --json "$work/a.json" --html "$work/page"
 expect 0 '"schema": "penumbra/result/v1"' cat "$work/a.json"
