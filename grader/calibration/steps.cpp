@@ -206,10 +206,9 @@ std::vector<Step> steps_of(const Workshop& workshop) {
         steps.push_back(confined_step(workshop, *variant));
     for (const std::string& fragment : workshop.fragments()) steps.push_back(peer_step(workshop, fragment));
     add(wrong_steps(workshop));
-    add(pool_steps(workshop, 0));
-    add(right_steps(workshop));
     for (const Bundle& bundle : bundles_under_load(workshop)) steps.push_back(load_step(workshop, bundle));
-    for (int part = 1; part < workshop.amount().seeds; ++part) add(pool_steps(workshop, part));
+    add(right_steps(workshop));
+    for (int part = 0; part < workshop.amount().seeds; ++part) add(pool_steps(workshop, part));
     return steps;
 }
 
