@@ -139,6 +139,19 @@ TEST_CASE("replays pass what is right, fail what is off, and cost what their rep
     CHECK(replayed(unfit, 10).failed == 10);
 }
 
+TEST_CASE("a fixed number of replicates is enough or is not, and costs the same either way") {
+    const Check check = one_check();
+    const auto fixed = [&](const Pool& pool, int replicates) {
+        return replay_fixed({{{&check, &pool}}}, Settings{}, replicates, 2000, 1);
+    };
+    CHECK(fixed(normal(1, 0.05), 64).passed == 2000);
+    CHECK(fixed(normal(1.2, 0.05), 64).failed == 2000);
+    CHECK(fixed(normal(1, 0.05), 3).inconclusive > 1900);
+    CHECK(fixed(normal(1.2, 0.05), 3).inconclusive > 1900);
+    CHECK(fixed(normal(1, 0.05), 64).cpu_seconds == Approx(2000 * 0.5 * 65));
+    CHECK(fixed(pool_of(64, [](auto&) { return std::nan(""); }), 8).failed == 2000);
+}
+
 TEST_CASE("a normal statistic rejects as often as promised; one that is mostly constant does not") {
     const Check check = one_check();
     const Pool good = normal(1, 0.05);

@@ -92,7 +92,7 @@ CLI::App* add_calibrate_command(CLI::App& app, CalibrateArguments& arguments) {
 bool calibrate(const CalibrateArguments& arguments, const std::string& toolchain, const std::string& command) {
     const auto [shard, shards] = shard_of(arguments.shard);
     const fs::path results =
-        arguments.results.empty() ? fs::path(toolchain).parent_path() / "calibration" : fs::path(arguments.results);
+        arguments.results.empty() ? fs::path(toolchain).parent_path() / "calibration" : fs::absolute(arguments.results);
     const Workshop workshop(toolchain, results, arguments.amount, arguments.names);
     if (!workshop.chain().has_solution())
         throw std::invalid_argument("calibrate needs the folder solution/, which is not here");

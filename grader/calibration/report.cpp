@@ -114,14 +114,15 @@ std::string goals(const Summary& s) {
     return text;
 }
 
-std::string budget_table(const Summary& s) {
-    std::string text =
-        "| most replicates of a statistic | CPU s, whole solution | not passed | CPU s, a wrong fragment | not failed "
-        "| the worst one |\n|---|---|---|---|---|---|\n";
-    for (const Budget& b : s.budgets)
-        text += fmt::format("| {}{} | {:.2f} | {} | {:.3f} | {:.2e} | {:.2e} {} |\n", b.cap,
-                            b.cap == GradingSettings{}.replicates ? " (default)" : "", b.right.seconds_per_grading(),
-                            rate(b.right.gradings - b.right.passed, b.right.gradings), b.wrong.seconds_per_grading(),
+std::string budget_table(const std::vector<Budget>& budgets, const std::string& heading) {
+    std::string text = fmt::format(
+        "| {} | CPU s, whole solution | not passed | CPU s, a wrong fragment | not failed | the worst one "
+        "|\n|---|---|---|---|---|---|\n",
+        heading);
+    for (const Budget& b : budgets)
+        text += fmt::format("| {} | {:.2f} | {} | {:.3f} | {:.2e} | {:.2e} {} |\n", b.replicates,
+                            b.right.seconds_per_grading(), rate(b.right.gradings - b.right.passed, b.right.gradings),
+                            b.wrong.seconds_per_grading(),
                             b.wrong.gradings > 0 ? 1 - double(b.wrong.failed) / double(b.wrong.gradings) : 0,
                             b.worst_wrong, b.worst);
     return text;
@@ -215,9 +216,13 @@ std::string calibration_report(const Summary& s, const std::string& command, con
     text += fmt::format(
                 "\n## Error of the verdict against run time\n\nReplayed with other budgets. A verdict is wrong where a "
                 "right submission does not pass, or a wrong variant does not fail;\n"
-                "inconclusive is wrong here.\n\n![probability of a wrong verdict against CPU seconds]({})\n\n",
-                plot) +
-            budget_table(s);
+                "inconclusive is wrong here. First with a fixed number of replicates of each check, tested once at the "
+                "same rates; then with\nthe grader's own rule, which looks at 8, 16, 32... replicates and stops when "
+                "it is certain. The default is at most {}.\n\n"
+                "![probability of a wrong verdict against CPU seconds]({})\n\n",
+                GradingSettings{}.replicates, plot) +
+            budget_table(s.fixed_budgets, "replicates, fixed") + "\n" +
+            budget_table(s.budgets, "most replicates of a statistic");
     text += fmt::format(
         "\n## Stopping early\n\nCost of a fixed number of replicates of the same power, over that of stopping as soon "
         "as it is certain, median over variants:\n"
@@ -252,22 +257,26 @@ std::string calibration_report(const Summary& s, const std::string& command, con
 }
 
 Plot budget_plot(const Summary& s, int fragments) {
-    Series right{"right, not passed", {}}, wrong{"wrong, not failed", {}}, bound{"right: 95 % bound", {}, true};
-    for (const Budget& b : s.budgets) {
-        const long missed = b.right.gradings - b.right.passed;
-        const auto [low, high] = rate_bounds(missed, b.right.gradings);
-        const double seconds = b.right.seconds_per_grading();
-        right.points.push_back(
-            {seconds, b.right.gradings > 0 ? double(missed) / double(b.right.gradings) : 0, low, high});
-        bound.points.push_back({seconds, high});
-        // as if all fragments were wrong
-        wrong.points.push_back({fragments * b.wrong.seconds_per_grading(),
-                                b.wrong.gradings > 0 ? 1 - double(b.wrong.failed) / double(b.wrong.gradings) : 0});
-    }
-    return {"Error of the verdict against run time",
-            "CPU seconds of a whole submission's checks",
-            "probability of a wrong verdict",
-            {right, bound, wrong}};
+    Plot plot{"Error of the verdict against run time", "CPU seconds of a whole submission's checks",
+              "probability of a wrong verdict", {}};
+    const auto add = [&](const std::vector<Budget>& budgets, const std::string& rule, bool dashed) {
+        Series right{"right not passed, " + rule, {}, dashed}, wrong{"wrong not failed, " + rule, {}, dashed};
+        for (const Budget& b : budgets) {
+            const long missed = b.right.gradings - b.right.passed, passed_by = b.wrong.gradings - b.wrong.failed;
+            const auto [low, high] = rate_bounds(missed, b.right.gradings);
+            const double share = b.right.gradings > 0 ? double(missed) / double(b.right.gradings) : 0;
+            // where none was seen there is a bound, and no point
+            right.points.push_back({b.right.seconds_per_grading(), share, low, high});
+            // as if all fragments were wrong
+            wrong.points.push_back({fragments * b.wrong.seconds_per_grading(),
+                                    b.wrong.gradings > 0 ? double(passed_by) / double(b.wrong.gradings) : 0});
+        }
+        plot.series.push_back(std::move(right));
+        plot.series.push_back(std::move(wrong));
+    };
+    add(s.fixed_budgets, "fixed", true);
+    add(s.budgets, "as graded", false);
+    return plot;
 }
 
 }  // namespace grade

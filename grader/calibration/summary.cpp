@@ -78,6 +78,14 @@ Settings settings_of(const Workshop& workshop, int cap) {
     return settings;
 }
 
+/// What a budget makes of one more wrong variant.
+void add_wrong(Budget& budget, const std::string& variant, std::mutex& lock, const Tally& tally) {
+    const std::scoped_lock guard(lock);
+    budget.wrong.add(tally);
+    const double missed = 1 - double(tally.failed) / double(tally.gradings);
+    if (missed > budget.worst_wrong) budget.worst_wrong = missed, budget.worst = variant;
+}
+
 void read_peers(const Workshop& workshop, VariantSummary& row) {
     const auto text = read_text(peer_file(workshop, *row.variant));
     if (!text) return;
@@ -178,7 +186,9 @@ Summary summarize(const Workshop& workshop, int jobs,
     const Settings settings = settings_of(workshop, cap);
     const long draws = workshop.amount().draws;
     summary.noisy = settings.statistics;
-    for (const int c : {8, 16, 32, 64, 128, 256, 512}) summary.budgets.push_back({c, {}, {}, 0, {}});
+    for (const int n : {8, 16, 32, 64, 128, 256, 512}) summary.budgets.push_back({n, {}, {}, 0, {}});
+    for (const int n : {2, 3, 4, 6, 8, 12, 16, 24, 32, 64, 128, 256})
+        summary.fixed_budgets.push_back({n, {}, {}, 0, {}});
     const Stores solution = stores_of(workshop, "solution", workshop.fragments());
     std::map<std::string, int> fixed;
     if (!solution.seeds.empty())
@@ -198,7 +208,11 @@ Summary summarize(const Workshop& workshop, int jobs,
             });
         for (Budget& budget : summary.budgets)
             work.emplace_back("budgets", [&] {
-                budget.right = replay(solution.seeds, settings_of(workshop, budget.cap), draws / 50, 99);
+                budget.right = replay(solution.seeds, settings_of(workshop, budget.replicates), draws / 50, 99);
+            });
+        for (Budget& budget : summary.fixed_budgets)
+            work.emplace_back("fixed budgets", [&] {
+                budget.right = replay_fixed(solution.seeds, settings, budget.replicates, draws / 50, 99);
             });
         work.emplace_back("rates of each statistic",
                           [&] { summary.nominal = nominal_rates(solution.seeds.front(), nominal_draws, 7); });
@@ -212,18 +226,16 @@ Summary summarize(const Workshop& workshop, int jobs,
                 row.replayed = replay(stores.seeds, settings, draws / 10, 3);
                 for (const PooledCheck& stored : stores.seeds.front())
                     row.fixed_seconds += fixed[key_of(*stored.check)] * stored.pool->seconds_per_replicate();
-                std::vector<Tally> budgets;
-                if (row.variant->kind == Variant::Kind::wrong)
-                    for (const Budget& budget : summary.budgets)
-                        budgets.push_back(replay(stores.seeds, settings_of(workshop, budget.cap), draws / 500, 5));
+                if (row.variant->kind == Variant::Kind::wrong) {
+                    for (Budget& budget : summary.budgets)
+                        add_wrong(budget, row.variant->name, lock,
+                                  replay(stores.seeds, settings_of(workshop, budget.replicates), draws / 500, 5));
+                    for (Budget& budget : summary.fixed_budgets)
+                        add_wrong(budget, row.variant->name, lock,
+                                  replay_fixed(stores.seeds, settings, budget.replicates, draws / 500, 5));
+                }
                 const std::scoped_lock guard(lock);
                 if (stores.least > 0) summary.least_replicates = std::min(summary.least_replicates, stores.least);
-                for (std::size_t i = 0; i < budgets.size(); ++i) {
-                    Budget& budget = summary.budgets[i];
-                    budget.wrong.add(budgets[i]);
-                    const double missed = 1 - double(budgets[i].failed) / double(budgets[i].gradings);
-                    if (missed > budget.worst_wrong) budget.worst_wrong = missed, budget.worst = row.variant->name;
-                }
             });
     Progress progress(listener);
     progress.expect(int(work.size()));

@@ -25,9 +25,9 @@ struct VariantSummary {
     PeerRules peers;                                   // true: they pass it
 };
 
-/// The verdicts when no more than so many replicates may be spent on a statistic.
+/// The verdicts with a given number of replicates: the most that may be spent on a statistic, or a fixed number.
 struct Budget {
-    int cap = 0;
+    int replicates = 0;
     Tally right, wrong;       // the whole solution; one fragment of each wrong variant
     double worst_wrong = 0;   // largest share of wrong verdicts of one variant
     std::string worst;
@@ -54,7 +54,7 @@ struct Summary {
     std::vector<std::string> false_failures;                     // what and why
     int neighbours = 0, spoiled = 0;                             // fragments beside a changed one, in real gradings
     std::vector<Nominal> nominal;
-    std::vector<Budget> budgets;
+    std::vector<Budget> budgets, fixed_budgets;
     std::vector<Dose> doses;
     std::vector<Confined> confined;
     int under_load = 0, same_under_load = 0;
