@@ -26,13 +26,13 @@ Color direct_light(const Material& material, Color radiance, const LightSample& 
     const Real cosine = dot(n, light.direction);
     if (!(cosine > 0)) return Color(0);
     if (!(light.density > 0)) return Color(0);
-    Color reflected = cosine / pi * material.albedo;
+    Color reflected = cosine * (1 / pi) * material.albedo;
     if (material.specular != Color(0)) {
         const vec3 apart = 2 * cosine * n - light.direction - to_viewer;
         const Real off = dot(apart, apart) / 2;  // 1 - r . c
-        if (off < 1) reflected += std::exp(material.shininess * std::log1p(-off)) * material.specular;
+        if (off < 1) reflected += exp(material.shininess * log1p(-off)) * material.specular;
     }
-    return reflected * radiance / light.density;
+    return reflected * radiance * (1 / light.density);
     // END SOLUTION: return not_started(Color(0));
 }
 

@@ -14,7 +14,7 @@ namespace rt {
 /// Source: Kalos and Whitlock, "Monte Carlo Methods", chapter 6.
 Real free_flight(Real extinction, Real u) {
     // BEGIN SOLUTION
-    return -std::log1p(-u) / extinction;
+    return -log1p(-u) / extinction;
     // END SOLUTION: return not_started(inf);
 }
 

@@ -19,14 +19,14 @@ namespace rt {
 Real hit_sphere(const Sphere& sphere, const Ray& ray) {
     // BEGIN SOLUTION
     const vec3 f = ray.origin - sphere.center;
-    const Real a = dot(ray.direction, ray.direction);
+    const Real a = dot(ray.direction, ray.direction), over_a = 1 / a;
     const Real b = -dot(f, ray.direction);
-    const vec3 l = f + (b / a) * ray.direction;
+    const vec3 l = f + (b * over_a) * ray.direction;
     const Real discriminant = sphere.radius * sphere.radius - dot(l, l);
     if (!(discriminant >= 0)) return inf;
     const Real c = dot(f, f) - sphere.radius * sphere.radius;
     const Real q = b + std::copysign(std::sqrt(a * discriminant), b);
-    const Real t0 = c / q, t1 = q / a;
+    const Real t0 = c / q, t1 = q * over_a;
     const Real first = t0 < t1 ? t0 : t1, last = t0 < t1 ? t1 : t0;
     if (first > ray.near && first < ray.far) return first;
     if (last > ray.near && last < ray.far) return last;

@@ -43,7 +43,7 @@ LightSample light_sample(const Emitter& light, vec3 p, vec2 u) {
     // Its density per solid angle.
     const vec3 to_point = point - p;
     const Real squared = dot(to_point, to_point), distance = std::sqrt(squared);
-    const Real cosine = -dot(to_point, normal) / (distance * length);
+    const Real cosine = -dot(to_point, normal) * (1 / distance) * (1 / length);
     return {to_point * (1 / distance), distance, cosine > 0 ? squared / (cosine * area) : 0};
     // END SOLUTION: return not_started(LightSample{vec3(0, 0, 1), 0, 0});
 }

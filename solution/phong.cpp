@@ -30,7 +30,7 @@ Color phong(const Material& material, Color ambient, Color irradiance, vec3 n, v
     const vec3 mirrored = 2 * cosine * n - to_light;
     const vec3 apart = mirrored - to_viewer;
     const Real off = dot(apart, apart) / 2;  // 1 - r . c
-    const Real highlight = off < 1 ? std::exp(material.shininess * std::log1p(-off)) : 0;
+    const Real highlight = off < 1 ? exp(material.shininess * log1p(-off)) : 0;
     return glow + irradiance * (cosine / pi * material.albedo + highlight * material.specular);
     // END SOLUTION: return not_started(irradiance * material.albedo / pi);
 }

@@ -18,8 +18,8 @@ namespace rt {
 /// "Accuracy and Stability of Numerical Algorithms", 2nd ed., sections 1.7 and 1.14.
 DirectionSample phong_lobe(Real exponent, vec2 u) {
     // BEGIN SOLUTION
-    const Real l = std::log(u.x) / (exponent + 1);
-    const Real cosine = std::exp(l), sine = safe_sqrt(-std::expm1(2 * l));
+    const Real l = log(u.x) / (exponent + 1);
+    const Real cosine = exp(l), sine = safe_sqrt(-expm1(2 * l));
     const vec2 circle = unit_circle(u.y);
     const Real to_the_n = u.x > 0 ? u.x / cosine : exponent > 0 ? 0 : 1;
     const Real density = (exponent + 1) / (2 * pi) * to_the_n;

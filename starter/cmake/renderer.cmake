@@ -25,11 +25,12 @@ endfunction()
 # add_inlined_stages(name fragments): an object file that takes the place of the framework's stages.
 function(add_inlined_stages name fragments)
     set(declarations "")
-    # one declaration a line; inline, so that the objects' definitions may stand beside these
+    # one declaration a line; inline, so that the objects' definitions may stand beside these, and always, for a loop
+    # with a call in it is not vectorised
     file(STRINGS ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../rt/fragments.h lines REGEX "^[A-Za-z].*\\(.*\\);$")
     foreach(line IN LISTS lines)
         if(NOT line MATCHES "report_not_started")
-            string(APPEND declarations "inline ${line}\n")
+            string(APPEND declarations "[[gnu::always_inline]] inline ${line}\n")
         endif()
     endforeach()
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../rt/fragments.h)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -41,6 +42,14 @@ struct alignas(64) Batch {
         dx[i] = r.direction.x, dy[i] = r.direction.y, dz[i] = r.direction.z;
         near[i] = r.near, far[i] = r.far, shape[i] = nothing;
     }
+    /// Lane `to` becomes as lane `from` is.
+    void copy_lane(int from, int to) {
+        set_ray(to, ray(from));
+        time[to] = time[from], shape[to] = shape[from];
+        set_weight(to, weight(from));
+        key[to] = key[from], sample[to] = sample[from], slot[to] = slot[from], event[to] = event[from];
+        depth[to] = depth[from], bounce[to] = bounce[from], medium[to] = medium[from];
+    }
     Color weight(int i) const { return {weight_r[i], weight_g[i], weight_b[i]}; }
     void set_weight(int i, Color w) { weight_r[i] = w.x, weight_g[i] = w.y, weight_b[i] = w.z; }
 };
@@ -52,6 +61,7 @@ struct alignas(64) Surfaces {
     Real nx[lanes], ny[lanes], nz[lanes];  // shading normal, on the side of the ray
     Index material[lanes];  // nothing: no surface here
     Index behind[lanes];    // 1 where the ray came from the back side
+    Index shines[lanes];    // 1 where the side that is seen sends out light
 
     vec3 normal(int i) const { return {nx[i], ny[i], nz[i]}; }
     Hit hit(int i) const { return {{px[i], py[i], pz[i]}, {gx[i], gy[i], gz[i]}, error[i]}; }
@@ -71,13 +81,18 @@ struct Queue {
 
     void clear() { used = 0; }
 
-    /// The next free lane. What is in it stays from its last use.
-    std::pair<Batch&, int> push() {
+    /// The batch that is filled now: it has free lanes from its count on.
+    Batch& open() {
         if (used == 0 || batches[used - 1].count == lanes) {
             if (used == batches.size()) batches.emplace_back();
             batches[used++].count = 0;
         }
-        Batch& last = batches[used - 1];
+        return batches[used - 1];
+    }
+
+    /// The next free lane. What is in it stays from its last use.
+    std::pair<Batch&, int> push() {
+        Batch& last = open();
         return {last, last.count++};
     }
 };

@@ -16,7 +16,10 @@ struct Box {
         low = {p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y, p.z < low.z ? p.z : low.z};
         high = {p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y, p.z > high.z ? p.z : high.z};
     }
-    void include(const Box& b) { include(b.low), include(b.high); }
+    void include(const Box& b) {
+        low = {std::min(low.x, b.low.x), std::min(low.y, b.low.y), std::min(low.z, b.low.z)};
+        high = {std::max(high.x, b.high.x), std::max(high.y, b.high.y), std::max(high.z, b.high.z)};
+    }
     vec3 center() const { return 0.5 * low + 0.5 * high; }
     /// Half the surface; 0 for an empty box.
     Real half_area() const {

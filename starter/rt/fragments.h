@@ -3,6 +3,7 @@
 #include <functional>
 #include <span>
 
+#include "rt/elementary.h"
 #include "rt/ray.h"
 #include "rt/scene.h"
 

@@ -44,7 +44,7 @@ inline vec3 unit(vec3 v) {
 /// every machine gets the same bits; error below 2 roundoff.
 ///
 /// turn  0 <= turn < 1
-inline vec2 unit_circle(Real turn) {
+[[gnu::always_inline]] inline vec2 unit_circle(Real turn) {
     // The nearest quarter of the circle, and the angle from there, at most pi/4; then the series of sine and cosine.
     const Real quarter = std::floor(4 * turn + 0.5);
     const Real a = (turn - 0.25 * quarter) * (2 * pi), a2 = a * a;
@@ -54,9 +54,11 @@ inline vec2 unit_circle(Real turn) {
     const Real cosine =
         1 + a2 * (-1.0 / 2 + a2 * (1.0 / 24 + a2 * (-1.0 / 720 + a2 * (1.0 / 40320 + a2 * (-1.0 / 3628800 +
         a2 * (1.0 / 479001600 + a2 * (-1.0 / 87178291200 + a2 * (1.0 / 20922789888000))))))));
-    const bool swap = quarter == 1 || quarter == 3;
+    // `|`, for it has no branch
+    const bool left = bool(quarter == 1) | bool(quarter == 2), below = bool(quarter == 2) | bool(quarter == 3);
+    const bool swap = left != below;
     const Real x = swap ? sine : cosine, y = swap ? cosine : sine;
-    return {quarter == 1 || quarter == 2 ? -x : x, quarter == 2 || quarter == 3 ? -y : y};
+    return {left ? -x : x, below ? -y : y};
 }
 
 /// a b - c d with an error of two roundings of the result, where plain arithmetic may have no digit right.
@@ -92,7 +94,7 @@ struct Frame {
 /// A frame whose z axis is the unit vector n.
 ///
 /// Source: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
-inline Frame frame_about(vec3 n) {
+[[gnu::always_inline]] inline Frame frame_about(vec3 n) {
     const Real sign = n.z >= 0 ? 1.0 : -1.0;
     const Real a = -1 / (sign + n.z);
     const Real b = n.x * n.y * a;

@@ -19,20 +19,20 @@ void Worker::first_wave(const std::vector<PixelWork>& pixels, int n, Sampler sam
     Bits keys[lanes]{};
     int samples[lanes]{};
     const int all = int(pixels.size()) * n;
-    now.clear();
+    int pixel = 0, sample = 0;
     for (int slot = 0; slot < all; slot += lanes) {
         const int count = std::min(lanes, all - slot);
         for (int i = 0; i < count; ++i) {
-            const PixelWork& pixel = pixels[std::size_t((slot + i) / n)];
-            extents[i] = {vec2(pixel.x, pixel.y), vec2(pixel.x + 1, pixel.y + 1)};
-            keys[i] = pixel.key;
-            samples[i] = (slot + i) % n;
+            const PixelWork& work = pixels[std::size_t(pixel)];
+            extents[i] = {vec2(work.x, work.y), vec2(work.x + 1, work.y + 1)};
+            keys[i] = work.key;
+            samples[i] = sample;
+            if (++sample == n) sample = 0, ++pixel;
         }
-        now.push();
-        camera_stage(world, {extents, keys, samples, slot, count, n, sampler}, now.batches[now.used - 1], chunk);
-        now.batches[now.used - 1].count = lanes;  // the next push opens a batch of its own
+        camera_stage(world, {extents, keys, samples, slot, count, n, sampler}, first, chunk);
+        first.count = count;
+        follow(first, n, 0, sampler);
     }
-    if (now.used > 0) now.batches[now.used - 1].count = all - (int(now.used) - 1) * lanes;
 }
 
 void Worker::follow(Batch& batch, int n, int wave, Sampler sampler) {
@@ -40,8 +40,10 @@ void Worker::follow(Batch& batch, int n, int wave, Sampler sampler) {
     medium_stage(world, sampler, n, wave, batch, next, chunk);
     surface_stage(world, batch, surfaces);
     if (trace) *trace += describe_wave(world, wave, batch, surfaces);
-    emission_stage(world, batch, surfaces, chunk);
-    direct_stage(world, sampler, n, wave, batch, surfaces, shadow, chunk);
+    found = Colors{};
+    emission_stage(world, batch, surfaces, found);
+    direct_stage(world, sampler, n, wave, batch, surfaces, shadow, found, chunk);
+    for (int i = 0; i < batch.count; ++i) chunk.radiance[std::size_t(batch.slot[i])] += found.at(i);
     if (trace) *trace += describe_light(batch, chunk);
     scatter_stage(world, sampler, n, wave, batch, surfaces, next, chunk);
 }
@@ -50,11 +52,12 @@ void Worker::render(const std::vector<PixelWork>& pixels, int n, Sampler sampler
     const std::size_t all = pixels.size() * std::size_t(n);
     chunk.radiance.assign(all, Color(0));
     chunk.weight.resize(all);
+    next.clear();
     first_wave(pixels, n, sampler);
-    for (int wave = 0; now.used > 0 && wave < longest_path; ++wave) {
+    for (int wave = 1; next.used > 0 && wave < longest_path; ++wave) {
+        std::swap(now, next);
         next.clear();
         for (std::size_t k = 0; k < now.used; ++k) follow(now.batches[k], n, wave, sampler);
-        std::swap(now, next);
     }
     for (std::size_t k = 0; k < pixels.size(); ++k) {
         means[k] = film_stage(&chunk.radiance[k * std::size_t(n)], &chunk.weight[k * std::size_t(n)], n);

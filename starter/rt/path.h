@@ -34,8 +34,9 @@ struct Worker {
 
 private:
     Queue now, next;
-    Batch shadow;
+    Batch first, shadow;
     Surfaces surfaces;
+    Colors found;  // what each lane of a batch adds to its sample
 
     void first_wave(const std::vector<PixelWork>& pixels, int n, Sampler sampler);
     void follow(Batch& batch, int n, int wave, Sampler sampler);

@@ -68,7 +68,7 @@ inline std::uint32_t pascal(std::uint32_t x) {
 /// Point i of a (0,2)-sequence in base 2, scrambled and shuffled by key and dimension.
 ///
 /// Source: Sobol', USSR Comp. Math. 7(4), 1967; Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020.
-inline vec2 sobol_2d(Bits key, std::uint32_t i, Bits dimension) {
+[[gnu::always_inline]] inline vec2 sobol_2d(Bits key, std::uint32_t i, Bits dimension) {
     const Bits seeds = combine(key, dimension), more = mix(seeds);
     const std::uint32_t shuffled = reversed(scrambled(reversed(i), std::uint32_t(more)));
     const std::uint32_t x = reversed(scrambled(shuffled, std::uint32_t(seeds)));
@@ -107,7 +107,7 @@ inline int permuted(int i, int n, Bits key) {
 ///
 /// Cells are dealt out in another random order in each dimension: dimensions must not go together.
 template <Sampler sampler>
-vec2 pattern_2d(Bits key, int i, int n, Bits dimension) {
+[[gnu::always_inline]] inline vec2 pattern_2d(Bits key, int i, int n, Bits dimension) {
     if constexpr (sampler == Sampler::random) return random_2d(key, Bits(i), dimension);
     if constexpr (sampler == Sampler::sobol) return sobol_2d(key, std::uint32_t(i), dimension);
     if constexpr (sampler == Sampler::stratified)
@@ -116,7 +116,7 @@ vec2 pattern_2d(Bits key, int i, int n, Bits dimension) {
 }
 
 template <Sampler sampler>
-Real pattern_1d(Bits key, int i, int n, Bits dimension) {
+[[gnu::always_inline]] inline Real pattern_1d(Bits key, int i, int n, Bits dimension) {
     if constexpr (sampler == Sampler::random) return random_1d(key, Bits(i), dimension);
     if constexpr (sampler == Sampler::sobol) return sobol_2d(key, std::uint32_t(i), dimension).x;
     if constexpr (sampler == Sampler::stratified)

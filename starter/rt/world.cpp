@@ -61,6 +61,7 @@ struct Layout {
         r.reach = reach;
         r.velocity = velocity;
         r.material = material;
+        r.shines = m.emission != Color(0);
         r.smooth = smooth;
         if constexpr (!std::is_same_v<S, Triangle>) {
             if (m.emission != Color(0) && m.sampled && velocity == vec3(0)) {
@@ -69,7 +70,7 @@ struct Layout {
                 world.emitters.back().radiance = m.emission;
             }
         }
-        list.push_back({shape, Index(world.surfaces.size()), velocity});
+        list.push_back({shape, Index(world.surfaces.size()), velocity, box});
         world.surfaces.push_back(r);
         if (world.plan.bvh) boxes.push_back(box);
     }
@@ -98,6 +99,10 @@ struct Layout {
 World make_world(const Scene& scene) {
     Layout layout{{.scene = scene, .plan = make_plan(scene)}, {}};
     World& world = layout.world;
+    world.reflectances.push_back({});
+    for (const Material& m : scene.materials)
+        world.reflectances.push_back(
+            {m.albedo, m.specular, m.shininess, Index(m.albedo != Color(0) || m.specular != Color(0))});
     layout.add_kind(world.spheres);
     layout.add_kind(world.triangles);
     for (const Mesh& mesh : scene.meshes) layout.add_mesh(mesh);

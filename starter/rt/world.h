@@ -14,6 +14,7 @@ struct Numbered {
     Shape shape;
     Index id;
     vec3 velocity;
+    Box box;  // about all of its motion
 };
 
 /// What the surface stage must know of a shape, found by its number.
@@ -25,7 +26,15 @@ struct SurfaceRecord {
     vec3 velocity{0};
     Index material = 0;
     bool sampled = false;  // an emitter that shadow rays look for
+    Index shines = 0;      // 1: its front side sends out light
     Index smooth = nothing;  // which of World::smooth has its normals
+};
+
+/// What the direct stage must know of a material.
+struct Reflectance {
+    Color albedo{0}, specular{0};
+    Real shininess = 1;
+    Index reflects = 0;  // 1: any light
 };
 
 /// A triangle with a normal at each corner.
@@ -45,6 +54,7 @@ struct World {
     std::vector<Emitter> emitters;
     std::vector<SurfaceRecord> surfaces;  // by number
     std::vector<SmoothTriangle> smooth;
+    std::vector<Reflectance> reflectances;  // of no surface, which is black, and then of each material
     Bvh bvh;
 };
 

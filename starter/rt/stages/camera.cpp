@@ -1,46 +1,49 @@
 #include "rt/stages/stages.h"
 
 namespace rt {
+namespace {
 
-void camera_stage(const World& world, const CameraWork& work, Batch& batch, Chunk& chunk) {
+template <Sampler sampler, bool lens, bool time>
+void first_rays(const World& world, const CameraWork& work, Batch& batch, Real* weights) {
+    // Copies: the compiler keeps them in registers.
     const Camera camera = world.scene.camera;
     const Shutter shutter = world.scene.shutter;
-    batch.count = work.count;
+    constexpr bool in_cells = sampler == Sampler::stratified || sampler == Sampler::uniform;
+#pragma GCC ivdep
+    for (int i = 0; i < lanes; ++i) {
+        const Bits key = work.keys[i];
+        const int index = work.samples[i];
+        // The cells of a stratified pixel are film_sample's own; other patterns are laid over the whole pixel.
+        const vec2 u = sampler == Sampler::stratified ? random_2d(key, Bits(index), pixel_dimension)
+                       : sampler == Sampler::uniform  ? vec2(0.5)
+                                                      : pattern_2d<sampler>(key, index, work.n, pixel_dimension);
+        const FilmSample film = film_sample(work.extents[i], in_cells ? index : 0, in_cells ? work.n : 1, u);
+        batch.set_ray(i, camera_ray(camera, film.position));
+        if constexpr (lens)
+            batch.set_ray(i, lens_ray(camera, batch.ray(i), pattern_2d<sampler>(key, index, work.n, lens_dimension)));
+        batch.time[i] = 0;
+        if constexpr (time)
+            batch.time[i] = shutter_time(shutter, pattern_1d<sampler>(key, index, work.n, time_dimension));
+        batch.set_weight(i, Color(1));
+        batch.key[i] = key;
+        batch.sample[i] = index;
+        batch.slot[i] = work.slot + i;
+        batch.event[i] = Index(Event::camera);
+        batch.depth[i] = batch.bounce[i] = 0;
+        batch.medium[i] = nothing;
+        batch.near[i] = i < work.count ? batch.near[i] : inf;
+        if (i < work.count) weights[i] = film.weight;
+    }
+}
+
+}  // namespace
+
+void camera_stage(const World& world, const CameraWork& work, Batch& batch, Chunk& chunk) {
     Real* weights = chunk.weight.data() + work.slot;
     with_sampler(work.sampler, [&](auto sampler) {
         with_flag(world.plan.lens, [&](auto lens) {
             with_flag(world.plan.time, [&](auto time) {
-                constexpr bool in_cells = sampler() == Sampler::stratified || sampler() == Sampler::uniform;
-#pragma GCC ivdep
-                for (int i = 0; i < lanes; ++i) {
-                    const Bits key = work.keys[i];
-                    const int index = work.samples[i];
-                    // The cells of a stratified pixel are film_sample's own; other patterns are laid over the whole
-                    // pixel.
-                    const vec2 u = sampler() == Sampler::stratified ? random_2d(key, Bits(index), pixel_dimension)
-                                   : sampler() == Sampler::uniform
-                                       ? vec2(0.5)
-                                       : pattern_2d<sampler()>(key, index, work.n, pixel_dimension);
-                    const FilmSample film =
-                        film_sample(work.extents[i], in_cells ? index : 0, in_cells ? work.n : 1, u);
-                    Ray ray = camera_ray(camera, film.position);
-                    if constexpr (lens())
-                        ray = lens_ray(camera, ray, pattern_2d<sampler()>(key, index, work.n, lens_dimension));
-                    batch.set_ray(i, ray);
-                    batch.time[i] = 0;
-                    if constexpr (time())
-                        batch.time[i] =
-                            shutter_time(shutter, pattern_1d<sampler()>(key, index, work.n, time_dimension));
-                    batch.set_weight(i, Color(1));
-                    batch.key[i] = key;
-                    batch.sample[i] = index;
-                    batch.slot[i] = work.slot + i;
-                    batch.event[i] = Index(Event::camera);
-                    batch.depth[i] = batch.bounce[i] = 0;
-                    batch.medium[i] = nothing;
-                    batch.near[i] = i < work.count ? batch.near[i] : inf;
-                    if (i < work.count) weights[i] = film.weight;
-                }
+                first_rays<sampler(), lens(), time()>(world, work, batch, weights);
             });
         });
     });

@@ -6,29 +6,36 @@ namespace {
 /// What the direct stage reads of a material, gathered for each lane.
 struct alignas(64) Reflectances {
     Real albedo_r[lanes], albedo_g[lanes], albedo_b[lanes];
+    Real specular_r[lanes], specular_g[lanes], specular_b[lanes], shininess[lanes];  // where there are highlights
+
     Color albedo(int i) const { return {albedo_r[i], albedo_g[i], albedo_b[i]}; }
+    Color specular(int i) const { return {specular_r[i], specular_g[i], specular_b[i]}; }
 };
 
 /// What is left of the light after its way through the medium in which the surface lies.
 Real left_by_medium(const World& world, Index medium, Real distance) {
-    return medium == nothing ? 1 : std::exp(-world.scene.materials[std::size_t(medium)].medium.extinction * distance);
+    return medium == nothing ? 1 : exp(-world.scene.materials[std::size_t(medium)].medium.extinction * distance);
 }
 
 /// Adds reflected light where the shadow ray met nothing, and counts the shadow rays.
-void gather(const World& world, const Batch& b, const Colors& light, Batch& shadow, Chunk& chunk) {
-    int sent = 0;
-    for (int i = 0; i < b.count; ++i) {
-        const bool wanted = light.at(i) != Color(0);
-        sent += wanted;
+void gather(const World& world, const Batch& b, Colors& light, Batch& shadow, Colors& found, Chunk& chunk) {
+    Index sent = 0;
+    for (Index i = 0; i < lanes; ++i) {
+        const bool wanted = bool(light.r[i] != 0) | bool(light.g[i] != 0) | bool(light.b[i] != 0);
+        sent += wanted & (i < b.count);
         shadow.far[i] = wanted ? shadow.far[i] : -inf;
     }
     if (sent == 0) return;
     shadow.count = b.count;
     any_hit_stage(world, shadow);
-    for (int i = 0; i < b.count; ++i) {
-        if (shadow.shape[i] != nothing || light.at(i) == Color(0)) continue;
-        const Real left = world.plan.medium ? left_by_medium(world, b.medium[i], shadow.far[i]) : 1;
-        chunk.radiance[std::size_t(b.slot[i])] += left * b.weight(i) * light.at(i);
+    if (world.plan.medium)
+        for (int i = 0; i < b.count; ++i)
+            if (shadow.far[i] > 0) light.set(i, left_by_medium(world, b.medium[i], shadow.far[i]) * light.at(i));
+    for (int i = 0; i < lanes; ++i) {
+        const bool lit = shadow.shape[i] == nothing;
+        found.r[i] += lit ? b.weight_r[i] * light.r[i] : 0;
+        found.g[i] += lit ? b.weight_g[i] * light.g[i] : 0;
+        found.b[i] += lit ? b.weight_b[i] * light.b[i] : 0;
     }
     chunk.rays[int(RayKind::shadow)] += std::uint64_t(sent);
 }
@@ -60,7 +67,7 @@ void point_light(const World& world, const PointLight& light_in_memory, const Ba
 
 /// One sample of a light with extent for each lane.
 template <Sampler sampler, bool highlights, Emitter::Kind kind>
-void area_light(const World& world, const Emitter& emitter, Bits dimension, int n, const Batch& b, const Surfaces& s,
+void area_light(const Emitter& emitter, Bits dimension, int n, const Batch& b, const Surfaces& s,
                 const Reflectances& reflectances, Batch& shadow, Colors& light) {
     Emitter lamp = emitter;
     lamp.kind = kind;
@@ -71,17 +78,13 @@ void area_light(const World& world, const Emitter& emitter, Bits dimension, int 
         const vec3 normal = s.normal(i), to_viewer = -vec3(b.dx[i], b.dy[i], b.dz[i]);
         const vec2 u = pattern_2d<sampler>(b.key[i], int(b.sample[i]), n, dimension);
         const LightSample sample = light_sample(lamp, hit.point, u);
-        Color reflected;
+        Material material;
+        material.albedo = reflectances.albedo(i);
         if constexpr (highlights) {
-            reflected = s.material[i] == nothing ? Color(0)
-                                                 : direct_light(world.scene.materials[std::size_t(s.material[i])],
-                                                                radiance, sample, normal, to_viewer);
-        } else {
-            Material lambert;
-            lambert.albedo = reflectances.albedo(i);
-            reflected = direct_light(lambert, radiance, sample, normal, to_viewer);
+            material.specular = reflectances.specular(i);
+            material.shininess = reflectances.shininess[i];
         }
-        light.set(i, reflected);
+        light.set(i, direct_light(material, radiance, sample, normal, to_viewer));
         shadow.set_ray(i, shadow_ray(hit, sample.direction, sample.distance));
     }
 }
@@ -101,49 +104,54 @@ void environment_light(const World& world, Bits dimension, int n, const Batch& b
     }
 }
 
-/// The albedos of the lanes' materials; black where there is no surface. Returns whether any lane reflects.
+/// Reflectances of the lanes' materials; black where there is no surface. Returns whether any lane reflects.
 bool gather_reflectances(const World& world, int count, const Surfaces& s, Reflectances& r) {
-    const Material* materials = world.scene.materials.data();
-    bool any = false;
-    for (int i = 0; i < lanes; ++i) {
-        const bool on = i < count && s.material[i] != nothing;
-        const Color albedo = on ? materials[s.material[i]].albedo : Color(0);
-        const Color specular = on ? materials[s.material[i]].specular : Color(0);
-        r.albedo_r[i] = albedo.x, r.albedo_g[i] = albedo.y, r.albedo_b[i] = albedo.z;
-        any |= albedo != Color(0) || specular != Color(0);
+    const Reflectance* table = world.reflectances.data();
+    const Index last = count;
+    Index any = 0;
+    for (Index i = 0; i < lanes; ++i) {
+        const Reflectance& m = table[i < last ? s.material[i] + 1 : 0];
+        any |= m.reflects;
+        r.albedo_r[i] = m.albedo.x, r.albedo_g[i] = m.albedo.y, r.albedo_b[i] = m.albedo.z;
     }
-    return any;
+    if (!world.plan.phong) return any != 0;
+    for (Index i = 0; i < lanes; ++i) {
+        const Reflectance& m = table[i < last ? s.material[i] + 1 : 0];
+        r.specular_r[i] = m.specular.x, r.specular_g[i] = m.specular.y, r.specular_b[i] = m.specular.z;
+        r.shininess[i] = m.shininess;
+    }
+    return any != 0;
 }
 
-void ambient_light(const World& world, const Batch& b, const Surfaces& s, Chunk& chunk) {
+void ambient_light(const World& world, const Batch& b, const Surfaces& s, Colors& found) {
     for (int i = 0; i < b.count; ++i) {
         if (s.material[i] == nothing) continue;
         const Material& m = world.scene.materials[std::size_t(s.material[i])];
         if (m.ambient == Color(0)) continue;
         const vec3 n = s.normal(i);
-        chunk.radiance[std::size_t(b.slot[i])] += b.weight(i) * phong(m, world.scene.ambient, Color(0), n, n, n);
+        found.set(i, found.at(i) + b.weight(i) * phong(m, world.scene.ambient, Color(0), n, n, n));
     }
 }
 
 }  // namespace
 
 void direct_stage(const World& world, Sampler sampler_in_use, int n, int wave, const Batch& b, const Surfaces& s,
-                  Batch& shadow, Chunk& chunk) {
-    if (world.scene.ambient != Color(0)) ambient_light(world, b, s, chunk);
+                  Batch& shadow, Colors& found, Chunk& chunk) {
+    if (world.scene.ambient != Color(0)) ambient_light(world, b, s, found);
     Reflectances reflectances;
     if (!gather_reflectances(world, b.count, s, reflectances)) return;
     Colors light;
     for (int i = 0; i < lanes; ++i) shadow.time[i] = b.time[i];
     for (const PointLight& lamp : world.scene.lights) {
         point_light(world, lamp, b, s, shadow, light);
-        gather(world, b, light, shadow, chunk);
+        gather(world, b, light, shadow, found, chunk);
     }
     with_sampler(sampler_in_use, [&](auto sampler) {
         with_flag(world.plan.phong, [&](auto highlights) {
             for (std::size_t l = 0; l < world.emitters.size(); ++l) {
                 const Bits dimension = wave_dimension(world, wave, light_dimension + int(l));
                 const auto sample = [&](auto kind) {
-                    area_light<sampler(), highlights(), kind()>(world, world.emitters[l], dimension, n, b, s,
+                    area_light<sampler(), highlights(), kind()>(world.emitters[l], dimension, n, b, s,
                                                                 reflectances, shadow, light);
                 };
                 using Kind = Emitter::Kind;
@@ -152,13 +160,13 @@ void direct_stage(const World& world, Sampler sampler_in_use, int n, int wave, c
                     case Kind::disc: sample(std::integral_constant<Kind, Kind::disc>{}); break;
                     case Kind::sphere: sample(std::integral_constant<Kind, Kind::sphere>{}); break;
                 }
-                gather(world, b, light, shadow, chunk);
+                gather(world, b, light, shadow, found, chunk);
             }
         });
         if (world.plan.environment_lit) {
             environment_light<sampler()>(world, wave_dimension(world, wave, environment_dimension), n, b, s,
                                          reflectances, shadow, light);
-            gather(world, b, light, shadow, chunk);
+            gather(world, b, light, shadow, found, chunk);
         }
     });
 }

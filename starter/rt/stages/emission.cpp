@@ -1,25 +1,40 @@
 #include "rt/stages/stages.h"
 
 namespace rt {
+namespace {
 
-void emission_stage(const World& world, const Batch& b, const Surfaces& s, Chunk& chunk) {
-    const bool sky = world.plan.environment || world.scene.background != Color(0);
-    if (!sky && !world.plan.emission) return;
-    for (int i = 0; i < b.count; ++i) {
+/// What rays that meet nothing see: the environment, and the background if they come from the camera.
+void see_sky(const World& world, const Batch& b, Colors& found) {
+    const Color environment = world.scene.environment, background = world.scene.background;
+    const bool lit = world.plan.environment_lit;
+#pragma GCC ivdep
+    for (int i = 0; i < lanes; ++i) {
         const Event from = Event(b.event[i]);
-        Color light(0);
-        if (b.shape[i] == nothing) {
-            if (world.plan.environment && emission_counts(from, world.plan.environment_lit))
-                light = world.scene.environment;
-            if (from == Event::camera) light += world.scene.background;
-        } else if (s.material[i] != nothing && !s.behind[i]) {
-            const Color emission = world.scene.materials[std::size_t(s.material[i])].emission;
-            if (emission == Color(0) || !emission_counts(from, world.surfaces[std::size_t(b.shape[i])].sampled))
-                continue;
-            light = emission;
-        }
-        chunk.radiance[std::size_t(b.slot[i])] += b.weight(i) * light;
+        const bool counts = emission_counts(from, lit), camera = from == Event::camera;
+        const Color light{(counts ? environment.x : 0) + (camera ? background.x : 0),
+                          (counts ? environment.y : 0) + (camera ? background.y : 0),
+                          (counts ? environment.z : 0) + (camera ? background.z : 0)};
+        const bool missed = b.shape[i] == nothing;
+        found.r[i] += missed ? b.weight_r[i] * light.x : 0;
+        found.g[i] += missed ? b.weight_g[i] * light.y : 0;
+        found.b[i] += missed ? b.weight_b[i] * light.z : 0;
     }
+}
+
+void see_emitters(const World& world, const Batch& b, const Surfaces& s, Colors& found) {
+    Index any = 0;
+    for (int i = 0; i < lanes; ++i) any |= s.shines[i];
+    if (!any) return;
+    for (int i = 0; i < b.count; ++i)
+        if (s.shines[i] && emission_counts(Event(b.event[i]), world.surfaces[std::size_t(b.shape[i])].sampled))
+            found.set(i, found.at(i) + b.weight(i) * world.scene.materials[std::size_t(s.material[i])].emission);
+}
+
+}  // namespace
+
+void emission_stage(const World& world, const Batch& batch, const Surfaces& surfaces, Colors& found) {
+    if (world.plan.environment || world.scene.background != Color(0)) see_sky(world, batch, found);
+    if (world.plan.emission) see_emitters(world, batch, surfaces, found);
 }
 
 }  // namespace rt

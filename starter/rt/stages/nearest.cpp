@@ -1,3 +1,4 @@
+#include "rt/shaft.h"
 #include "rt/stages/stages.h"
 
 namespace rt {
@@ -29,25 +30,27 @@ inline Triangle at_time(Triangle t, vec3 velocity, Real time) {
 /// number.
 template <auto hit, bool moves, class Shape>
 void try_shape(const Numbered<Shape>& in_memory, Batch& b) {
-    const Numbered<Shape> numbered = in_memory;
+    const Shape shape = in_memory.shape;
+    const vec3 velocity = in_memory.velocity;
+    const Index id = in_memory.id;
 #pragma GCC ivdep
     for (int i = 0; i < lanes; ++i) {
         const Ray ray = b.ray(i);
         Real t;
         if constexpr (moves)
-            t = hit(at_time(numbered.shape, numbered.velocity, b.time[i]), ray);
+            t = hit(at_time(shape, velocity, b.time[i]), ray);
         else
-            t = hit(numbered.shape, ray);
+            t = hit(shape, ray);
         const bool closer = t < ray.far;
         b.far[i] = closer ? t : ray.far;
-        b.shape[i] = closer ? numbered.id : b.shape[i];
+        b.shape[i] = closer ? id : b.shape[i];
     }
 }
 
 template <auto hit, class Shape>
-void try_shapes(const std::vector<Numbered<Shape>>& shapes, Batch& b) {
+void try_shapes(const std::vector<Numbered<Shape>>& shapes, const Shaft& shaft, Batch& b) {
     for (const auto& s : shapes)
-        with_flag(s.velocity != vec3(0), [&](auto moves) { try_shape<hit, moves()>(s, b); });
+        if (may_meet(shaft, s.box)) with_flag(s.velocity != vec3(0), [&](auto moves) { try_shape<hit, moves()>(s, b); });
 }
 
 /// One shape against one ray, at the ray's time.
@@ -93,10 +96,12 @@ void search_tree(const World& world, bool any, Batch& b) {
 
 void search(const World& world, bool any, Batch& b) {
     if (world.plan.bvh) return search_tree(world, any, b);
-    try_shapes<hit_sphere>(world.spheres, b);
-    try_shapes<hit_triangle>(world.triangles, b);
-    try_shapes<hit_quad>(world.quads, b);
-    try_shapes<hit_disc>(world.discs, b);
+    const Shaft shaft = shaft_of(b);
+    if (shaft.empty()) return;
+    try_shapes<hit_sphere>(world.spheres, shaft, b);
+    try_shapes<hit_triangle>(world.triangles, shaft, b);
+    try_shapes<hit_quad>(world.quads, shaft, b);
+    try_shapes<hit_disc>(world.discs, shaft, b);
 }
 
 }  // namespace

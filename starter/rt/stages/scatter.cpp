@@ -3,66 +3,185 @@
 namespace rt {
 namespace {
 
-Real strongest(Color c) { return largest(c); }
+/// How a path goes on from a surface.
+enum class Way { mirror, glossy, glass, translucent, bounce };
+constexpr int ways = 5;
 
-/// Puts the next ray of lane i's path in the queue.
-void send(const Batch& b, int i, const Ray& ray, Color weight, Event event, Index medium, Bits branch, Queue& next) {
-    const auto [to, j] = next.push();
-    to.set_ray(j, ray);
-    to.time[j] = b.time[i];
-    to.set_weight(j, weight);
-    to.key[j] = branch == 0 ? b.key[i] : combine(b.key[i], branch);
-    to.sample[j] = b.sample[i];
-    to.slot[j] = b.slot[i];
-    to.event[j] = Index(event);
-    to.depth[j] = b.depth[i] + (event == Event::specular || event == Event::lobe);
-    to.bounce[j] = b.bounce[i] + (event == Event::diffuse);
-    to.medium[j] = medium;
-}
+/// The lanes that go on in one way, and what each carries on.
+struct alignas(64) Leaving {
+    int count;
+    Index lane[lanes];
+    Colors weight;
 
-/// One lane's surface, and the ways on from there.
-struct Crossing {
-    const Material& material;
-    Hit hit;
-    vec3 normal;     // shading normal, on the side of the ray
-    vec3 direction;  // of the ray
-    bool behind;
-    Real ior_from, ior_to;
-    vec2 u;          // for a lobe or a bounce
+    void add(int i, Color w) { lane[count] = i, weight.set(count++, w); }
 };
 
-void mirror(const Crossing& c, const Batch& b, int i, Color weight, Queue& next, Chunk& chunk) {
-    const bool perfect = c.material.exponent == inf;
-    Scattered way{vec3(0), Color(1)};
-    if (perfect)
-        way.direction = mirror_direction(c.direction, c.normal);
-    else
-        way = glossy_reflection(c.direction, c.normal, c.material.exponent, c.u);
-    if (way.weight == Color(0)) return;
-    send(b, i, spawn_ray(c.hit, way.direction), weight * way.weight, perfect ? Event::specular : Event::lobe,
-         b.medium[i], 0, next);
-    ++chunk.rays[int(perfect ? RayKind::mirror : RayKind::lobe)];
+using AllLeaving = std::array<Leaving, ways>;
+
+Leaving& of(AllLeaving& all, Way way) { return all[std::size_t(way)]; }
+
+/// Decides how lanes from `begin` to `end` go on. Where there are several ways, one is chosen with a probability in proportion to what
+/// it carries; or, if the plan says so, mirror and glass are both followed.
+template <Sampler sampler>
+void choose(const World& world, int n, Bits choice, const Batch& b, const Surfaces& s, int begin, int end,
+            AllLeaving& leaving) {
+    const RenderPlan& plan = world.plan;
+    for (Leaving& way : leaving) way.count = 0;
+    for (int i = begin; i < end; ++i) {
+        if (s.material[i] == nothing) continue;
+        const Material& m = world.scene.materials[std::size_t(s.material[i])];
+        const Color weight = b.weight(i);
+        const Way mirror = m.exponent == inf ? Way::mirror : Way::glossy,
+                  glass = m.exponent == inf ? Way::glass : Way::translucent;
+
+        // What each way on would carry.
+        const bool deeper = (plan.specular || plan.lobe) && b.depth[i] < world.scene.depth;
+        Outgoing out{Color(1), Color(0), Color(0)};
+        if (deeper) {
+            Real fresnel = 0;
+            if (m.transmittance != Color(0)) {
+                const Real cosine = -dot(vec3(b.dx[i], b.dy[i], b.dz[i]), s.normal(i));
+                fresnel = s.behind[i] ? fresnel_dielectric(cosine, m.ior, 1) : fresnel_dielectric(cosine, 1, m.ior);
+            }
+            out = whitted(m, fresnel);
+        }
+        const Real mirror_share = deeper ? largest(out.mirror) : 0, glass_share = deeper ? largest(out.glass) : 0;
+        const Real bounce_share = b.bounce[i] < world.scene.bounces ? largest(out.local * m.albedo) : 0;
+        const Real sum = mirror_share + glass_share + bounce_share;
+        if (sum == 0) continue;
+
+        if (plan.split) {
+            if (mirror_share > 0) of(leaving, mirror).add(i, weight * out.mirror);
+            if (glass_share > 0) of(leaving, glass).add(i, weight * out.glass);
+            continue;
+        }
+        const bool alone = mirror_share == sum || glass_share == sum || bounce_share == sum;
+        const Real u = alone ? 0 : sum * pattern_1d<sampler>(b.key[i], int(b.sample[i]), n, choice);
+        if (u < mirror_share)
+            of(leaving, mirror).add(i, weight * out.mirror * (sum / mirror_share));
+        else if (u < mirror_share + glass_share)
+            of(leaving, glass).add(i, weight * out.glass * (sum / glass_share));
+        else
+            of(leaving, Way::bounce).add(i, weight * out.local * (sum / bounce_share));
+    }
 }
 
-void glass(const Crossing& c, const Batch& b, int i, Index material, Color weight, Queue& next, Chunk& chunk) {
-    const bool perfect = c.material.exponent == inf;
-    Scattered way{vec3(0), Color(1)};
-    if (perfect)
-        way.direction = refracted_direction(c.direction, c.normal, c.ior_from, c.ior_to);
-    else
-        way = translucency(c.direction, c.normal, c.ior_from, c.ior_to, c.material.exponent, c.u);
-    if (way.weight == Color(0) || way.direction == vec3(0)) return;
-    const Index inside = c.behind || c.material.medium.extinction == 0 ? nothing : material;
-    send(b, i, spawn_ray(c.hit, way.direction), weight * way.weight, perfect ? Event::specular : Event::lobe, inside, 1,
-         next);
-    ++chunk.rays[int(perfect ? RayKind::glass : RayKind::lobe)];
+/// Every lane with an albedo bounces, if bounces are the only way on.
+void bounce_all(const World& world, const Batch& b, const Surfaces& s, Leaving& leaving) {
+    const Material* materials = world.scene.materials.data();
+    leaving.count = 0;
+    for (int i = 0; i < b.count; ++i) {
+        const bool on = s.material[i] != nothing && b.bounce[i] < world.scene.bounces &&
+                        materials[s.material[i]].albedo != Color(0);
+        leaving.lane[leaving.count] = i;
+        leaving.weight.set(leaving.count, b.weight(i));
+        leaving.count += on;
+    }
 }
 
-void bounce(const Crossing& c, const Batch& b, int i, Color weight, Queue& next, Chunk& chunk) {
-    const Scattered way = color_bleeding(c.normal, c.material.albedo, c.u);
-    if (way.weight == Color(0)) return;
-    send(b, i, spawn_ray(c.hit, way.direction), weight * way.weight, Event::diffuse, b.medium[i], 0, next);
-    ++chunk.rays[int(RayKind::bounce)];
+/// What decides where lanes go on, side by side.
+struct alignas(64) Crossing {
+    Real dx[lanes], dy[lanes], dz[lanes];  // direction of travel
+    Real nx[lanes], ny[lanes], nz[lanes];  // shading normal
+    Real px[lanes], py[lanes], pz[lanes], gx[lanes], gy[lanes], gz[lanes], error[lanes];
+    Real exponent[lanes], ior_from[lanes], ior_to[lanes];
+    Real albedo_r[lanes], albedo_g[lanes], albedo_b[lanes];
+    Bits key[lanes];
+    int sample[lanes];
+
+    Hit hit(int k) const { return {{px[k], py[k], pz[k]}, {gx[k], gy[k], gz[k]}, error[k]}; }
+};
+
+/// Collects lanes that leave in one way, and copies what stays with a path into its new lanes, from `first` on.
+template <Way way>
+void collect(const World& world, const Batch& b, const Surfaces& s, const Index* leaving, int count, Crossing& c,
+             Batch& to, int first) {
+    constexpr bool specular = way == Way::mirror || way == Way::glass, bounces = way == Way::bounce;
+    constexpr bool enters = way == Way::glass || way == Way::translucent;
+    constexpr Event event = bounces ? Event::diffuse : specular ? Event::specular : Event::lobe;
+    for (int k = 0; k < count; ++k) {
+        const Index i = leaving[k];
+        const int j = first + k;
+        const Material& m = world.scene.materials[std::size_t(s.material[i])];
+        const bool behind = s.behind[i] != 0;
+        c.dx[k] = b.dx[i], c.dy[k] = b.dy[i], c.dz[k] = b.dz[i];
+        c.nx[k] = s.nx[i], c.ny[k] = s.ny[i], c.nz[k] = s.nz[i];
+        c.px[k] = s.px[i], c.py[k] = s.py[i], c.pz[k] = s.pz[i];
+        c.gx[k] = s.gx[i], c.gy[k] = s.gy[i], c.gz[k] = s.gz[i], c.error[k] = s.error[i];
+        if constexpr (!bounces) c.exponent[k] = m.exponent;
+        if constexpr (enters) c.ior_from[k] = behind ? m.ior : 1, c.ior_to[k] = behind ? 1 : m.ior;
+        if constexpr (bounces) c.albedo_r[k] = m.albedo.x, c.albedo_g[k] = m.albedo.y, c.albedo_b[k] = m.albedo.z;
+        // Mirror and glass may both be followed: their random numbers must not be the same.
+        to.key[j] = enters ? combine(b.key[i], 1) : b.key[i];
+        c.key[k] = b.key[i];
+        to.sample[j] = c.sample[k] = b.sample[i];
+        to.time[j] = b.time[i];
+        to.slot[j] = b.slot[i];
+        to.event[j] = Index(event);
+        to.depth[j] = b.depth[i] + !bounces;
+        to.bounce[j] = b.bounce[i] + bounces;
+        to.medium[j] = !enters                                  ? b.medium[i]
+                       : behind || m.medium.extinction == 0 ? nothing
+                                                                : s.material[i];
+    }
+}
+
+/// Where a lane goes, and with which share of its light.
+template <Way way>
+Scattered direction_of(const Crossing& c, int k, vec2 u) {
+    const vec3 d{c.dx[k], c.dy[k], c.dz[k]}, n{c.nx[k], c.ny[k], c.nz[k]};
+    if constexpr (way == Way::mirror) return {mirror_direction(d, n), Color(1)};
+    if constexpr (way == Way::glossy) return glossy_reflection(d, n, c.exponent[k], u);
+    if constexpr (way == Way::glass) return {refracted_direction(d, n, c.ior_from[k], c.ior_to[k]), Color(1)};
+    if constexpr (way == Way::translucent)
+        return translucency(d, n, c.ior_from[k], c.ior_to[k], c.exponent[k], u);
+    return color_bleeding(n, {c.albedo_r[k], c.albedo_g[k], c.albedo_b[k]}, u);
+}
+
+/// Writes the rays that leave in one way, and their weights, into lanes of a batch, from `first` on.
+template <Sampler sampler, Way way>
+void send(int n, Bits dimension, const Crossing& c, const Leaving& leaving, int begin, int count, Batch& to,
+          int first) {
+    constexpr bool specular = way == Way::mirror || way == Way::glass;
+#pragma GCC ivdep
+    for (int k = 0; k < count; ++k) {
+        const vec2 u = specular ? vec2(0) : pattern_2d<sampler>(c.key[k], c.sample[k], n, dimension);
+        const Scattered scattered = direction_of<way>(c, k, u);
+        to.set_ray(first + k, spawn_ray(c.hit(k), scattered.direction));
+        to.set_weight(first + k, leaving.weight.at(begin + k) * scattered.weight);
+    }
+}
+
+/// Takes out lanes, from `first` on, that carry nothing or have nowhere to go.
+void close_ranks(Batch& b, int first) {
+    int kept = first;
+    for (int j = first; j < b.count; ++j) {
+        const bool dead = b.weight(j) == Color(0) || vec3(b.dx[j], b.dy[j], b.dz[j]) == vec3(0);
+        if (dead) continue;
+        if (kept != j) b.copy_lane(j, kept);
+        ++kept;
+    }
+    b.count = kept;
+}
+
+template <Sampler sampler, Way way>
+void follow(const World& world, int n, Bits dimension, const Batch& b, const Surfaces& s, const Leaving& leaving,
+            Queue& next, Chunk& chunk) {
+    constexpr RayKind kind = way == Way::mirror  ? RayKind::mirror
+                             : way == Way::glass ? RayKind::glass
+                             : way == Way::bounce ? RayKind::bounce
+                                                  : RayKind::lobe;
+    Crossing crossing;
+    for (int k = 0; k < leaving.count;) {
+        Batch& to = next.open();
+        const int first = to.count, taken = std::min(leaving.count - k, lanes - first);
+        collect<way>(world, b, s, leaving.lane + k, taken, crossing, to, first);
+        send<sampler, way>(n, dimension, crossing, leaving, k, taken, to, first);
+        to.count = first + taken;
+        close_ranks(to, first);
+        chunk.rays[int(kind)] += std::uint64_t(to.count - first);
+        k += taken;
+    }
 }
 
 }  // namespace
@@ -73,40 +192,32 @@ void scatter_stage(const World& world, Sampler sampler_in_use, int n, int wave, 
     if (!plan.specular && !plan.lobe && !plan.bounce) return;
     const Bits choice = wave_dimension(world, wave, choice_dimension),
                lobe = wave_dimension(world, wave, lobe_dimension);
+    AllLeaving leaving;
     with_sampler(sampler_in_use, [&](auto sampler) {
-        for (int i = 0; i < b.count; ++i) {
-            if (s.material[i] == nothing) continue;
-            const Material& m = world.scene.materials[std::size_t(s.material[i])];
-            Crossing c{m, s.hit(i), s.normal(i), {b.dx[i], b.dy[i], b.dz[i]}, s.behind[i] != 0, 1, m.ior, vec2(0)};
-            if (c.behind) std::swap(c.ior_from, c.ior_to);
-            const Color weight = b.weight(i);
-
-            // What each way on would carry.
-            const bool deeper = b.depth[i] < world.scene.depth && (plan.specular || plan.lobe);
-            const bool dielectric = deeper && m.transmittance != Color(0);
-            const Real fresnel = dielectric ? fresnel_dielectric(-dot(c.direction, c.normal), c.ior_from, c.ior_to) : 0;
-            const Outgoing out = deeper ? whitted(m, fresnel) : Outgoing{Color(1), Color(0), Color(0)};
-            const Real mirror_share = deeper ? strongest(out.mirror) : 0,
-                       glass_share = deeper ? strongest(out.glass) : 0;
-            const Real bounce_share = b.bounce[i] < world.scene.bounces ? strongest(out.local * m.albedo) : 0;
-            const Real sum = mirror_share + glass_share + bounce_share;
-            if (sum == 0) continue;
-            if (plan.lobe || plan.bounce) c.u = pattern_2d<sampler()>(b.key[i], int(b.sample[i]), n, lobe);
-
-            if (plan.split) {
-                if (mirror_share > 0) mirror(c, b, i, weight * out.mirror, next, chunk);
-                if (glass_share > 0) glass(c, b, i, s.material[i], weight * out.glass, next, chunk);
-                continue;
+        const auto follow_way = [&](auto way) {
+            follow<sampler(), way()>(world, n, lobe, b, s, of(leaving, way()), next, chunk);
+        };
+        const std::integral_constant<Way, Way::mirror> mirror;
+        const std::integral_constant<Way, Way::glass> glass;
+        const std::integral_constant<Way, Way::bounce> bounce;
+        if (plan.split) {
+            // Two paths may add to one sample: lane by lane, so that the order of the sum does not depend on what else
+            // is in the batch.
+            for (int i = 0; i < b.count; ++i) {
+                choose<sampler()>(world, n, choice, b, s, i, i + 1, leaving);
+                follow_way(mirror);
+                follow_way(glass);
             }
-            // One of them, with a probability in proportion to what it carries.
-            const bool alone = mirror_share == sum || glass_share == sum || bounce_share == sum;
-            const Real u = alone ? 0 : sum * pattern_1d<sampler()>(b.key[i], int(b.sample[i]), n, choice);
-            if (u < mirror_share)
-                mirror(c, b, i, weight * out.mirror * (sum / mirror_share), next, chunk);
-            else if (u < mirror_share + glass_share)
-                glass(c, b, i, s.material[i], weight * out.glass * (sum / glass_share), next, chunk);
-            else
-                bounce(c, b, i, weight * out.local * (sum / bounce_share), next, chunk);
+        } else if (!plan.specular && !plan.lobe) {
+            bounce_all(world, b, s, of(leaving, Way::bounce));
+            follow_way(bounce);
+        } else {
+            choose<sampler()>(world, n, choice, b, s, 0, b.count, leaving);
+            follow_way(mirror);
+            follow_way(std::integral_constant<Way, Way::glossy>{});
+            follow_way(glass);
+            follow_way(std::integral_constant<Way, Way::translucent>{});
+            follow_way(bounce);
         }
     });
 }

@@ -35,12 +35,14 @@ void medium_stage(const World& world, Sampler sampler, int n, int wave, Batch& b
 /// Points, normals and materials of the hits.
 void surface_stage(const World& world, const Batch& batch, Surfaces& surfaces);
 
-/// Adds the light that the rays' ends send out themselves: emitters, the environment, the background.
-void emission_stage(const World& world, const Batch& batch, const Surfaces& surfaces, Chunk& chunk);
+/// Adds the light that the rays' ends send out themselves, as it arrives at the film: emitters, the environment, the
+/// background.
+void emission_stage(const World& world, const Batch& batch, const Surfaces& surfaces, Colors& found);
 
-/// Adds the light that the surfaces reflect straight from the lights. shadow is a scratch batch.
+/// Adds the light that the surfaces reflect straight from the lights, as it arrives at the film. shadow is a scratch
+/// batch.
 void direct_stage(const World& world, Sampler sampler, int n, int wave, const Batch& batch, const Surfaces& surfaces,
-                  Batch& shadow, Chunk& chunk);
+                  Batch& shadow, Colors& found, Chunk& chunk);
 
 /// Sends on the paths that mirrors, glass, lobes and diffuse surfaces continue; their new rays go to next.
 void scatter_stage(const World& world, Sampler sampler, int n, int wave, const Batch& batch, const Surfaces& surfaces,

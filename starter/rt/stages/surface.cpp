@@ -46,6 +46,7 @@ void find_surfaces(const World& world, const Batch& b, Surfaces& s) {
         s.error[i] = surface_error * (largest(p) + record.reach);
         s.material[i] = hit ? record.material : nothing;
         s.behind[i] = behind ? 1 : 0;
+        s.shines[i] = hit && !behind ? record.shines : 0;
     }
 }
 
@@ -68,7 +69,7 @@ void find_smooth_normals(const World& world, const Batch& b, Surfaces& s) {
 
 void surface_stage(const World& world, const Batch& batch, Surfaces& surfaces) {
     if (world.surfaces.empty()) {
-        for (int i = 0; i < lanes; ++i) surfaces.material[i] = nothing;
+        for (int i = 0; i < lanes; ++i) surfaces.material[i] = nothing, surfaces.shines[i] = 0;
         return;
     }
     with_flag(world.plan.time, [&](auto time) { find_surfaces<time()>(world, batch, surfaces); });
