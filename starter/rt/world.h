@@ -8,14 +8,6 @@
 
 namespace rt {
 
-/// A shape with its number and its motion.
-template <class Shape>
-struct Numbered {
-    Shape shape;
-    Index id;
-    vec3 velocity;
-};
-
 /// What the surface stage must know of a shape, found by its number.
 struct SurfaceRecord {
     vec3 center{0};      // of a sphere; a point of a flat shape
@@ -25,26 +17,22 @@ struct SurfaceRecord {
     vec3 velocity{0};
     Index material = 0;
     bool sampled = false;  // an emitter that shadow rays look for
-    Index smooth = nothing;  // which of World::smooth has its normals
+    Index smooth = nothing;  // which of World::corners has its normals
 };
 
-/// A triangle with a normal at each corner.
-struct SmoothTriangle {
-    Triangle triangle;
-    vec3 na, nb, nc;
-};
-
-/// A scene laid out for the stages' loops.
+/// A scene laid out for the stages' loops. Shapes are numbered kind by kind: spheres, triangles, quads, discs.
 struct World {
-    Scene scene;
+    Scene scene;  // without shapes
     RenderPlan plan;
-    std::vector<Numbered<Sphere>> spheres;
-    std::vector<Numbered<Triangle>> triangles;
-    std::vector<Numbered<Quad>> quads;
-    std::vector<Numbered<Disc>> discs;
+    std::vector<Sphere> spheres;
+    std::vector<Triangle> triangles;
+    std::vector<Quad> quads;
+    std::vector<Disc> discs;
+    Index first_triangle = 0, first_quad = 0, first_disc = 0;
     std::vector<Emitter> emitters;
     std::vector<SurfaceRecord> surfaces;  // by number
-    std::vector<SmoothTriangle> smooth;
+    std::vector<vec3> normals;            // of meshes
+    std::vector<glm::ivec3> corners;      // which normals the corners of smooth triangles have
     Bvh bvh;
 };
 

@@ -1,4 +1,5 @@
 #include "rt/stages/stages.h"
+#include "rt/traverse.h"
 
 namespace rt {
 namespace {
@@ -28,81 +29,118 @@ inline Triangle at_time(Triangle t, vec3 velocity, Real time) {
 /// One shape against all rays of a batch. Of two shapes at one distance the first is hit, the one with the lower
 /// number.
 template <auto hit, bool moves, class Shape>
-void try_shape(const Numbered<Shape>& in_memory, Batch& b) {
-    const Numbered<Shape> numbered = in_memory;
+void try_shape(const Shape& in_memory, vec3 velocity, Index id, Batch& b) {
+    const Shape shape = in_memory;
 #pragma GCC ivdep
     for (int i = 0; i < lanes; ++i) {
         const Ray ray = b.ray(i);
         Real t;
         if constexpr (moves)
-            t = hit(at_time(numbered.shape, numbered.velocity, b.time[i]), ray);
+            t = hit(at_time(shape, velocity, b.time[i]), ray);
         else
-            t = hit(numbered.shape, ray);
+            t = hit(shape, ray);
         const bool closer = t < ray.far;
         b.far[i] = closer ? t : ray.far;
-        b.shape[i] = closer ? numbered.id : b.shape[i];
+        b.shape[i] = closer ? id : b.shape[i];
     }
 }
 
+/// All of a kind, one by one. first is the number of the first of them.
 template <auto hit, class Shape>
-void try_shapes(const std::vector<Numbered<Shape>>& shapes, Batch& b) {
-    for (const auto& s : shapes)
-        with_flag(s.velocity != vec3(0), [&](auto moves) { try_shape<hit, moves()>(s, b); });
+void try_shapes(const World& world, const std::vector<Shape>& shapes, Index first, Batch& b) {
+    for (std::size_t k = 0; k < shapes.size(); ++k) {
+        const Index id = first + Index(k);
+        const vec3 velocity = world.surfaces[std::size_t(id)].velocity;
+        with_flag(velocity != vec3(0), [&](auto moves) { try_shape<hit, moves()>(shapes[k], velocity, id, b); });
+    }
 }
 
-/// One shape against one ray, at the ray's time.
-template <auto hit, class Shape>
-Real distance_to(const Numbered<Shape>& s, const Ray& ray, Real time) {
-    return s.velocity == vec3(0) ? hit(s.shape, ray) : hit(at_time(s.shape, s.velocity, time), ray);
+/// Finds the distances from rays to items of one kind, which follow each other in the list from begin to end.
+template <auto hit, bool time, class Shape>
+void measure(const World& world, const std::vector<Shape>& shapes, Index first, const Batch& b, const Real* far,
+             Meetings& m, int begin, int end) {
+    const Shape* const of_kind = shapes.data();
+    const SurfaceRecord* const records = world.surfaces.data();
+#pragma GCC ivdep
+    for (int k = begin; k < end; ++k) {
+        const Index lane = m.lane[k], item = m.item[k];
+        Ray ray = b.ray(int(lane));
+        ray.far = far[lane];
+        if constexpr (time)
+            m.distance[k] = hit(at_time(of_kind[item - first], records[item].velocity, b.time[lane]), ray);
+        else
+            m.distance[k] = hit(of_kind[item - first], ray);
+    }
 }
 
-/// The shapes are in the tree list by list: spheres, triangles, quads, discs.
-void search_tree(const World& world, bool any, Batch& b) {
-    const std::uint32_t spheres = std::uint32_t(world.spheres.size());
-    const std::uint32_t triangles = spheres + std::uint32_t(world.triangles.size());
-    const std::uint32_t quads = triangles + std::uint32_t(world.quads.size());
+/// Distances of all that the rays meet, kind by kind. Items are numbered kind by kind: spheres, triangles, quads, discs.
+template <bool time>
+void measure_all(const World& world, const Batch& b, const Real* far, Meetings& m) {
+    const RenderPlan& plan = world.plan;
+    if (plan.triangles && !plan.spheres && !plan.quads && !plan.discs)
+        return measure<hit_triangle, time>(world, world.triangles, 0, b, far, m, 0, m.count);
+    const Index firsts[] = {0, world.first_triangle, world.first_quad, world.first_disc};
+    const auto kind_of = [&](Index item) { return (item >= firsts[1]) + (item >= firsts[2]) + (item >= firsts[3]); };
+    Index item[Meetings::most], lane[Meetings::most];
+    int ends[4] = {}, n = 0;
+    for (int kind = 0; kind < 4; ++kind) {
+        for (int k = 0; k < m.count; ++k)
+            if (kind_of(m.item[k]) == kind) item[n] = m.item[k], lane[n] = m.lane[k], ++n;
+        ends[kind] = n;
+    }
+    std::copy(item, item + n, m.item), std::copy(lane, lane + n, m.lane);
+    measure<hit_sphere, time>(world, world.spheres, firsts[0], b, far, m, 0, ends[0]);
+    measure<hit_triangle, time>(world, world.triangles, firsts[1], b, far, m, ends[0], ends[1]);
+    measure<hit_quad, time>(world, world.quads, firsts[2], b, far, m, ends[1], ends[2]);
+    measure<hit_disc, time>(world, world.discs, firsts[3], b, far, m, ends[2], ends[3]);
+}
+
+template <bool any>
+void search_tree(const World& world, Batch& b) {
+    Journeys journeys;
+    Meetings meetings;
+    start(world.bvh, b, journeys);
+    Real far[lanes];  // a test's interval stays as it is: the lowest number wins a tie, whichever is tried first
+    int on_the_way[lanes], n = 0;
     for (int i = 0; i < b.count; ++i) {
-        if (!(b.far[i] > b.near[i])) continue;
-        Ray ray = b.ray(i);
-        const Real time = b.time[i];
-        traverse(world.bvh, ray, [&](std::uint32_t item, Real) {
-            Real t;
-            Index id;
-            if (item < spheres) {
-                t = distance_to<hit_sphere>(world.spheres[item], ray, time), id = world.spheres[item].id;
-            } else if (item < triangles) {
-                const auto& s = world.triangles[item - spheres];
-                t = distance_to<hit_triangle>(s, ray, time), id = s.id;
-            } else if (item < quads) {
-                const auto& s = world.quads[item - triangles];
-                t = distance_to<hit_quad>(s, ray, time), id = s.id;
-            } else {
-                const auto& s = world.discs[item - quads];
-                t = distance_to<hit_disc>(s, ray, time), id = s.id;
-            }
-            if (t < b.far[i] || (t == b.far[i] && id < b.shape[i])) {
-                b.far[i] = t;
-                b.shape[i] = id;
-                // The next shape is tried up to and with this distance, for the lowest number wins a tie.
-                ray.far = std::nextafter(t, inf);
-            }
-            return any && b.shape[i] != nothing ? -inf : b.far[i];
-        });
+        far[i] = b.far[i];
+        if (journeys.depth[i] > 0) on_the_way[n++] = i;
+    }
+    while (n > 0) {
+        int left = 0;
+        meetings.count = 0;
+        for (int k = 0; k < n; ++k)
+            if (go_on(world.bvh, journeys, on_the_way[k], meetings)) on_the_way[left++] = on_the_way[k];
+        n = left;
+        with_flag(world.plan.time, [&](auto time) { measure_all<time()>(world, b, far, meetings); });
+        for (int k = 0; k < meetings.count; ++k) {
+            const int i = int(meetings.lane[k]);
+            const Real t = meetings.distance[k];
+            const Index id = meetings.item[k];
+            if (!(t < b.far[i] || (t == b.far[i] && id < b.shape[i]))) continue;
+            b.far[i] = t;
+            b.shape[i] = id;
+            if (any)
+                journeys.depth[i] = 0;
+            else
+                set_far(journeys, i, t);
+        }
     }
 }
 
-void search(const World& world, bool any, Batch& b) {
-    if (world.plan.bvh) return search_tree(world, any, b);
-    try_shapes<hit_sphere>(world.spheres, b);
-    try_shapes<hit_triangle>(world.triangles, b);
-    try_shapes<hit_quad>(world.quads, b);
-    try_shapes<hit_disc>(world.discs, b);
+template <bool any>
+void search(const World& world, Batch& b) {
+    if (world.plan.bvh) return search_tree<any>(world, b);
+    try_shapes<hit_sphere>(world, world.spheres, 0, b);
+    try_shapes<hit_triangle>(world, world.triangles, world.first_triangle, b);
+    try_shapes<hit_quad>(world, world.quads, world.first_quad, b);
+    try_shapes<hit_disc>(world, world.discs, world.first_disc, b);
 }
 
 }  // namespace
 
-void nearest_stage(const World& world, Batch& batch) { search(world, false, batch); }
+void nearest_stage(const World& world, Batch& batch) { search<false>(world, batch); }
 
-void any_hit_stage(const World& world, Batch& batch) { search(world, true, batch); }
+void any_hit_stage(const World& world, Batch& batch) { search<true>(world, batch); }
 
 }  // namespace rt
