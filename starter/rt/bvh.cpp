@@ -148,11 +148,13 @@ struct Builder {
                 nodes[self].bound[0][a][c] = box.v[a];
                 nodes[self].bound[1][a][c] = -box.v[4 + a];
             }
-            if (c >= children.size()) {
-                nodes[self].child[c] = Bvh::item_bit;
-            } else if (children[c].count() == 1) {
-                nodes[self].child[c] = Bvh::item_bit | items[children[c].first].item();
-            } else if (in_pieces && children[c].count() <= piece_size) {
+            if (c >= children.size()) continue;
+            if (children[c].count() == 1) {
+                nodes[self].child[c] = items[children[c].first].item();
+                continue;
+            }
+            nodes[self].inner |= 1u << c;
+            if (in_pieces && children[c].count() <= piece_size) {
                 pieces.push_back({self, int(c), children[c], depth + 1, {}});
             } else {
                 const std::uint32_t child = build(children[c], depth + 1, in_pieces, nodes);
@@ -174,7 +176,7 @@ struct Builder {
             const std::uint32_t offset = std::uint32_t(nodes.size());
             nodes[piece.node].child[piece.child] = offset;
             for (Bvh::Node& node : piece.nodes) {
-                for (std::uint32_t& child : node.child) child += child & Bvh::item_bit ? 0 : offset;
+                for (int c = 0; c < Bvh::width; ++c) node.child[c] += node.inner >> c & 1 ? offset : 0;
                 nodes.push_back(node);
             }
             piece.nodes = {};

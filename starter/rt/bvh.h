@@ -28,12 +28,12 @@ struct Box {
 /// Hierarchies for Fast SIMD Ray Tracing of Incoherent Rays", EGSR 2008.
 struct Bvh {
     static constexpr int width = 8;
-    static constexpr int deepest = 32;                       // levels of nodes
-    static constexpr std::uint32_t item_bit = 0x8000'0000u;  // of a child that is an item
+    static constexpr int deepest = 32;  // levels of nodes
 
     struct alignas(64) Node {
-        float bound[2][3][width];     // low and high of each axis; low > high where there is no child
-        std::uint32_t child[width];   // the number of a node, or of an item
+        float bound[2][3][width];    // low and high of each axis; low > high where there is no child
+        std::uint32_t child[width];  // the number of a node, or of an item
+        std::uint32_t inner;         // bits of the children that are nodes
     };
 
     Box whole;

@@ -12,11 +12,11 @@
 namespace rt {
 
 /// A ray and an item whose box it meets, and the distance to be found.
-struct Meetings {
+struct alignas(64) Meetings {
     static constexpr int most = lanes * Bvh::width;
-    int count = 0;
     Index lane[most], item[most];
-    alignas(64) Real distance[most];
+    Real distance[most];
+    int count = 0;
 
     void add(int ray, std::uint32_t i) { lane[count] = ray, item[count] = i, ++count; }
 };
@@ -96,53 +96,72 @@ inline void start(const Bvh& bvh, const Batch& b, Journeys& j) {
     }
 }
 
-/// Takes ray i on until it meets boxes of items, which are added to the list, or has come to its end. Returns whether it
-/// met any.
-inline bool go_on(const Bvh& bvh, Journeys& j, int i, Meetings& meetings) {
+/// Which children of a node ray i meets before far, as bits, and where it enters their boxes.
+inline std::uint32_t meet_children(const Bvh::Node& node, const Journeys& j, int i, float far, float* entry) {
     const float x = j.inverse[0][i], y = j.inverse[1][i], z = j.inverse[2][i];
     const float in_x = j.shift_in[0][i], in_y = j.shift_in[1][i], in_z = j.shift_in[2][i];
     const float out_x = j.shift_out[0][i], out_y = j.shift_out[1][i], out_z = j.shift_out[2][i];
     const Index back_x = j.backward[0][i], back_y = j.backward[1][i], back_z = j.backward[2][i];
+    const float *low_x = node.bound[back_x][0], *high_x = node.bound[1 - back_x][0];
+    const float *low_y = node.bound[back_y][1], *high_y = node.bound[1 - back_y][1];
+    const float *low_z = node.bound[back_z][2], *high_z = node.bound[1 - back_z][2];
+    std::uint32_t met = 0;
+    for (int c = 0; c < Bvh::width; ++c) {
+        const float enter_x = low_x[c] * x - in_x, leave_x = high_x[c] * x - out_x;
+        const float enter_y = low_y[c] * y - in_y, leave_y = high_y[c] * y - out_y;
+        const float enter_z = low_z[c] * z - in_z, leave_z = high_z[c] * z - out_z;
+        float enter = enter_x > 0 ? enter_x : 0, leave = leave_x < far ? leave_x : far;
+        enter = enter_y > enter ? enter_y : enter, leave = leave_y < leave ? leave_y : leave;
+        enter = enter_z > enter ? enter_z : enter, leave = leave_z < leave ? leave_z : leave;
+        entry[c] = enter;
+        met |= enter <= leave * (1 + 0x1p-20f) ? 1u << c : 0;
+    }
+    return met;
+}
+
+/// Takes ray i on until it meets boxes of items, which are added to the list, or has come to its end. Returns whether it
+/// met any.
+inline bool go_on(const Bvh& bvh, Journeys& j, int i, Meetings& meetings) {
     const float far = j.far[i];
     std::uint64_t* const stack = j.stack[i];
     int depth = j.depth[i];
-    const int met_before = meetings.count;
-    while (depth > 0 && meetings.count == met_before) {
+    while (depth > 0) {
         const std::uint64_t top = stack[--depth];
         if (std::bit_cast<float>(std::uint32_t(top >> 32)) > far) continue;
-        const Bvh::Node& node = bvh.nodes[std::uint32_t(top)];
-        const float *low_x = node.bound[back_x][0], *high_x = node.bound[1 - back_x][0];
-        const float *low_y = node.bound[back_y][1], *high_y = node.bound[1 - back_y][1];
-        const float *low_z = node.bound[back_z][2], *high_z = node.bound[1 - back_z][2];
-        alignas(32) float entry[Bvh::width];
-        std::uint32_t met = 0;
-        for (int c = 0; c < Bvh::width; ++c) {
-            const float enter_x = low_x[c] * x - in_x, leave_x = high_x[c] * x - out_x;
-            const float enter_y = low_y[c] * y - in_y, leave_y = high_y[c] * y - out_y;
-            const float enter_z = low_z[c] * z - in_z, leave_z = high_z[c] * z - out_z;
-            float enter = enter_x > 0 ? enter_x : 0, leave = leave_x < far ? leave_x : far;
-            enter = enter_y > enter ? enter_y : enter, leave = leave_y < leave ? leave_y : leave;
-            enter = enter_z > enter ? enter_z : enter, leave = leave_z < leave ? leave_z : leave;
-            entry[c] = enter;
-            met |= enter <= leave * (1 + 0x1p-20f) ? 1u << c : 0;
-        }
-        const int bottom = depth;
-        for (; met != 0; met &= met - 1) {
-            const int c = std::countr_zero(met);
-            const std::uint32_t child = node.child[c];
-            if (child & Bvh::item_bit) {
-                meetings.add(i, child & ~Bvh::item_bit);
-                continue;
+        std::uint32_t at = std::uint32_t(top);
+        for (;;) {
+            const Bvh::Node& node = bvh.nodes[at];
+            alignas(32) float entry[Bvh::width];
+            const std::uint32_t met = meet_children(node, j, i, far, entry);
+            std::uint32_t items = met & ~node.inner, inner = met & node.inner;
+            const auto child = [&] {
+                const int c = std::countr_zero(inner);
+                inner &= inner - 1;
+                return std::uint64_t(std::bit_cast<std::uint32_t>(entry[c])) << 32 | node.child[c];
+            };
+            if (items != 0) {
+                for (; items != 0; items &= items - 1) meetings.add(i, node.child[std::countr_zero(items)]);
+                while (inner != 0) stack[depth++] = child();
+                j.depth[i] = depth;
+                return true;
             }
-            // The nearest on top.
-            const std::uint64_t pushed = std::uint64_t(std::bit_cast<std::uint32_t>(entry[c])) << 32 | child;
-            int at = depth++;
-            for (; at > bottom && stack[at - 1] < pushed; --at) stack[at] = stack[at - 1];
-            stack[at] = pushed;
+            if (inner == 0) break;
+            std::uint64_t nearest = child();
+            const int bottom = depth;
+            while (inner != 0) {
+                // The nearest is next, the others wait, the nearest of them on top.
+                const std::uint64_t other = child();
+                std::uint64_t pushed = other > nearest ? other : nearest;
+                nearest = other > nearest ? nearest : other;
+                int k = depth++;
+                for (; k > bottom && stack[k - 1] < pushed; --k) stack[k] = stack[k - 1];
+                stack[k] = pushed;
+            }
+            at = std::uint32_t(nearest);
         }
     }
-    j.depth[i] = depth;
-    return meetings.count > met_before;
+    j.depth[i] = 0;
+    return false;
 }
 
 }  // namespace rt

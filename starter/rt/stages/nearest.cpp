@@ -64,8 +64,7 @@ void measure(const World& world, const std::vector<Shape>& shapes, Index first, 
 #pragma GCC ivdep
     for (int k = begin; k < end; ++k) {
         const Index lane = m.lane[k], item = m.item[k];
-        Ray ray = b.ray(int(lane));
-        ray.far = far[lane];
+        const Ray ray{{b.ox[lane], b.oy[lane], b.oz[lane]}, {b.dx[lane], b.dy[lane], b.dz[lane]}, b.near[lane], far[lane]};
         if constexpr (time)
             m.distance[k] = hit(at_time(of_kind[item - first], records[item].velocity, b.time[lane]), ray);
         else
