@@ -107,40 +107,34 @@ struct Builder {
         return {{range.first, middle, box_of(range.first, middle)}, {middle, range.last, box_of(middle, range.last)}};
     }
 
-    /// The children of a node: the largest is split until there are eight. What is left of places goes to items of
-    /// small lists, which then need no node of their own.
+    /// The children of a node: items, or lists of which the largest is split until there are eight.
     std::vector<Range> children_of(const Range& range, int depth) {
         std::vector<Range> children{range};
+        if (range.count() <= Bvh::width) {
+            children.clear();
+            for (std::uint32_t i = range.first; i < range.last; ++i) children.push_back({i, i + 1, items[i]});
+            return children;
+        }
         const auto size = [&](const Range& r) {
             return std::pair(depth < halved_below ? r.box.half_area() : 0, r.count());
         };
-        const auto largest_with = [&](std::uint32_t least, std::uint32_t most) {
-            auto best = children.end();
-            for (auto c = children.begin(); c != children.end(); ++c)
-                if (c->count() >= least && c->count() <= most && (best == children.end() || size(*c) > size(*best)))
-                    best = c;
-            return best;
-        };
         while (children.size() < Bvh::width) {
-            const auto it = largest_with(Bvh::width + 1, ~0u);
-            if (it == children.end()) break;
-            const auto [left, right] = split(*it, depth);
-            *it = left;
+            auto largest = children.end();
+            for (auto c = children.begin(); c != children.end(); ++c)
+                if (c->count() > Bvh::width && (largest == children.end() || size(*c) > size(*largest))) largest = c;
+            if (largest == children.end()) break;
+            const auto [left, right] = split(*largest, depth);
+            *largest = left;
             children.push_back(right);
         }
-        for (;;) {
-            const auto it = largest_with(2, std::uint32_t(Bvh::width + 1 - children.size()));
-            if (it == children.end()) return children;
-            const Range opened = *it;
-            *it = {opened.first, opened.first + 1, items[opened.first]};
-            for (std::uint32_t i = opened.first + 1; i < opened.last; ++i) children.push_back({i, i + 1, items[i]});
-        }
+        return children;
     }
 
     /// Appends the nodes over a list; with pieces, leaves the small lists to them. Returns the number of the first.
     std::uint32_t build(const Range& range, int depth, bool in_pieces, std::vector<Bvh::Node>& nodes) {
         const std::size_t self = nodes.size();
         nodes.emplace_back();
+        nodes[self].leaf = range.count() <= Bvh::width;
         const std::vector<Range> children = children_of(range, depth);
         for (std::size_t c = 0; c < Bvh::width; ++c) {
             const FloatBox box = c < children.size() ? children[c].box : FloatBox{};
@@ -149,12 +143,9 @@ struct Builder {
                 nodes[self].bound[1][a][c] = -box.v[4 + a];
             }
             if (c >= children.size()) continue;
-            if (children[c].count() == 1) {
+            if (nodes[self].leaf) {
                 nodes[self].child[c] = items[children[c].first].item();
-                continue;
-            }
-            nodes[self].inner |= 1u << c;
-            if (in_pieces && children[c].count() <= piece_size) {
+            } else if (in_pieces && children[c].count() <= piece_size) {
                 pieces.push_back({self, int(c), children[c], depth + 1, {}});
             } else {
                 const std::uint32_t child = build(children[c], depth + 1, in_pieces, nodes);
@@ -176,7 +167,7 @@ struct Builder {
             const std::uint32_t offset = std::uint32_t(nodes.size());
             nodes[piece.node].child[piece.child] = offset;
             for (Bvh::Node& node : piece.nodes) {
-                for (int c = 0; c < Bvh::width; ++c) node.child[c] += node.inner >> c & 1 ? offset : 0;
+                for (std::uint32_t& child : node.child) child += node.leaf ? 0 : offset;
                 nodes.push_back(node);
             }
             piece.nodes = {};

@@ -32,8 +32,8 @@ struct Bvh {
 
     struct alignas(64) Node {
         float bound[2][3][width];    // low and high of each axis; low > high where there is no child
-        std::uint32_t child[width];  // the number of a node, or of an item
-        std::uint32_t inner;         // bits of the children that are nodes
+        std::uint32_t child[width];  // the number of a node; of an item
+        std::uint32_t leaf;          // 1: all children are items
     };
 
     Box whole;

@@ -1,46 +1,34 @@
 #pragma once
 
 #include <bit>
+#include <cstring>
 
 #include "rt/batch.h"
 #include "rt/bvh.h"
+#include "rt/meetings.h"
 
-/// Rays of a batch on their way through the tree.
+/// Rays of a batch on their way through the tree, all at once, one node after the other.
 ///
-/// Each ray goes down until it meets boxes of items. The items it must be tested against are handed out, all rays' in one
-/// list, so that the tests are one loop over that list; then the rays go on with the distances found.
+/// A step has no branches: rays go different ways, so a processor would guess most of them wrong, and while one ray waits
+/// for its node the others go on. Items whose boxes are met are put in one list for all rays, so that the tests of what is
+/// in them are one loop over that list.
 namespace rt {
-
-/// A ray and an item whose box it meets, and the distance to be found.
-struct alignas(64) Meetings {
-    static constexpr int most = lanes * Bvh::width;
-    Index lane[most], item[most];
-    Real distance[most];
-    int count = 0;
-
-    void add(int ray, std::uint32_t i) { lane[count] = ray, item[count] = i, ++count; }
-};
 
 /// The rays in the tree's space, in single precision: a plane x = c of a box is met at c inverse - shift. Each ray starts
 /// where it enters the whole, so that numbers stay near 1 however far the eye is.
 struct alignas(64) Journeys {
-    float inverse[3][lanes];
+    float inverse[3][lanes], inverse_out[3][lanes];
     float shift_in[3][lanes], shift_out[3][lanes];  // of the planes where it enters boxes, and where it leaves them
     float far[lanes];                               // the nearest hit so far
     Real start[lanes], per_unit[lanes];             // far = (t - start) per_unit
     Real slack[lanes];
     Index backward[3][lanes];
     int depth[lanes];
-    std::uint64_t stack[lanes][Bvh::deepest * (Bvh::width - 1) + 1];  // distance of a box, and its node
+    std::uint64_t stack[lanes][(Bvh::deepest + 1) * Bvh::width];  // distance of a box << 32 | its node; nearest last
 };
 
 /// Single precision's share of the boxes' margin: roundings of numbers up to 4, eight times over.
 constexpr Real box_margin = 0x1p-19;
-
-inline void set_far(Journeys& j, int i, Real t) {
-    const Real far = (t - j.start[i]) * j.per_unit[i] + j.slack[i];
-    j.far[i] = float(far < 1e30 ? far : 1e30);
-}
 
 /// Starts the rays of a batch that have an interval left and meet the box of the whole.
 ///
@@ -80,9 +68,10 @@ inline void start(const Bvh& bvh, const Batch& b, Journeys& j) {
             const Real at = ((o[a] - center[a]) + from * (d[a] / speed)) * scale;
             const Real inside = at > 2 ? 2 : at < -2 ? -2 : at;
             const Real over = 1 / along[a], aside = over < 0 ? -m : m;
-            j.inverse[a][i] = float(over);
+            const Real over_out = over * (1 + 0x1p-20);  // numbers have relative errors, too
+            j.inverse[a][i] = float(over), j.inverse_out[a][i] = float(over_out);
             j.shift_in[a][i] = float((inside + aside) * over);
-            j.shift_out[a][i] = float((inside - aside) * over);
+            j.shift_out[a][i] = float((inside - aside) * over_out);
             j.backward[a][i] = over < 0 ? 1 : 0;
         }
         j.start[i] = from / speed;
@@ -96,72 +85,59 @@ inline void start(const Bvh& bvh, const Batch& b, Journeys& j) {
     }
 }
 
-/// Which children of a node ray i meets before far, as bits, and where it enters their boxes.
-inline std::uint32_t meet_children(const Bvh::Node& node, const Journeys& j, int i, float far, float* entry) {
+/// Takes ray i one node further: the children that it meets, if they are nodes, onto its stack; if items, into the list.
+inline void step(const Bvh::Node* nodes, Journeys& j, int i, Meetings& meetings) {
+    int depth = j.depth[i] - 1;
+    std::uint64_t* const stack = j.stack[i];
+    const Bvh::Node& node = nodes[std::uint32_t(stack[depth])];
     const float x = j.inverse[0][i], y = j.inverse[1][i], z = j.inverse[2][i];
+    const float x_out = j.inverse_out[0][i], y_out = j.inverse_out[1][i], z_out = j.inverse_out[2][i];
     const float in_x = j.shift_in[0][i], in_y = j.shift_in[1][i], in_z = j.shift_in[2][i];
     const float out_x = j.shift_out[0][i], out_y = j.shift_out[1][i], out_z = j.shift_out[2][i];
     const Index back_x = j.backward[0][i], back_y = j.backward[1][i], back_z = j.backward[2][i];
     const float *low_x = node.bound[back_x][0], *high_x = node.bound[1 - back_x][0];
     const float *low_y = node.bound[back_y][1], *high_y = node.bound[1 - back_y][1];
     const float *low_z = node.bound[back_z][2], *high_z = node.bound[1 - back_z][2];
-    std::uint32_t met = 0;
+    const float far = j.far[i];
+    const bool leaf = node.leaf != 0;
+
+    // Keys rise with distance; no two are the same. 0: not met.
+    alignas(32) std::int32_t key[Bvh::width], rank[Bvh::width];
+    alignas(64) std::uint64_t value[Bvh::width];
+    int met = 0;
     for (int c = 0; c < Bvh::width; ++c) {
-        const float enter_x = low_x[c] * x - in_x, leave_x = high_x[c] * x - out_x;
-        const float enter_y = low_y[c] * y - in_y, leave_y = high_y[c] * y - out_y;
-        const float enter_z = low_z[c] * z - in_z, leave_z = high_z[c] * z - out_z;
-        float enter = enter_x > 0 ? enter_x : 0, leave = leave_x < far ? leave_x : far;
-        enter = enter_y > enter ? enter_y : enter, leave = leave_y < leave ? leave_y : leave;
-        enter = enter_z > enter ? enter_z : enter, leave = leave_z < leave ? leave_z : leave;
-        entry[c] = enter;
-        met |= enter <= leave * (1 + 0x1p-20f) ? 1u << c : 0;
+        const float enter_x = low_x[c] * x - in_x, leave_x = high_x[c] * x_out - out_x;
+        const float enter_y = low_y[c] * y - in_y, leave_y = high_y[c] * y_out - out_y;
+        const float enter_z = low_z[c] * z - in_z, leave_z = high_z[c] * z_out - out_z;
+        const float enter_xy = enter_x > enter_y ? enter_x : enter_y, enter_z0 = enter_z > 0 ? enter_z : 0;
+        const float leave_xy = leave_x < leave_y ? leave_x : leave_y, leave_zf = leave_z < far ? leave_z : far;
+        const float enter = enter_xy > enter_z0 ? enter_xy : enter_z0, leave = leave_xy < leave_zf ? leave_xy : leave_zf;
+        const std::int32_t bits = std::bit_cast<std::int32_t>(enter);
+        const bool meets = enter <= leave;
+        key[c] = meets ? (bits & ~7) + 8 + c : 0;
+        met += meets;
+        value[c] = std::uint64_t(leaf ? i : bits) << 32 | node.child[c];
     }
-    return met;
+    // A child's place: how many are farther. What is not met goes beyond the last, where it is overwritten.
+    using Eight = std::int32_t __attribute__((vector_size(32)));
+    Eight keys, places{};
+    std::memcpy(&keys, key, sizeof keys);
+    for (int c = 0; c < Bvh::width; ++c) places -= key[c] > keys;
+    std::memcpy(rank, &places, sizeof places);
+    std::uint64_t* const to = leaf ? meetings.pair + meetings.count : stack + depth;
+    for (int c = 0; c < Bvh::width; ++c) to[rank[c]] = value[c];
+    meetings.count += leaf ? met : 0;
+    j.depth[i] = depth + (leaf ? 0 : met);
 }
 
-/// Takes ray i on until it meets boxes of items, which are added to the list, or has come to its end. Returns whether it
-/// met any.
-inline bool go_on(const Bvh& bvh, Journeys& j, int i, Meetings& meetings) {
-    const float far = j.far[i];
-    std::uint64_t* const stack = j.stack[i];
-    int depth = j.depth[i];
-    while (depth > 0) {
-        const std::uint64_t top = stack[--depth];
-        if (std::bit_cast<float>(std::uint32_t(top >> 32)) > far) continue;
-        std::uint32_t at = std::uint32_t(top);
-        for (;;) {
-            const Bvh::Node& node = bvh.nodes[at];
-            alignas(32) float entry[Bvh::width];
-            const std::uint32_t met = meet_children(node, j, i, far, entry);
-            std::uint32_t items = met & ~node.inner, inner = met & node.inner;
-            const auto child = [&] {
-                const int c = std::countr_zero(inner);
-                inner &= inner - 1;
-                return std::uint64_t(std::bit_cast<std::uint32_t>(entry[c])) << 32 | node.child[c];
-            };
-            if (items != 0) {
-                for (; items != 0; items &= items - 1) meetings.add(i, node.child[std::countr_zero(items)]);
-                while (inner != 0) stack[depth++] = child();
-                j.depth[i] = depth;
-                return true;
-            }
-            if (inner == 0) break;
-            std::uint64_t nearest = child();
-            const int bottom = depth;
-            while (inner != 0) {
-                // The nearest is next, the others wait, the nearest of them on top.
-                const std::uint64_t other = child();
-                std::uint64_t pushed = other > nearest ? other : nearest;
-                nearest = other > nearest ? nearest : other;
-                int k = depth++;
-                for (; k > bottom && stack[k - 1] < pushed; --k) stack[k] = stack[k - 1];
-                stack[k] = pushed;
-            }
-            at = std::uint32_t(nearest);
-        }
-    }
-    j.depth[i] = 0;
-    return false;
+/// Ray i has met something at t: what is farther is forgotten.
+inline void shorten(Journeys& j, int i, Real t) {
+    const Real far = (t - j.start[i]) * j.per_unit[i] + j.slack[i];
+    j.far[i] = float(far < 1e30 ? far : 1e30);
+    int left = 0;
+    for (int k = 0; k < j.depth[i]; ++k)
+        if (std::bit_cast<float>(std::uint32_t(j.stack[i][k] >> 32)) <= j.far[i]) j.stack[i][left++] = j.stack[i][k];
+    j.depth[i] = left;
 }
 
 }  // namespace rt

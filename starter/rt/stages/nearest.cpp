@@ -1,3 +1,4 @@
+#include "rt/meetings.h"
 #include "rt/stages/stages.h"
 #include "rt/traverse.h"
 
@@ -55,20 +56,36 @@ void try_shapes(const World& world, const std::vector<Shape>& shapes, Index firs
     }
 }
 
+/// A function of its own, for the compiler gives up on loops in a large one.
+template <auto hit, class Shape>
+[[gnu::noinline]] void test_pairs(const Shapes<Shape>& shapes, const Rays& rays, Real* distance) {
+#pragma GCC ivdep
+    for (int k = 0; k < pairs_at_once; ++k) distance[k] = hit(shapes.at(k), rays.at(k));
+}
+
 /// Finds the distances from rays to items of one kind, which follow each other in the list from begin to end.
 template <auto hit, bool time, class Shape>
-void measure(const World& world, const std::vector<Shape>& shapes, Index first, const Batch& b, const Real* far,
+void measure(const World& world, const std::vector<Shape>& all, Index first, const Batch& b, const Real* far,
              Meetings& m, int begin, int end) {
-    const Shape* const of_kind = shapes.data();
-    const SurfaceRecord* const records = world.surfaces.data();
-#pragma GCC ivdep
-    for (int k = begin; k < end; ++k) {
-        const Index lane = m.lane[k], item = m.item[k];
-        const Ray ray{{b.ox[lane], b.oy[lane], b.oz[lane]}, {b.dx[lane], b.dy[lane], b.dz[lane]}, b.near[lane], far[lane]};
-        if constexpr (time)
-            m.distance[k] = hit(at_time(of_kind[item - first], records[item].velocity, b.time[lane]), ray);
-        else
-            m.distance[k] = hit(of_kind[item - first], ray);
+    Rays rays{};
+    Shapes<Shape> shapes{};
+    alignas(64) Real distance[pairs_at_once];
+    for (; begin < end; begin += pairs_at_once) {
+        const int count = std::min(pairs_at_once, end - begin);
+        for (int k = 0; k < count; ++k) {
+            const int i = int(m.lane(begin + k));
+            const std::size_t id = std::size_t(m.item(begin + k));
+            const Shape& shape = all[id - std::size_t(first)];
+            rays.origin.set(k, {b.ox[i], b.oy[i], b.oz[i]});
+            rays.direction.set(k, {b.dx[i], b.dy[i], b.dz[i]});
+            rays.near[k] = b.near[i], rays.far[k] = far[i];
+            if constexpr (time)
+                shapes.set(k, at_time(shape, world.surfaces[id].velocity, b.time[i]));
+            else
+                shapes.set(k, shape);
+        }
+        test_pairs<hit>(shapes, rays, distance);
+        std::copy(distance, distance + count, m.distance + begin);
     }
 }
 
@@ -80,14 +97,14 @@ void measure_all(const World& world, const Batch& b, const Real* far, Meetings& 
         return measure<hit_triangle, time>(world, world.triangles, 0, b, far, m, 0, m.count);
     const Index firsts[] = {0, world.first_triangle, world.first_quad, world.first_disc};
     const auto kind_of = [&](Index item) { return (item >= firsts[1]) + (item >= firsts[2]) + (item >= firsts[3]); };
-    Index item[Meetings::most], lane[Meetings::most];
+    std::uint64_t sorted[Meetings::most];
     int ends[4] = {}, n = 0;
     for (int kind = 0; kind < 4; ++kind) {
         for (int k = 0; k < m.count; ++k)
-            if (kind_of(m.item[k]) == kind) item[n] = m.item[k], lane[n] = m.lane[k], ++n;
+            if (kind_of(m.item(k)) == kind) sorted[n++] = m.pair[k];
         ends[kind] = n;
     }
-    std::copy(item, item + n, m.item), std::copy(lane, lane + n, m.lane);
+    std::copy(sorted, sorted + n, m.pair);
     measure<hit_sphere, time>(world, world.spheres, firsts[0], b, far, m, 0, ends[0]);
     measure<hit_triangle, time>(world, world.triangles, firsts[1], b, far, m, ends[0], ends[1]);
     measure<hit_quad, time>(world, world.quads, firsts[2], b, far, m, ends[1], ends[2]);
@@ -106,24 +123,27 @@ void search_tree(const World& world, Batch& b) {
         if (journeys.depth[i] > 0) on_the_way[n++] = i;
     }
     while (n > 0) {
-        int left = 0;
         meetings.count = 0;
-        for (int k = 0; k < n; ++k)
-            if (go_on(world.bvh, journeys, on_the_way[k], meetings)) on_the_way[left++] = on_the_way[k];
-        n = left;
+        for (int k = 0; k < n; ++k) step(world.bvh.nodes.data(), journeys, on_the_way[k], meetings);
         with_flag(world.plan.time, [&](auto time) { measure_all<time()>(world, b, far, meetings); });
         for (int k = 0; k < meetings.count; ++k) {
-            const int i = int(meetings.lane[k]);
+            const int i = int(meetings.lane(k));
             const Real t = meetings.distance[k];
-            const Index id = meetings.item[k];
+            const Index id = meetings.item(k);
             if (!(t < b.far[i] || (t == b.far[i] && id < b.shape[i]))) continue;
             b.far[i] = t;
             b.shape[i] = id;
             if (any)
                 journeys.depth[i] = 0;
             else
-                set_far(journeys, i, t);
+                shorten(journeys, i, t);
         }
+        int left = 0;
+        for (int k = 0; k < n; ++k) {
+            on_the_way[left] = on_the_way[k];
+            left += journeys.depth[on_the_way[k]] > 0;
+        }
+        n = left;
     }
 }
 
