@@ -99,7 +99,7 @@ inline void step(const Bvh::Node* nodes, Journeys& j, int i, Meetings& meetings)
     const float *low_y = node.bound[back_y][1], *high_y = node.bound[1 - back_y][1];
     const float *low_z = node.bound[back_z][2], *high_z = node.bound[1 - back_z][2];
     const float far = j.far[i];
-    const bool leaf = node.leaf != 0;
+    const int leaf = int(node.leaf);
 
     // Keys rise with distance; no two are the same. 0: not met.
     alignas(32) std::int32_t key[Bvh::width], rank[Bvh::width];
@@ -124,10 +124,15 @@ inline void step(const Bvh::Node* nodes, Journeys& j, int i, Meetings& meetings)
     std::memcpy(&keys, key, sizeof keys);
     for (int c = 0; c < Bvh::width; ++c) places -= key[c] > keys;
     std::memcpy(rank, &places, sizeof places);
-    std::uint64_t* const to = leaf ? meetings.pair + meetings.count : stack + depth;
+    std::uint64_t* const tops[2] = {stack + depth, meetings.pair + meetings.count};
+    std::uint64_t* const to = tops[leaf];
     for (int c = 0; c < Bvh::width; ++c) to[rank[c]] = value[c];
-    meetings.count += leaf ? met : 0;
-    j.depth[i] = depth + (leaf ? 0 : met);
+    meetings.count += met * leaf;
+    depth += met * (1 - leaf);
+    j.depth[i] = depth;
+    // What comes next is fetched while other rays make their steps.
+    const Bvh::Node* const next = nodes + std::uint32_t(stack[depth > 0 ? depth - 1 : 0]);
+    for (int line = 0; line < 4; ++line) __builtin_prefetch(reinterpret_cast<const char*>(next) + 64 * line);
 }
 
 /// Ray i has met something at t: what is farther is forgotten.
