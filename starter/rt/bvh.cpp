@@ -23,8 +23,15 @@ struct alignas(32) FloatBox {
         for (int k = 0; k < 8; ++k) v[k] = b.v[k] < v[k] ? b.v[k] : v[k];
     }
     float twice_center(int axis) const { return v[axis] - v[4 + axis]; }
+    float extent(int axis) const { return -v[4 + axis] - v[axis]; }
+    /// The point at twice the centre.
+    FloatBox middle() const {
+        FloatBox point;
+        for (int a = 0; a < 3; ++a) point.v[a] = twice_center(a), point.v[4 + a] = -point.v[a];
+        return point;
+    }
     float half_area() const {
-        const float x = -v[4] - v[0], y = -v[5] - v[1], z = -v[6] - v[2];
+        const float x = extent(0), y = extent(1), z = extent(2);
         return x < 0 ? 0 : x * y + y * z + z * x;
     }
     std::uint32_t item() const { return std::bit_cast<std::uint32_t>(v[3]); }
@@ -59,15 +66,11 @@ struct Builder {
     /// Splits a list in two, at the cheapest of the planes between bins: fewest items times area of their box.
     std::pair<Range, Range> split(const Range& range, int depth) {
         FloatBox middles;  // of twice the centres
-        for (std::uint32_t i = range.first; i < range.last; ++i) {
-            FloatBox point;
-            for (int a = 0; a < 3; ++a) point.v[a] = items[i].twice_center(a), point.v[4 + a] = -point.v[a];
-            middles.include(point);
-        }
+        for (std::uint32_t i = range.first; i < range.last; ++i) middles.include(items[i].middle());
         float low[3], per_unit[3];
         for (int a = 0; a < 3; ++a) {
             low[a] = middles.v[a];
-            const float extent = -middles.v[4 + a] - low[a];
+            const float extent = middles.extent(a);
             per_unit[a] = extent > 0 ? 0.999f * bins / extent : 0;
             if (!(per_unit[a] < 1e30f)) per_unit[a] = 0;
         }
@@ -130,12 +133,26 @@ struct Builder {
         return children;
     }
 
+    /// Puts the children in order along the axis along which they are the most apart. Returns the axis.
+    static int sort(std::vector<Range>& children) {
+        FloatBox middles;
+        for (const Range& c : children) middles.include(c.box.middle());
+        int axis = 0;
+        for (int a = 1; a < 3; ++a)
+            if (middles.extent(a) > middles.extent(axis)) axis = a;
+        std::stable_sort(children.begin(), children.end(), [axis](const Range& a, const Range& b) {
+            return a.box.twice_center(axis) < b.box.twice_center(axis);
+        });
+        return axis;
+    }
+
     /// Appends the nodes over a list; with pieces, leaves the small lists to them. Returns the number of the first.
     std::uint32_t build(const Range& range, int depth, bool in_pieces, std::vector<Bvh::Node>& nodes) {
         const std::size_t self = nodes.size();
         nodes.emplace_back();
         nodes[self].leaf = range.count() <= Bvh::width;
-        const std::vector<Range> children = children_of(range, depth);
+        std::vector<Range> children = children_of(range, depth);
+        nodes[self].axis = std::uint32_t(sort(children));
         for (std::size_t c = 0; c < Bvh::width; ++c) {
             const FloatBox box = c < children.size() ? children[c].box : FloatBox{};
             for (int a = 0; a < 3; ++a) {

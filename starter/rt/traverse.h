@@ -1,7 +1,6 @@
 #pragma once
 
 #include <bit>
-#include <cstring>
 
 #include "rt/batch.h"
 #include "rt/bvh.h"
@@ -22,9 +21,10 @@ struct alignas(64) Journeys {
     float far[lanes];                               // the nearest hit so far
     Real start[lanes], per_unit[lanes];             // far = (t - start) per_unit
     Real slack[lanes];
-    Index backward[3][lanes];
+    Index near_side[3][lanes], far_side[3][lanes];  // which of a node's bounds are met first, and last
+    Index turn[3][lanes];                           // 7: children far along the axis are far; 0: they are near
     int depth[lanes];
-    std::uint64_t stack[lanes][(Bvh::deepest + 1) * Bvh::width];  // distance of a box << 32 | its node; nearest last
+    std::uint64_t stack[lanes][(Bvh::deepest + 1) * Bvh::width];  // distance of a box << 32 | its node; the nearest about last
 };
 
 /// Single precision's share of the boxes' margin: roundings of numbers up to 4, eight times over.
@@ -72,7 +72,9 @@ inline void start(const Bvh& bvh, const Batch& b, Journeys& j) {
             j.inverse[a][i] = float(over), j.inverse_out[a][i] = float(over_out);
             j.shift_in[a][i] = float((inside + aside) * over);
             j.shift_out[a][i] = float((inside - aside) * over_out);
-            j.backward[a][i] = over < 0 ? 1 : 0;
+            const int low = a * Bvh::width, high = (3 + a) * Bvh::width;
+            j.near_side[a][i] = over < 0 ? high : low, j.far_side[a][i] = over < 0 ? low : high;
+            j.turn[a][i] = over < 0 ? 0 : 7;
         }
         j.start[i] = from / speed;
         j.per_unit[i] = speed * scale;
@@ -94,17 +96,14 @@ inline void step(const Bvh::Node* nodes, Journeys& j, int i, Meetings& meetings)
     const float x_out = j.inverse_out[0][i], y_out = j.inverse_out[1][i], z_out = j.inverse_out[2][i];
     const float in_x = j.shift_in[0][i], in_y = j.shift_in[1][i], in_z = j.shift_in[2][i];
     const float out_x = j.shift_out[0][i], out_y = j.shift_out[1][i], out_z = j.shift_out[2][i];
-    const Index back_x = j.backward[0][i], back_y = j.backward[1][i], back_z = j.backward[2][i];
-    const float *low_x = node.bound[back_x][0], *high_x = node.bound[1 - back_x][0];
-    const float *low_y = node.bound[back_y][1], *high_y = node.bound[1 - back_y][1];
-    const float *low_z = node.bound[back_z][2], *high_z = node.bound[1 - back_z][2];
+    const float *low_x = node.bound[0][0] + j.near_side[0][i], *high_x = node.bound[0][0] + j.far_side[0][i];
+    const float *low_y = node.bound[0][0] + j.near_side[1][i], *high_y = node.bound[0][0] + j.far_side[1][i];
+    const float *low_z = node.bound[0][0] + j.near_side[2][i], *high_z = node.bound[0][0] + j.far_side[2][i];
     const float far = j.far[i];
     const int leaf = int(node.leaf);
 
-    // Keys rise with distance; no two are the same. 0: not met.
-    alignas(32) std::int32_t key[Bvh::width], rank[Bvh::width];
+    alignas(32) std::uint32_t meets[Bvh::width];
     alignas(64) std::uint64_t value[Bvh::width];
-    int met = 0;
     for (int c = 0; c < Bvh::width; ++c) {
         const float enter_x = low_x[c] * x - in_x, leave_x = high_x[c] * x_out - out_x;
         const float enter_y = low_y[c] * y - in_y, leave_y = high_y[c] * y_out - out_y;
@@ -112,23 +111,20 @@ inline void step(const Bvh::Node* nodes, Journeys& j, int i, Meetings& meetings)
         const float enter_xy = enter_x > enter_y ? enter_x : enter_y, enter_z0 = enter_z > 0 ? enter_z : 0;
         const float leave_xy = leave_x < leave_y ? leave_x : leave_y, leave_zf = leave_z < far ? leave_z : far;
         const float enter = enter_xy > enter_z0 ? enter_xy : enter_z0, leave = leave_xy < leave_zf ? leave_xy : leave_zf;
-        const std::int32_t bits = std::bit_cast<std::int32_t>(enter);
-        const bool meets = enter <= leave;
-        key[c] = meets ? (bits & ~7) + 8 + c : 0;
-        met += meets;
-        value[c] = std::uint64_t(leaf ? i : bits) << 32 | node.child[c];
+        meets[c] = enter <= leave;
+        value[c] = std::uint64_t(leaf ? std::uint32_t(i) : std::bit_cast<std::uint32_t>(enter)) << 32 | node.child[c];
     }
-    // A child's place: how many are farther. What is not met goes beyond the last, where it is overwritten.
-    using Eight = std::int32_t __attribute__((vector_size(32)));
-    Eight keys, places{};
-    std::memcpy(&keys, key, sizeof keys);
-    for (int c = 0; c < Bvh::width; ++c) places -= key[c] > keys;
-    std::memcpy(rank, &places, sizeof places);
+    // Far children first, as their order along the axis has it. What is not met is overwritten by what follows.
     std::uint64_t* const tops[2] = {stack + depth, meetings.pair + meetings.count};
     std::uint64_t* const to = tops[leaf];
-    for (int c = 0; c < Bvh::width; ++c) to[rank[c]] = value[c];
-    meetings.count += met * leaf;
-    depth += met * (1 - leaf);
+    const unsigned turn = unsigned(j.turn[node.axis][i]);
+    unsigned met = 0;
+    for (unsigned c = 0; c < Bvh::width; ++c) {
+        to[met] = value[c ^ turn];
+        met += meets[c ^ turn];
+    }
+    meetings.count += int(met) * leaf;
+    depth += int(met) * (1 - leaf);
     j.depth[i] = depth;
     // What comes next is fetched while other rays make their steps.
     const Bvh::Node* const next = nodes + std::uint32_t(stack[depth > 0 ? depth - 1 : 0]);
