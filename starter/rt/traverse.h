@@ -23,7 +23,7 @@ struct alignas(64) Journeys {
     Real slack[lanes];
     Index near_side[3][lanes], far_side[3][lanes];  // which of a node's bounds are met first, and last
     Index turn[3][lanes];                           // 7: children far along the axis are far; 0: they are near
-    int depth[lanes];
+    int depth[lanes];                               // of the stack; its place 0 is not in use
     std::uint64_t stack[lanes][(Bvh::deepest + 1) * Bvh::width];  // distance of a box << 32 | its node; the nearest about last
 };
 
@@ -83,14 +83,14 @@ inline void start(const Bvh& bvh, const Batch& b, Journeys& j) {
         const Real far = (b.far[i] - j.start[i]) * j.per_unit[i] + j.slack[i];
         j.far[i] = float(far < 1e30 ? far : 1e30);
         j.depth[i] = meets ? 1 : 0;
-        j.stack[i][0] = 0;
+        j.stack[i][0] = j.stack[i][1] = 0;
     }
 }
 
 /// Takes ray i one node further: the children that it meets, if they are nodes, onto its stack; if items, into the list.
 inline void step(const Bvh::Node* nodes, Journeys& j, int i, Meetings& meetings) {
-    int depth = j.depth[i] - 1;
     std::uint64_t* const stack = j.stack[i];
+    int depth = j.depth[i];
     const Bvh::Node& node = nodes[std::uint32_t(stack[depth])];
     const float x = j.inverse[0][i], y = j.inverse[1][i], z = j.inverse[2][i];
     const float x_out = j.inverse_out[0][i], y_out = j.inverse_out[1][i], z_out = j.inverse_out[2][i];
@@ -124,10 +124,10 @@ inline void step(const Bvh::Node* nodes, Journeys& j, int i, Meetings& meetings)
         met += meets[c ^ turn];
     }
     meetings.count += int(met) * leaf;
-    depth += int(met) * (1 - leaf);
+    depth += int(met) * (1 - leaf) - 1;
     j.depth[i] = depth;
     // What comes next is fetched while other rays make their steps.
-    const Bvh::Node* const next = nodes + std::uint32_t(stack[depth > 0 ? depth - 1 : 0]);
+    const Bvh::Node* const next = nodes + std::uint32_t(stack[depth]);
     for (int line = 0; line < 4; ++line) __builtin_prefetch(reinterpret_cast<const char*>(next) + 64 * line);
 }
 
@@ -136,8 +136,8 @@ inline void shorten(Journeys& j, int i, Real t) {
     const Real far = (t - j.start[i]) * j.per_unit[i] + j.slack[i];
     j.far[i] = float(far < 1e30 ? far : 1e30);
     int left = 0;
-    for (int k = 0; k < j.depth[i]; ++k)
-        if (std::bit_cast<float>(std::uint32_t(j.stack[i][k] >> 32)) <= j.far[i]) j.stack[i][left++] = j.stack[i][k];
+    for (int k = 1; k <= j.depth[i]; ++k)
+        if (std::bit_cast<float>(std::uint32_t(j.stack[i][k] >> 32)) <= j.far[i]) j.stack[i][++left] = j.stack[i][k];
     j.depth[i] = left;
 }
 

@@ -70,6 +70,7 @@ void measure(const World& world, const std::vector<Shape>& all, Index first, con
     Rays rays{};
     Shapes<Shape> shapes{};
     alignas(64) Real distance[pairs_at_once];
+    for (int k = begin; k < end; ++k) __builtin_prefetch(&all[std::size_t(m.item(k) - first)]);
     for (; begin < end; begin += pairs_at_once) {
         const int count = std::min(pairs_at_once, end - begin);
         for (int k = 0; k < count; ++k) {
