@@ -87,11 +87,17 @@ inline void start(const Bvh& bvh, const Batch& b, Journeys& j) {
     }
 }
 
-/// Takes ray i one node further: the children that it meets, if they are nodes, onto its stack; if items, into the list.
-inline void step(const Bvh::Node* nodes, Journeys& j, int i, Meetings& meetings) {
-    std::uint64_t* const stack = j.stack[i];
-    int depth = j.depth[i];
-    const Bvh::Node& node = nodes[std::uint32_t(stack[depth])];
+/// Which children of its node a ray meets, and what its stack or the list is to hold of each.
+struct alignas(64) Children {
+    std::uint64_t value[Bvh::width];
+    std::uint32_t meets[Bvh::width];  // 1 or 0
+    unsigned turn;
+    int leaf;
+};
+
+/// Takes the node on top of ray i's stack.
+inline void look_at_node(const Bvh::Node* nodes, const Journeys& j, int i, Children& children) {
+    const Bvh::Node& node = nodes[std::uint32_t(j.stack[i][j.depth[i]])];
     const float x = j.inverse[0][i], y = j.inverse[1][i], z = j.inverse[2][i];
     const float x_out = j.inverse_out[0][i], y_out = j.inverse_out[1][i], z_out = j.inverse_out[2][i];
     const float in_x = j.shift_in[0][i], in_y = j.shift_in[1][i], in_z = j.shift_in[2][i];
@@ -100,10 +106,10 @@ inline void step(const Bvh::Node* nodes, Journeys& j, int i, Meetings& meetings)
     const float *low_y = node.bound[0][0] + j.near_side[1][i], *high_y = node.bound[0][0] + j.far_side[1][i];
     const float *low_z = node.bound[0][0] + j.near_side[2][i], *high_z = node.bound[0][0] + j.far_side[2][i];
     const float far = j.far[i];
-    const int leaf = int(node.leaf);
-
-    alignas(32) std::uint32_t meets[Bvh::width];
-    alignas(64) std::uint64_t value[Bvh::width];
+    const bool leaf = node.leaf != 0;
+    children.turn = unsigned(j.turn[node.axis][i]);
+    children.leaf = int(node.leaf);
+#pragma GCC ivdep
     for (int c = 0; c < Bvh::width; ++c) {
         const float enter_x = low_x[c] * x - in_x, leave_x = high_x[c] * x_out - out_x;
         const float enter_y = low_y[c] * y - in_y, leave_y = high_y[c] * y_out - out_y;
@@ -111,24 +117,37 @@ inline void step(const Bvh::Node* nodes, Journeys& j, int i, Meetings& meetings)
         const float enter_xy = enter_x > enter_y ? enter_x : enter_y, enter_z0 = enter_z > 0 ? enter_z : 0;
         const float leave_xy = leave_x < leave_y ? leave_x : leave_y, leave_zf = leave_z < far ? leave_z : far;
         const float enter = enter_xy > enter_z0 ? enter_xy : enter_z0, leave = leave_xy < leave_zf ? leave_xy : leave_zf;
-        meets[c] = enter <= leave;
-        value[c] = std::uint64_t(leaf ? std::uint32_t(i) : std::bit_cast<std::uint32_t>(enter)) << 32 | node.child[c];
+        children.meets[c] = enter <= leave;
+        children.value[c] =
+            std::uint64_t(leaf ? std::uint32_t(i) : std::bit_cast<std::uint32_t>(enter)) << 32 | node.child[c];
     }
-    // Far children first, as their order along the axis has it. What is not met is overwritten by what follows.
-    std::uint64_t* const tops[2] = {stack + depth, meetings.pair + meetings.count};
+}
+
+/// Puts the children that are met onto ray i's stack, if they are nodes; if items, into the list.
+inline void take_children(const Bvh::Node* nodes, Journeys& j, int i, const Children& children, Meetings& meetings) {
+    std::uint64_t* const stack = j.stack[i];
+    const int depth = j.depth[i] - 1, leaf = children.leaf;
+    std::uint64_t* const tops[2] = {stack + depth + 1, meetings.pair + meetings.count};
     std::uint64_t* const to = tops[leaf];
-    const unsigned turn = unsigned(j.turn[node.axis][i]);
+    // Far children first, as their order along the axis has it. What is not met is overwritten by what follows.
     unsigned met = 0;
     for (unsigned c = 0; c < Bvh::width; ++c) {
-        to[met] = value[c ^ turn];
-        met += meets[c ^ turn];
+        to[met] = children.value[c ^ children.turn];
+        met += children.meets[c ^ children.turn];
     }
     meetings.count += int(met) * leaf;
-    depth += int(met) * (1 - leaf) - 1;
-    j.depth[i] = depth;
+    j.depth[i] = depth + int(met) * (1 - leaf);
     // What comes next is fetched while other rays make their steps.
-    const Bvh::Node* const next = nodes + std::uint32_t(stack[depth]);
+    const Bvh::Node* const next = nodes + std::uint32_t(stack[j.depth[i]]);
     for (int line = 0; line < 4; ++line) __builtin_prefetch(reinterpret_cast<const char*>(next) + 64 * line);
+}
+
+/// Takes n rays one node further. First all look, then all go on: a processor that cannot tell whether one ray's stack
+/// is another's would let each wait for the one before.
+inline void step(const Bvh::Node* nodes, Journeys& j, const int* rays, int n, Meetings& meetings) {
+    Children children[lanes];
+    for (int k = 0; k < n; ++k) look_at_node(nodes, j, rays[k], children[k]);
+    for (int k = 0; k < n; ++k) take_children(nodes, j, rays[k], children[k], meetings);
 }
 
 /// Ray i has met something at t: what is farther is forgotten.

@@ -125,7 +125,7 @@ void search_tree(const World& world, Batch& b) {
     }
     while (n > 0) {
         meetings.count = 0;
-        for (int k = 0; k < n; ++k) step(world.bvh.nodes.data(), journeys, on_the_way[k], meetings);
+        step(world.bvh.nodes.data(), journeys, on_the_way, n, meetings);
         with_flag(world.plan.time, [&](auto time) { measure_all<time()>(world, b, far, meetings); });
         for (int k = 0; k < meetings.count; ++k) {
             const int i = int(meetings.lane(k));
