@@ -34,7 +34,7 @@ constexpr Real box_margin = 0x1p-19;
 ///
 /// All boxes are widened: by some roundings of the largest numbers that take part in finding a hit, in double precision,
 /// so that none is missed that an item's test finds; and by roundings of what the tree itself computes. No component of a
-/// direction is 0 here: 2^-40 moves no ray by more than the margin, and then no quotient is infinite or 0/0.
+/// direction is 0 here: 2^-60 moves no ray by more than the margin, and then no quotient is infinite or 0/0.
 ///
 /// Source: Kay and Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986; Ize, "Robust BVH Ray Traversal", JCGT 2(2),
 /// 2013.
@@ -46,15 +46,14 @@ inline void start(const Bvh& bvh, const Batch& b, Journeys& j) {
     for (int i = 0; i < lanes; ++i) {
         const vec3 o{b.ox[i], b.oy[i], b.oz[i]}, d{b.dx[i], b.dy[i], b.dz[i]};
         const Real margin = 32 * roundoff * (largest(o) + reach);
-        const Real speed = largest(d);
+        const Real speed = largest(d), over_speed = 1 / speed;
         Real enter = -inf, leave = inf;
-        vec3 along;
+        vec3 over;
         for (int a = 0; a < 3; ++a) {
-            const Real part = d[a] / speed, size = std::abs(part);
-            const Real away = std::copysign(size > 1e-300 ? size : 1e-300, part);
-            along[a] = std::copysign(size > 0x1p-40 ? size : 0x1p-40, part);
-            const Real one = (whole.low[a] - margin - o[a]) / away, other = (whole.high[a] + margin - o[a]) / away;
-            const Real in = away < 0 ? other : one, out = away < 0 ? one : other;
+            const Real part = d[a] * over_speed, size = std::abs(part);
+            over[a] = std::copysign(1 / (size > 0x1p-60 ? size : 0x1p-60), part);
+            const Real one = (whole.low[a] - margin - o[a]) * over[a], other = (whole.high[a] + margin - o[a]) * over[a];
+            const Real in = over[a] < 0 ? other : one, out = over[a] < 0 ? one : other;
             enter = in > enter ? in : enter;
             leave = out < leave ? out : leave;
         }
@@ -65,26 +64,26 @@ inline void start(const Bvh& bvh, const Batch& b, Journeys& j) {
         const Real most = 8;  // wider than that, a box is met wherever it is
         const Real m = wide < most ? wide : most;
         for (int a = 0; a < 3; ++a) {
-            const Real at = ((o[a] - center[a]) + from * (d[a] / speed)) * scale;
+            const Real at = ((o[a] - center[a]) + from * (d[a] * over_speed)) * scale;
             const Real inside = at > 2 ? 2 : at < -2 ? -2 : at;
-            const Real over = 1 / along[a], aside = over < 0 ? -m : m;
-            const Real over_out = over * (1 + 0x1p-20);  // numbers have relative errors, too
-            j.inverse[a][i] = float(over), j.inverse_out[a][i] = float(over_out);
-            j.shift_in[a][i] = float((inside + aside) * over);
+            const Real over_out = over[a] * (1 + 0x1p-20);  // numbers have relative errors, too
+            const Real aside = over[a] < 0 ? -m : m;
+            j.inverse[a][i] = float(over[a]), j.inverse_out[a][i] = float(over_out);
+            j.shift_in[a][i] = float((inside + aside) * over[a]);
             j.shift_out[a][i] = float((inside - aside) * over_out);
             const int low = a * Bvh::width, high = (3 + a) * Bvh::width;
-            j.near_side[a][i] = over < 0 ? high : low, j.far_side[a][i] = over < 0 ? low : high;
-            j.turn[a][i] = over < 0 ? 0 : 7;
+            j.near_side[a][i] = over[a] < 0 ? high : low, j.far_side[a][i] = over[a] < 0 ? low : high;
+            j.turn[a][i] = over[a] < 0 ? 0 : 7;
         }
-        j.start[i] = from / speed;
+        j.start[i] = from * over_speed;
         j.per_unit[i] = speed * scale;
         // Grazing, a hit's own distance is less certain: a box is left out only where it is farther by more than that.
         j.slack[i] = 8 * box_margin + 0x1p20 * local_margin;
         const Real far = (b.far[i] - j.start[i]) * j.per_unit[i] + j.slack[i];
         j.far[i] = float(far < 1e30 ? far : 1e30);
         j.depth[i] = meets ? 1 : 0;
-        j.stack[i][0] = j.stack[i][1] = 0;
     }
+    for (int i = 0; i < b.count; ++i) j.stack[i][0] = j.stack[i][1] = 0;
 }
 
 /// Which children of its node a ray meets, and what its stack or the list is to hold of each.
