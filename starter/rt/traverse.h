@@ -21,6 +21,7 @@ struct alignas(64) Journeys {
     float far[lanes];                               // the nearest hit so far
     Real start[lanes], per_unit[lanes];             // far = (t - start) per_unit
     Real slack[lanes];
+    int met_items[lanes];                           // in the last step
     Index near_side[3][lanes], far_side[3][lanes];  // which of a node's bounds are met first, and last
     Index turn[3][lanes];                           // 7: children far along the axis are far; 0: they are near
     int depth[lanes];                               // of the stack; its place 0 is not in use
@@ -135,6 +136,7 @@ inline void take_children(const Bvh::Node* nodes, Journeys& j, int i, const Chil
         met += children.meets[c ^ children.turn];
     }
     meetings.count += int(met) * leaf;
+    j.met_items[i] = int(met) * leaf;
     j.depth[i] = depth + int(met) * (1 - leaf);
     // What comes next is fetched while other rays make their steps.
     const Bvh::Node* const next = nodes + std::uint32_t(stack[j.depth[i]]);

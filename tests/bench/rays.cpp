@@ -7,6 +7,8 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -87,22 +89,31 @@ struct Found {
     std::vector<Index> id;
 };
 
-std::vector<Batch> batches_of(const Rays& rays) {
-    std::vector<Batch> batches(rays.size() / lanes);
+/// The part of a batch that is its rays, as small as Embree's.
+struct Lanes {
+    Real numbers[8 * lanes];
+};
+
+std::vector<Lanes> batches_of(const Rays& rays) {
+    std::vector<Lanes> batches(rays.size() / lanes);
     for (std::size_t k = 0; k < batches.size() * lanes; ++k) {
-        batches[k / lanes].set_ray(int(k % lanes), rays[k]);
-        batches[k / lanes].count = lanes;
+        const Ray& r = rays[k];
+        const Real numbers[] = {r.origin.x,    r.origin.y,    r.origin.z, r.direction.x,
+                                r.direction.y, r.direction.z, r.near,     r.far};
+        for (std::size_t c = 0; c < 8; ++c) batches[k / lanes].numbers[c * lanes + k % lanes] = numbers[c];
     }
     return batches;
 }
 
-double ours(const World& world, const std::vector<Batch>& batches, bool any, Found* found) {
-    double seconds = -cpu_seconds();
-    Batch b;
+double ours(const World& world, const std::vector<Lanes>& batches, bool any, Found* found) {
+    Batch b{};
     std::size_t hits = 0;
-    for (const Batch& batch : batches) {
+    static_assert(offsetof(Batch, far) == offsetof(Batch, ox) + 7 * lanes * sizeof(Real));
+    double seconds = -cpu_seconds();
+    for (const Lanes& rays : batches) {
         b.count = lanes;
-        std::memcpy(b.ox, batch.ox, std::size_t(reinterpret_cast<const char*>(batch.weight_r) - reinterpret_cast<const char*>(batch.ox)));
+        std::memcpy(b.ox, rays.numbers, sizeof rays);
+        std::fill(b.shape, b.shape + lanes, nothing);
         any ? any_hit_stage(world, b) : nearest_stage(world, b);
         for (int i = 0; i < lanes; ++i) {
             hits += b.shape[i] != nothing;
@@ -209,7 +220,7 @@ void print_list(const char* name, const std::vector<double>& values) {
 template <class Theirs>
 void compare(const char* name, const World& world, Rays rays, bool any, int rounds, Theirs theirs_of) {
     rays.resize(rays.size() / lanes * lanes);
-    const std::vector<Batch> batches = batches_of(rays);
+    const std::vector<Lanes> batches = batches_of(rays);
     std::vector<double> a, b, c;
     const auto other = theirs_of(rays, any);
     for (int k = 0; k < rounds; ++k) {

@@ -112,6 +112,8 @@ void measure_all(const World& world, const Batch& b, const Real* far, Meetings& 
     measure<hit_disc, time>(world, world.discs, firsts[3], b, far, m, ends[2], ends[3]);
 }
 
+constexpr int enough = 2 * pairs_at_once;  // pairs, to test them
+
 template <bool any>
 void search_tree(const World& world, Batch& b) {
     Journeys journeys;
@@ -123,9 +125,20 @@ void search_tree(const World& world, Batch& b) {
         far[i] = b.far[i];
         if (journeys.depth[i] > 0) on_the_way[n++] = i;
     }
-    while (n > 0) {
-        meetings.count = 0;
+    // A ray that has met items waits until there are enough of them for vectors, or no ray can go on.
+    int waiting[lanes], waits = 0;
+    meetings.count = 0;
+    while (n > 0 || waits > 0) {
         step(world.bvh.nodes.data(), journeys, on_the_way, n, meetings);
+        int left = 0;
+        for (int k = 0; k < n; ++k) {
+            const int i = on_the_way[k];
+            const bool goes_on = journeys.depth[i] > 0, waits_now = goes_on && journeys.met_items[i];
+            on_the_way[left] = i, waiting[waits] = i;
+            left += goes_on && !waits_now, waits += waits_now;
+        }
+        n = left;
+        if (meetings.count < enough && n > 0) continue;
         with_flag(world.plan.time, [&](auto time) { measure_all<time()>(world, b, far, meetings); });
         for (int k = 0; k < meetings.count; ++k) {
             const int i = int(meetings.lane(k));
@@ -139,12 +152,12 @@ void search_tree(const World& world, Batch& b) {
             else
                 shorten(journeys, i, t);
         }
-        int left = 0;
-        for (int k = 0; k < n; ++k) {
-            on_the_way[left] = on_the_way[k];
-            left += journeys.depth[on_the_way[k]] > 0;
+        meetings.count = 0;
+        for (int k = 0; k < waits; ++k) {
+            on_the_way[n] = waiting[k];
+            n += journeys.depth[waiting[k]] > 0;
         }
-        n = left;
+        waits = 0;
     }
 }
 
