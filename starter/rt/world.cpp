@@ -36,29 +36,21 @@ Emitter emitter(const Sphere& s) { return {Emitter::Kind::sphere, {}, {}, s, {}}
 Emitter emitter(const Quad& q) { return {Emitter::Kind::quad, q, {}, {}, {}}; }
 Emitter emitter(const Disc& d) { return {Emitter::Kind::disc, {}, d, {}, {}}; }
 
-/// Puts shapes in the lists, the tree and the table, kind by kind.
+/// Puts shapes in the lists and the table, kind by kind.
 struct Layout {
     World world;
-    std::vector<Box> boxes;
 
     /// A shape that does not move while the shutter is open is put where it is then.
     template <class S>
-    void add(std::vector<Numbered<S>>& list, S shape, int material, vec3 velocity, Index smooth = nothing) {
-        const Shutter& shutter = world.scene.shutter;
+    void add(std::vector<S>& list, S shape, int material, vec3 velocity, Index smooth = nothing) {
         if (!world.plan.time) {
-            shape = at(shape, shutter.open * velocity);
+            shape = at(shape, world.scene.shutter.open * velocity);
             velocity = vec3(0);
         }
-        Box box = bounds(at(shape, shutter.open * velocity));
-        box.include(bounds(at(shape, shutter.close * velocity)));
-        // A rounding error must not push a shape out of its box, nor may a flat box have no inside.
-        const Real reach = std::max(largest(box.low), largest(box.high));
-        const Real margin = 8 * roundoff * reach;
-        box.low -= margin, box.high += margin;
-
+        const Box box = swept(shape, velocity, world.scene.shutter);
         const Material& m = world.scene.materials[std::size_t(material)];
         SurfaceRecord r = record(shape);
-        r.reach = reach;
+        r.reach = std::max(largest(box.low), largest(box.high));
         r.velocity = velocity;
         r.material = material;
         r.shines = m.emission != Color(0);
@@ -70,47 +62,91 @@ struct Layout {
                 world.emitters.back().radiance = m.emission;
             }
         }
-        list.push_back({shape, Index(world.surfaces.size()), velocity, box});
+        list.push_back(shape);
         world.surfaces.push_back(r);
-        if (world.plan.bvh) boxes.push_back(box);
     }
 
     template <class S>
-    void add_kind(std::vector<Numbered<S>>& list) {
-        for (const Shape& shape : world.scene.shapes)
+    void add_kind(const Scene& scene, std::vector<S>& list) {
+        for (const Shape& shape : scene.shapes)
             if (const S* s = std::get_if<S>(&shape.geometry)) add(list, *s, shape.material, shape.velocity);
     }
 
     void add_mesh(const Mesh& mesh) {
+        const int first = int(world.normals.size());
+        world.normals.insert(world.normals.end(), mesh.normals.begin(), mesh.normals.end());
         for (const glm::ivec3 c : mesh.triangles) {
-            const Triangle t{mesh.vertices[c.x], mesh.vertices[c.y], mesh.vertices[c.z]};
             Index smooth = nothing;
             if (!mesh.normals.empty()) {
-                smooth = Index(world.smooth.size());
-                world.smooth.push_back({t, mesh.normals[c.x], mesh.normals[c.y], mesh.normals[c.z]});
+                smooth = Index(world.corners.size());
+                world.corners.push_back(c + first);
             }
-            add(world.triangles, t, mesh.material, mesh.velocity, smooth);
+            add(world.triangles, {mesh.vertices[c.x], mesh.vertices[c.y], mesh.vertices[c.z]}, mesh.material,
+                mesh.velocity, smooth);
         }
     }
+
+    /// All that a shape fills while the shutter is open.
+    template <class S>
+    static Box swept(const S& shape, vec3 velocity, const Shutter& shutter) {
+        Box box = bounds(at(shape, shutter.open * velocity));
+        box.include(bounds(at(shape, shutter.close * velocity)));
+        return box;
+    }
+
+    /// The box of a shape, by its number.
+    Box box_of(std::size_t id) const {
+        const auto in = [&](const auto& list, Index first) {
+            return swept(list[id - std::size_t(first)], world.surfaces[id].velocity, world.scene.shutter);
+        };
+        Box box = Index(id) < world.first_triangle ? in(world.spheres, 0)
+                  : Index(id) < world.first_quad   ? in(world.triangles, world.first_triangle)
+                  : Index(id) < world.first_disc   ? in(world.quads, world.first_quad)
+                                                   : in(world.discs, world.first_disc);
+        // A rounding error must not push a shape out of its box, nor may a flat box have no inside.
+        const Real margin = 8 * roundoff * world.surfaces[id].reach;
+        box.low -= margin, box.high += margin;
+        return box;
+    }
 };
+
+/// How many shapes there are, so that the lists need not grow.
+void reserve(World& world, const Scene& scene) {
+    std::size_t triangles = 0, smooth = 0;
+    for (const Mesh& mesh : scene.meshes) {
+        triangles += mesh.triangles.size();
+        if (!mesh.normals.empty()) smooth += mesh.triangles.size();
+    }
+    for (const Shape& shape : scene.shapes) triangles += std::holds_alternative<Triangle>(shape.geometry);
+    world.triangles.reserve(triangles);
+    world.corners.reserve(smooth);
+    world.surfaces.reserve(triangles + scene.shapes.size());
+}
 
 }  // namespace
 
 World make_world(const Scene& scene) {
-    Layout layout{{.scene = scene, .plan = make_plan(scene)}, {}};
+    Layout layout{{.scene = scene, .plan = make_plan(scene)}};
     World& world = layout.world;
     world.reflectances.push_back({});
     for (const Material& m : scene.materials)
         world.reflectances.push_back(
             {m.albedo, m.specular, m.shininess, Index(m.albedo != Color(0) || m.specular != Color(0))});
-    layout.add_kind(world.spheres);
-    layout.add_kind(world.triangles);
+    world.scene.shapes = {};
+    world.scene.meshes = {};
+    reserve(world, scene);
+    layout.add_kind(scene, world.spheres);
+    world.first_triangle = Index(world.surfaces.size());
+    layout.add_kind(scene, world.triangles);
     for (const Mesh& mesh : scene.meshes) layout.add_mesh(mesh);
-    layout.add_kind(world.quads);
-    layout.add_kind(world.discs);
-    world.scene.shapes.clear();
-    world.scene.meshes.clear();
-    if (world.plan.bvh) world.bvh = build_bvh(layout.boxes);
+    world.first_quad = Index(world.surfaces.size());
+    layout.add_kind(scene, world.quads);
+    world.first_disc = Index(world.surfaces.size());
+    layout.add_kind(scene, world.discs);
+    if (world.plan.bvh)
+        world.bvh = build_bvh(world.surfaces.size(), [&](std::size_t id) { return layout.box_of(id); });
+    else
+        for (std::size_t id = 0; id < world.surfaces.size(); ++id) world.boxes.push_back(layout.box_of(id));
     return std::move(layout.world);
 }
 

@@ -8,15 +8,6 @@
 
 namespace rt {
 
-/// A shape with its number and its motion.
-template <class Shape>
-struct Numbered {
-    Shape shape;
-    Index id;
-    vec3 velocity;
-    Box box;  // about all of its motion
-};
-
 /// What the surface stage must know of a shape, found by its number.
 struct SurfaceRecord {
     vec3 center{0};      // of a sphere; a point of a flat shape
@@ -27,7 +18,7 @@ struct SurfaceRecord {
     Index material = 0;
     bool sampled = false;  // an emitter that shadow rays look for
     Index shines = 0;      // 1: its front side sends out light
-    Index smooth = nothing;  // which of World::smooth has its normals
+    Index smooth = nothing;  // which of World::corners has its normals
 };
 
 /// What the direct stage must know of a material.
@@ -37,24 +28,21 @@ struct Reflectance {
     Index reflects = 0;  // 1: any light
 };
 
-/// A triangle with a normal at each corner.
-struct SmoothTriangle {
-    Triangle triangle;
-    vec3 na, nb, nc;
-};
-
-/// A scene laid out for the stages' loops.
+/// A scene laid out for the stages' loops. Shapes are numbered kind by kind: spheres, triangles, quads, discs.
 struct World {
-    Scene scene;
+    Scene scene;  // without shapes
     RenderPlan plan;
-    std::vector<Numbered<Sphere>> spheres;
-    std::vector<Numbered<Triangle>> triangles;
-    std::vector<Numbered<Quad>> quads;
-    std::vector<Numbered<Disc>> discs;
+    std::vector<Sphere> spheres;
+    std::vector<Triangle> triangles;
+    std::vector<Quad> quads;
+    std::vector<Disc> discs;
+    Index first_triangle = 0, first_quad = 0, first_disc = 0;
     std::vector<Emitter> emitters;
     std::vector<SurfaceRecord> surfaces;  // by number
-    std::vector<SmoothTriangle> smooth;
+    std::vector<vec3> normals;            // of meshes
+    std::vector<glm::ivec3> corners;      // which normals the corners of smooth triangles have
     std::vector<Reflectance> reflectances;  // of no surface, which is black, and then of each material
+    std::vector<Box> boxes;               // about all of a shape's motion, by number; where there is no tree
     Bvh bvh;
 };
 

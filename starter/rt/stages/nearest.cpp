@@ -1,5 +1,7 @@
+#include "rt/meetings.h"
 #include "rt/shaft.h"
 #include "rt/stages/stages.h"
+#include "rt/traverse.h"
 
 namespace rt {
 namespace {
@@ -29,10 +31,8 @@ inline Triangle at_time(Triangle t, vec3 velocity, Real time) {
 /// One shape against all rays of a batch. Of two shapes at one distance the first is hit, the one with the lower
 /// number.
 template <auto hit, bool moves, class Shape>
-void try_shape(const Numbered<Shape>& in_memory, Batch& b) {
-    const Shape shape = in_memory.shape;
-    const vec3 velocity = in_memory.velocity;
-    const Index id = in_memory.id;
+void try_shape(const Shape& in_memory, vec3 velocity, Index id, Batch& b) {
+    const Shape shape = in_memory;
 #pragma GCC ivdep
     for (int i = 0; i < lanes; ++i) {
         const Ray ray = b.ray(i);
@@ -47,67 +47,137 @@ void try_shape(const Numbered<Shape>& in_memory, Batch& b) {
     }
 }
 
+/// All of a kind, one by one. first is the number of the first of them.
 template <auto hit, class Shape>
-void try_shapes(const std::vector<Numbered<Shape>>& shapes, const Shaft& shaft, Batch& b) {
-    for (const auto& s : shapes)
-        if (may_meet(shaft, s.box)) with_flag(s.velocity != vec3(0), [&](auto moves) { try_shape<hit, moves()>(s, b); });
-}
-
-/// One shape against one ray, at the ray's time.
-template <auto hit, class Shape>
-Real distance_to(const Numbered<Shape>& s, const Ray& ray, Real time) {
-    return s.velocity == vec3(0) ? hit(s.shape, ray) : hit(at_time(s.shape, s.velocity, time), ray);
-}
-
-/// The shapes are in the tree list by list: spheres, triangles, quads, discs.
-void search_tree(const World& world, bool any, Batch& b) {
-    const std::uint32_t spheres = std::uint32_t(world.spheres.size());
-    const std::uint32_t triangles = spheres + std::uint32_t(world.triangles.size());
-    const std::uint32_t quads = triangles + std::uint32_t(world.quads.size());
-    for (int i = 0; i < b.count; ++i) {
-        if (!(b.far[i] > b.near[i])) continue;
-        Ray ray = b.ray(i);
-        const Real time = b.time[i];
-        traverse(world.bvh, ray, [&](std::uint32_t item, Real) {
-            Real t;
-            Index id;
-            if (item < spheres) {
-                t = distance_to<hit_sphere>(world.spheres[item], ray, time), id = world.spheres[item].id;
-            } else if (item < triangles) {
-                const auto& s = world.triangles[item - spheres];
-                t = distance_to<hit_triangle>(s, ray, time), id = s.id;
-            } else if (item < quads) {
-                const auto& s = world.quads[item - triangles];
-                t = distance_to<hit_quad>(s, ray, time), id = s.id;
-            } else {
-                const auto& s = world.discs[item - quads];
-                t = distance_to<hit_disc>(s, ray, time), id = s.id;
-            }
-            if (t < b.far[i] || (t == b.far[i] && id < b.shape[i])) {
-                b.far[i] = t;
-                b.shape[i] = id;
-                // The next shape is tried up to and with this distance, for the lowest number wins a tie.
-                ray.far = std::nextafter(t, inf);
-            }
-            return any && b.shape[i] != nothing ? -inf : b.far[i];
-        });
+void try_shapes(const World& world, const std::vector<Shape>& shapes, Index first, const Shaft& shaft, Batch& b) {
+    for (std::size_t k = 0; k < shapes.size(); ++k) {
+        const Index id = first + Index(k);
+        if (!may_meet(shaft, world.boxes[std::size_t(id)])) continue;
+        const vec3 velocity = world.surfaces[std::size_t(id)].velocity;
+        with_flag(velocity != vec3(0), [&](auto moves) { try_shape<hit, moves()>(shapes[k], velocity, id, b); });
     }
 }
 
-void search(const World& world, bool any, Batch& b) {
-    if (world.plan.bvh) return search_tree(world, any, b);
+/// A function of its own, for the compiler gives up on loops in a large one.
+template <auto hit, class Shape>
+[[gnu::noinline]] void test_pairs(const Shapes<Shape>& shapes, const Rays& rays, Real* distance) {
+#pragma GCC ivdep
+    for (int k = 0; k < pairs_at_once; ++k) distance[k] = hit(shapes.at(k), rays.at(k));
+}
+
+/// Finds the distances from rays to items of one kind, which follow each other in the list from begin to end.
+template <auto hit, bool time, class Shape>
+void measure(const World& world, const std::vector<Shape>& all, Index first, const Batch& b, const Real* far,
+             Meetings& m, int begin, int end) {
+    Rays rays{};
+    Shapes<Shape> shapes{};
+    alignas(64) Real distance[pairs_at_once];
+    for (int k = begin; k < end; ++k) __builtin_prefetch(&all[std::size_t(m.item(k) - first)]);
+    for (; begin < end; begin += pairs_at_once) {
+        const int count = std::min(pairs_at_once, end - begin);
+        for (int k = 0; k < count; ++k) {
+            const int i = int(m.lane(begin + k));
+            const std::size_t id = std::size_t(m.item(begin + k));
+            const Shape& shape = all[id - std::size_t(first)];
+            rays.origin.set(k, {b.ox[i], b.oy[i], b.oz[i]});
+            rays.direction.set(k, {b.dx[i], b.dy[i], b.dz[i]});
+            rays.near[k] = b.near[i], rays.far[k] = far[i];
+            if constexpr (time)
+                shapes.set(k, at_time(shape, world.surfaces[id].velocity, b.time[i]));
+            else
+                shapes.set(k, shape);
+        }
+        test_pairs<hit>(shapes, rays, distance);
+        std::copy(distance, distance + count, m.distance + begin);
+    }
+}
+
+/// Distances of all that the rays meet, kind by kind. Items are numbered kind by kind: spheres, triangles, quads, discs.
+template <bool time>
+void measure_all(const World& world, const Batch& b, const Real* far, Meetings& m) {
+    const RenderPlan& plan = world.plan;
+    if (plan.triangles && !plan.spheres && !plan.quads && !plan.discs)
+        return measure<hit_triangle, time>(world, world.triangles, 0, b, far, m, 0, m.count);
+    const Index firsts[] = {0, world.first_triangle, world.first_quad, world.first_disc};
+    const auto kind_of = [&](Index item) { return (item >= firsts[1]) + (item >= firsts[2]) + (item >= firsts[3]); };
+    std::uint64_t sorted[Meetings::most];
+    int ends[4] = {}, n = 0;
+    for (int kind = 0; kind < 4; ++kind) {
+        for (int k = 0; k < m.count; ++k)
+            if (kind_of(m.item(k)) == kind) sorted[n++] = m.pair[k];
+        ends[kind] = n;
+    }
+    std::copy(sorted, sorted + n, m.pair);
+    measure<hit_sphere, time>(world, world.spheres, firsts[0], b, far, m, 0, ends[0]);
+    measure<hit_triangle, time>(world, world.triangles, firsts[1], b, far, m, ends[0], ends[1]);
+    measure<hit_quad, time>(world, world.quads, firsts[2], b, far, m, ends[1], ends[2]);
+    measure<hit_disc, time>(world, world.discs, firsts[3], b, far, m, ends[2], ends[3]);
+}
+
+constexpr int enough = 2 * pairs_at_once;  // pairs, to test them
+
+template <bool any>
+void search_tree(const World& world, Batch& b) {
+    Journeys journeys;
+    Meetings meetings;
+    start(world.bvh, b, journeys);
+    Real far[lanes];  // a test's interval stays as it is: the lowest number wins a tie, whichever is tried first
+    int on_the_way[lanes], n = 0;
+    for (int i = 0; i < b.count; ++i) {
+        far[i] = b.far[i];
+        if (journeys.depth[i] > 0) on_the_way[n++] = i;
+    }
+    // A ray that has met items waits until there are enough of them for vectors, or no ray can go on.
+    int waiting[lanes], waits = 0;
+    meetings.count = 0;
+    while (n > 0 || waits > 0) {
+        step(world.bvh.nodes.data(), journeys, on_the_way, n, meetings);
+        int left = 0;
+        for (int k = 0; k < n; ++k) {
+            const int i = on_the_way[k];
+            const bool goes_on = journeys.depth[i] > 0, waits_now = goes_on && journeys.met_items[i];
+            on_the_way[left] = i, waiting[waits] = i;
+            left += goes_on && !waits_now, waits += waits_now;
+        }
+        n = left;
+        if (meetings.count < enough && n > 0) continue;
+        with_flag(world.plan.time, [&](auto time) { measure_all<time()>(world, b, far, meetings); });
+        for (int k = 0; k < meetings.count; ++k) {
+            const int i = int(meetings.lane(k));
+            const Real t = meetings.distance[k];
+            const Index id = meetings.item(k);
+            if (!(t < b.far[i] || (t == b.far[i] && id < b.shape[i]))) continue;
+            b.far[i] = t;
+            b.shape[i] = id;
+            if (any)
+                journeys.depth[i] = 0;
+            else
+                shorten(journeys, i, t);
+        }
+        meetings.count = 0;
+        for (int k = 0; k < waits; ++k) {
+            on_the_way[n] = waiting[k];
+            n += journeys.depth[waiting[k]] > 0;
+        }
+        waits = 0;
+    }
+}
+
+template <bool any>
+void search(const World& world, Batch& b) {
+    if (world.plan.bvh) return search_tree<any>(world, b);
     const Shaft shaft = shaft_of(b);
     if (shaft.empty()) return;
-    try_shapes<hit_sphere>(world.spheres, shaft, b);
-    try_shapes<hit_triangle>(world.triangles, shaft, b);
-    try_shapes<hit_quad>(world.quads, shaft, b);
-    try_shapes<hit_disc>(world.discs, shaft, b);
+    try_shapes<hit_sphere>(world, world.spheres, 0, shaft, b);
+    try_shapes<hit_triangle>(world, world.triangles, world.first_triangle, shaft, b);
+    try_shapes<hit_quad>(world, world.quads, world.first_quad, shaft, b);
+    try_shapes<hit_disc>(world, world.discs, world.first_disc, shaft, b);
 }
 
 }  // namespace
 
-void nearest_stage(const World& world, Batch& batch) { search(world, false, batch); }
+void nearest_stage(const World& world, Batch& batch) { search<false>(world, batch); }
 
-void any_hit_stage(const World& world, Batch& batch) { search(world, true, batch); }
+void any_hit_stage(const World& world, Batch& batch) { search<true>(world, batch); }
 
 }  // namespace rt

@@ -10,12 +10,14 @@ namespace {
 constexpr Real surface_error = 32 * roundoff;
 
 /// The normal of a mesh between its corners, by the hit's areas.
-vec3 smooth_normal(const SmoothTriangle& s, vec3 p) {
-    const Triangle& t = s.triangle;
+vec3 smooth_normal(const World& world, Index shape, vec3 p) {
+    const Triangle& t = world.triangles[std::size_t(shape - world.first_triangle)];
+    const glm::ivec3 corners = world.corners[std::size_t(world.surfaces[std::size_t(shape)].smooth)];
     const vec3 n = cross(t.b - t.a, t.c - t.a);
     const Real u = dot(cross(t.c - t.b, p - t.b), n), v = dot(cross(t.a - t.c, p - t.c), n),
                w = dot(cross(t.b - t.a, p - t.a), n);
-    return unit(u * s.na + v * s.nb + w * s.nc);
+    return unit(u * world.normals[std::size_t(corners.x)] + v * world.normals[std::size_t(corners.y)] +
+                w * world.normals[std::size_t(corners.z)]);
 }
 
 template <bool time>
@@ -57,7 +59,7 @@ void find_smooth_normals(const World& world, const Batch& b, Surfaces& s) {
         if (record.smooth == nothing) continue;
         const vec3 p =
             vec3(s.px[i], s.py[i], s.pz[i]) - (world.plan.time ? moved(vec3(0), record.velocity, b.time[i]) : vec3(0));
-        const vec3 n = smooth_normal(world.smooth[std::size_t(record.smooth)], p);
+        const vec3 n = smooth_normal(world, b.shape[i], p);
         const vec3 side = s.behind[i] ? -n : n;
         // Seen from below, an interpolated normal would send light through the surface: there the flat one stands in.
         if (!(dot(side, vec3(b.dx[i], b.dy[i], b.dz[i])) < 0)) continue;
