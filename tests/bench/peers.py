@@ -59,7 +59,7 @@ from figures import machine, ratio_interval, squared_error, three_digits  # noqa
 from renderers import Penumbra, newest_llvm, peers, whole_process  # noqa: E402
 
 MOST = 40  # CPU seconds of one render; what needs more to reach a target is given up
-SLOW = 4  # CPU seconds: renders that take longer are repeated in three rounds only
+SLOW = 4  # CPU seconds: renders that take longer take part in three rounds, four times longer in two
 
 
 class Curve:
@@ -174,7 +174,7 @@ def compare(scene, ours, peers, rounds, rows):
         for number in range(rounds):
             for r in everybody:
                 curve = curves[r.name][k]
-                if curve and (number < 3 or curve.at(target)[1] < SLOW):
+                if curve and number < (rounds if curve.at(target)[1] < SLOW else 3 if curve.at(target)[1] < 4 * SLOW else 2):
                     times[r.name].append(time_to(r, scene, curve, target, 11 + number))
         for r in everybody:
             curve = curves[r.name][k]
