@@ -59,6 +59,7 @@ from figures import machine, ratio_interval, squared_error, three_digits  # noqa
 from renderers import Penumbra, newest_llvm, peers, whole_process  # noqa: E402
 
 MOST = 40  # CPU seconds of one render; what needs more to reach a target is given up
+LONG = 5  # CPU seconds of one render, beyond which no larger one is tried in advance
 SLOW = 4  # CPU seconds: renders that take longer take part in three rounds, four times longer in two
 
 
@@ -72,7 +73,7 @@ class Curve:
         """Samples and CPU seconds at which the error is the target, and the slope d log seconds / d log error there."""
         points = self.points
         if len(points) == 1:
-            return points[0][0], points[0][1], 0.0
+            return (points[0][0], points[0][1], 0.0) if points[0][2] <= target else None
         below = next((k for k, p in enumerate(points) if p[2] <= target), None)
         k = len(points) - 1 if below is None else max(below, 1)
         a, b = points[k - 1], points[k]
@@ -94,7 +95,7 @@ def climb(renderer, scene, way, halves, targets, most):
             continue
         # What is left of an error much smaller than the reference's may be below zero.
         curve.points.append((n, max(cpu, 1e-4), max(squared_error(image, halves), 1e-3 * min(targets))))
-        if curve.points[-1][2] <= min(targets) or cpu > most / 8:
+        if curve.points[-1][2] <= min(targets) or cpu > min(most / 2, LONG):
             break
     return curve
 
