@@ -5,7 +5,7 @@
 # Debian's and Ubuntu's names. Elsewhere, CMake says what it misses; vcpkg.json lists the same libraries.
 packages="cmake g++ ninja-build bubblewrap libarchive-dev libboost-math-dev libcli11-dev libfmt-dev libglm-dev
     libopenexr-dev libpng-dev libtbb-dev libtinyobjloader-dev libtomlplusplus-dev nlohmann-json3-dev"
-test_packages="catch2 clang patch python3 shellcheck"
+test_packages="catch2 clang patch python3 shellcheck valgrind"
 mitsuba_packages="python3-venv"
 
 # install_packages NAME...: those that are missing, after asking.

@@ -138,7 +138,7 @@ std::string in_words(std::uint64_t n) {
 void report(const std::string& out, const rt::Rendering& r) {
     fmt::print("{}: {} x {} pixels, {} samples a pixel\n", out, r.image.width, r.image.height, r.samples);
     fmt::print("error    {:.3g} estimated RMSE\n", r.rmse);
-    fmt::print("time     {:.3f} s CPU, {:.3f} s wall\n", r.cpu_seconds, r.wall_seconds);
+    fmt::print("time     {:.4f} s CPU, {:.4f} s wall\n", r.cpu_seconds, r.wall_seconds);
     fmt::print("rays    ");
     const char* comma = " ";
     for (std::size_t i = 0; i < r.rays.size(); ++i) {

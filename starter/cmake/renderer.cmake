@@ -1,23 +1,38 @@
-# add_renderer(name FRAGMENTS folder [LINKED]): the program `name`, with the fragments of a folder.
-#
-# Each fragment is an object of its own. Unless LINKED, the fragments are also included, as inline functions, into one
-# file with the stages, which then call nothing; where that file does not compile, since helpers of two fragments share
-# a name, say, the program falls back on the objects.
-function(add_renderer name)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "LINKED" "FRAGMENTS" "")
-    file(GLOB fragments CONFIGURE_DEPENDS ${arg_FRAGMENTS}/*.cpp)
+# add_fragments(name folder): the fragments of a folder, an object of its own for each.
+function(add_fragments name folder)
+    file(GLOB fragments CONFIGURE_DEPENDS ${folder}/*.cpp)
     if(NOT fragments)
-        message(FATAL_ERROR "${arg_FRAGMENTS}: no fragments here; expected a folder with one .cpp file for each")
+        message(FATAL_ERROR "${folder}: no fragments here; expected a folder with one .cpp file for each")
     endif()
+    add_library(${name} OBJECT ${fragments})
+    target_compile_options(${name} PRIVATE -Wno-unused-parameter)  # a blank uses none of its parameters
+    target_link_libraries(${name} PRIVATE rt rt_speed rt_warnings)
+    precompile_fragments_header(${name})
+endfunction()
 
-    add_library(${name}_fragments OBJECT ${fragments})
-    target_compile_options(${name}_fragments PRIVATE -Wno-unused-parameter)  # a blank uses none of its parameters
-    target_link_libraries(${name}_fragments PRIVATE rt rt_speed rt_warnings)
+# precompile_fragments_header(name): what every fragment includes, compiled once for all sets of fragments.
+function(precompile_fragments_header name)
+    get_property(first GLOBAL PROPERTY rt_fragments_header)
+    if(first)
+        target_precompile_headers(${name} REUSE_FROM ${first})
+    else()
+        target_precompile_headers(${name} PRIVATE ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../rt/fragments.h)
+        set_property(GLOBAL PROPERTY rt_fragments_header ${name})
+    endif()
+endfunction()
 
-    add_executable(${name} $<TARGET_OBJECTS:raytrace_main> $<TARGET_OBJECTS:${name}_fragments>)
+# add_renderer(name fragments [LINKED]): the program `name`, with the target that add_fragments has made.
+#
+# Unless LINKED, the fragments are also included, as inline functions, into one file with the stages, which then call
+# nothing; where that file does not compile, since helpers of two fragments share a name, say, the program falls back on
+# the objects.
+function(add_renderer name fragments)
+    cmake_parse_arguments(PARSE_ARGV 2 arg "LINKED" "" "")
+    add_executable(${name} $<TARGET_OBJECTS:raytrace_main> $<TARGET_OBJECTS:${fragments}>)
     target_link_libraries(${name} PRIVATE rt)
     if(NOT arg_LINKED)
-        add_inlined_stages(${name}_inlined "${fragments}")
+        get_target_property(sources ${fragments} SOURCES)
+        add_inlined_stages(${name}_inlined "${sources}")
         target_sources(${name} PRIVATE $<TARGET_OBJECTS:${name}_inlined>)
     endif()
 endfunction()

@@ -1,0 +1,221 @@
+#!/usr/bin/env python3
+"""How cost grows with pixels, samples, lamps, triangles and threads; memory; start-up. Writes the tables growth.md.
+
+    tests/bench/growth.py BUILD [--rounds N] [--triangles N] [--out FILE]
+
+CPU seconds of rendering alone, as raytrace reports them: each size in turn, all again in each round, the median of the rounds. An
+exponent k is the slope of log seconds against log size: seconds ~ size^k, with its 95 % interval from the fit. Building
+the tree and reading the file are the rest of the process, and have columns of their own.
+
+Exit status: 0 done; targets that are missed are marked, not errors.
+"""
+
+import argparse
+import math
+import os
+import pathlib
+import re
+import statistics
+import subprocess
+import tempfile
+import time
+
+from figures import machine, slope_interval, three_digits
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+SCENE = ROOT / "scenes/bench/soft_shadow.toml"
+
+LAMPS = """[render]
+samples = 16
+bounces = 0
+[camera]
+eye = [0, 4, 6.5]
+target = [0, 0.6, 0.3]
+vfov = 40
+size = [128, 128]
+[materials.grey]
+albedo = [0.5, 0.5, 0.5]
+[materials.lamp]
+emission = [12, 12, 12]
+[[shape]]
+type = "sphere"
+center = [0, 1, 0]
+radius = 1
+material = "grey"
+[[shape]]
+type = "quad"
+center = [0, 0, 0]
+u = [25, 0, 0]
+v = [0, 0, -25]
+material = "grey"
+"""
+
+MESH = """[render]
+samples = 4
+bounces = 0
+[camera]
+eye = [0, 2.5, 3.5]
+target = [0, 0, 0]
+vfov = 40
+size = [256, 256]
+[materials.grey]
+albedo = [0.5, 0.5, 0.5]
+[[light]]
+type = "point"
+position = [2, 5, 1]
+intensity = [50, 50, 50]
+[[shape]]
+type = "mesh"
+file = "FILE"
+material = "grey"
+"""
+
+
+class Run:
+    """What one process of raytrace took."""
+
+    def __init__(self, raytrace, scene, *options):
+        start = time.monotonic()
+        child = subprocess.Popen([raytrace, scene, *map(str, options)], stdout=subprocess.PIPE, text=True)
+        text = child.stdout.read()
+        _, status, used = os.wait4(child.pid, 0)
+        self.wall = time.monotonic() - start
+        if status:
+            raise RuntimeError(f"raytrace {scene}: status {status}; expected 0")
+        self.megabytes = used.ru_maxrss / 1024
+        self.cpu = used.ru_utime + used.ru_stime
+        times = re.search(r"time\s+([\d.]+) s CPU, ([\d.]+) s wall", text)
+        self.render, self.render_wall = (float(times.group(k)) for k in (1, 2)) if times else (math.nan, math.nan)
+
+
+def bumps(n, file):
+    """A field of hills with about n triangles, as an OBJ file. Returns how many it has."""
+    side = round(math.sqrt(n / 2))
+    with open(file, "w") as out:
+        for j in range(side + 1):
+            for i in range(side + 1):
+                x, z = 4 * i / side - 2, 4 * j / side - 2
+                y = 0.25 * math.sin(5 * x) * math.cos(4 * z) + 0.05 * math.sin(31 * x + 17 * z)
+                out.write(f"v {x:.6f} {y:.6f} {z:.6f}\n")
+        for j in range(side):
+            for i in range(side):
+                a = j * (side + 1) + i + 1
+                out.write(f"f {a} {a + side + 1} {a + 1}\nf {a + 1} {a + side + 1} {a + side + 2}\n")
+    return 2 * side * side
+
+
+def lamps(n):
+    """A grid of n lamps in the ceiling which shine as much as one together."""
+    text, side = LAMPS.replace("12, 12, 12", f"{48 / n}, {48 / n}, {48 / n}"), math.ceil(math.sqrt(n))
+    for k in range(n):
+        x, z = (4 * ((k % side) + 0.5) / side - 2, 4 * ((k // side) + 0.5) / side - 2)
+        text += f'[[shape]]\ntype = "quad"\ncenter = [{x}, 4.5, {z}]\nu = [0.1, 0, 0]\nv = [0, 0, 0.1]\nmaterial = "lamp"\n'
+    return text
+
+
+class Bench:
+    def __init__(self, words, folder):
+        self.raytrace, self.rounds, self.folder = words.build.absolute() / "raytrace", words.rounds, folder
+        self.out, self.text = folder / "out.exr", ""
+
+    def runs(self, jobs):
+        """Each job in turn, in each round: for each the runs. A job: a scene and options."""
+        done = [[] for _ in jobs]
+        for _ in range(self.rounds):
+            for k, (scene, options) in enumerate(jobs):
+                done[k].append(Run(self.raytrace, scene, "-o", self.out, *options))
+        return done
+
+    def table(self, title, unit, sizes, runs, goal, columns=()):
+        """Seconds for each size, and the exponent of the upper sizes, where what is the same for all no longer counts."""
+        seconds = [statistics.median(r.render for r in each) for each in runs]
+        last = slice(-4, None)
+        k, half = slope_interval(sizes[last], seconds[last])
+        self.text += f"## {title}\n\nExponent of the last four: {k:.2f} ± {half:.2f}; {goal}.\n\n"
+        self.text += f"| {unit} | CPU s |{''.join(f' {name} |' for name, _ in columns)}\n|---|---|{'---|' * len(columns)}\n"
+        for n, s, each in zip(sizes, seconds, runs):
+            more = "".join(f" {three_digits(statistics.median(f(r) for r in each))} |" for _, f in columns)
+            self.text += f"| {n} | {s:.4f} |{more}\n"
+        self.text += "\n"
+        print(f"{title}: {k:.2f} ± {half:.2f}", flush=True)
+        return seconds
+
+    def target(self, what, value, goal, unit):
+        verdict = "met" if value <= goal else "**missed**"
+        self.text += f"| {what} | {three_digits(value)} {unit} | {goal} {unit} | {verdict} |\n"
+        print(f"{what}: {three_digits(value)} {unit}, at most {goal}: {verdict}", flush=True)
+
+
+def measure(bench, most_triangles):
+    plain = ["--threads", 1]
+    sizes = [64, 128, 256, 512, 1024]
+    runs = bench.runs([(SCENE, [*plain, "--samples", 16, "--size", f"{n}x{n}"]) for n in sizes])
+    bench.table("Pixels", "pixels", [n * n for n in sizes], runs, "linear is 1")
+
+    sizes = [1, 4, 16, 64, 256, 1024]
+    runs = bench.runs([(SCENE, [*plain, "--size", "128x128", "--samples", n]) for n in sizes])
+    bench.table("Samples", "samples a pixel", sizes, runs, "linear is 1")
+
+    sizes, jobs = [1, 2, 4, 8, 16, 32, 64], []
+    for n in sizes:
+        file = bench.folder / f"lamps-{n}.toml"
+        file.write_text(lamps(n))
+        jobs.append((file, plain))
+    bench.table("Lamps", "lamps", sizes, bench.runs(jobs), "each of them sampled from each point is 1, to be below it is the goal")
+
+    sizes, jobs = [], []
+    for n in [10**k * f for k in range(2, 7) for f in (1, 3)]:
+        if n > most_triangles:
+            break
+        mesh, file = bench.folder / f"mesh-{n}.obj", bench.folder / f"mesh-{n}.toml"
+        sizes.append(bumps(n, mesh))
+        file.write_text(MESH.replace("FILE", mesh.name))
+        jobs.append((file, plain))
+    runs = bench.runs(jobs)
+    seconds = bench.table("Triangles", "triangles", sizes, runs, "no more than a logarithm is the goal", [
+        ("reading and building, CPU s", lambda r: r.cpu - r.render), ("peak, MB", lambda r: r.megabytes)])
+    last = [s / math.log2(n) for n, s in zip(sizes, seconds)]
+    per_doubling = (seconds[-1] / seconds[-5]) / (math.log(sizes[-1]) / math.log(sizes[-5]))
+    bench.text += (f"From {sizes[-5]} to {sizes[-1]} triangles the seconds grow by {seconds[-1] / seconds[-5]:.2f}, the logarithm by "
+                   f"{math.log(sizes[-1]) / math.log(sizes[-5]):.2f}.\n\n")
+    largest = runs[-1]
+
+    # One and two threads in turn: of the wall time, what two save; of the CPU time, what they add.
+    threads = bench.runs([(SCENE, ["--samples", 256, "--threads", n]) for n in (1, 2)])
+    one, two = ([statistics.median(getattr(r, k) for r in each) for k in ("render_wall", "render")] for each in threads)
+    bench.text += (f"## Threads\n\n| threads | wall s | CPU s |\n|---|---|---|\n| 1 | {one[0]:.3f} | {one[1]:.3f} |\n"
+                   f"| 2 | {two[0]:.3f} | {two[1]:.3f} |\n\nTwice the threads are {one[0] / two[0]:.2f} times as fast by the clock "
+                   f"({2 * one[1] / two[1]:.2f} by CPU seconds, which other work on the machine disturbs less); the goal is 1.9.\n\n")
+
+    bench.text += "## Memory and start\n\n| what | measured | goal | |\n|---|---|---|---|\n"
+    small = bench.runs([(SCENE, [])])[0]
+    bench.target("peak memory, soft_shadow", max(r.megabytes for r in small), 40, "MB")
+    bench.target(f"peak memory, {sizes[-1]} triangles", max(r.megabytes for r in largest), 400, "MB")
+    starts = [Run(bench.raytrace, SCENE, "-o", bench.out, "--crop", "0,0,1,1", "--samples", 1) for _ in range(21)]
+    bench.target("start to the first pixel, process, wall", 1000 * statistics.median(r.wall for r in starts), 20, "ms")
+    bench.target("the same, CPU", 1000 * statistics.median(r.cpu for r in starts), 20, "ms")
+    whole = [Run(bench.raytrace, SCENE, "-o", bench.out, "--samples", 16) for _ in range(11)]
+    bench.target("soft_shadow, 16 samples, process, wall", statistics.median(r.wall for r in whole), 0.05, "s")
+    bench.target("the same, CPU", statistics.median(r.cpu for r in whole), 0.05, "s")
+
+
+def main():
+    words = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    words.add_argument("build", type=pathlib.Path, help="the build folder")
+    words.add_argument("--rounds", type=int, default=3)
+    words.add_argument("--triangles", type=int, default=1000000, help="the largest mesh")
+    words.add_argument("--out", type=pathlib.Path, default=HERE / "growth.md")
+    words = words.parse_args()
+    start = time.monotonic()
+    with tempfile.TemporaryDirectory() as folder:
+        bench = Bench(words, pathlib.Path(folder))
+        measure(bench, words.triangles)
+    command = f"tests/bench/growth.py {words.build} --rounds {words.rounds}"
+    words.out.write_text(
+        f"# How cost grows\n\nMade by `{command}` in {(time.monotonic() - start) / 60:.1f} minutes, on {machine()}, shared with other\n"
+        "work. CPU seconds of rendering alone on one thread, unless said otherwise; soft_shadow, or scenes made for it.\n\n" + bench.text)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,58 @@
+/// Draws a Whitted scene, made here, with the stages alone: no threads, no files. Prints a hash of the picture.
+
+#include <cstdio>
+
+#include "rt/path.h"
+
+namespace {
+
+using namespace rt;
+
+Scene whitted_scene() {
+    Scene scene;
+    Material floor, mirror, glass, shiny;
+    floor.albedo = Color(0.6, 0.5, 0.4);
+    mirror.reflectance = Color(0.9);
+    glass.reflectance = glass.transmittance = Color(1);
+    glass.ior = 1.5;
+    shiny.albedo = Color(0.5, 0.1, 0.1);
+    shiny.specular = Color(0.4);
+    shiny.shininess = 50;
+    scene.materials = {floor, mirror, glass, shiny};
+    scene.shapes = {{Quad{vec3(0), vec3(8, 0, 0), vec3(0, 0, -8)}, 0, vec3(0)},
+                    {Sphere{vec3(-1.2, 1, -1), 1}, 1, vec3(0)},
+                    {Sphere{vec3(1.2, 1, 0.5), 1}, 2, vec3(0)},
+                    {Sphere{vec3(0.2, 0.5, 1.8), 0.5}, 3, vec3(0)}};
+    scene.lights = {{vec3(3, 6, 3), Color(60), false}};
+    scene.camera.eye = vec3(0, 1.5, 6);
+    scene.camera.size = ivec2(48, 36);
+    scene.samples = 4;
+    scene.depth = 8;
+    return scene;
+}
+
+}  // namespace
+
+/// What is counted: all pixels, eight at a time.
+extern "C" __attribute__((noinline)) Bits measured(Worker& worker, const Camera& camera, int samples) {
+    Bits hash = 0;
+    Color means[8];
+    for (int y = 0; y < camera.size.y; ++y) {
+        for (int x = 0; x < camera.size.x; x += 8) {
+            std::vector<PixelWork> pixels;
+            for (int k = 0; k < 8; ++k) pixels.push_back({x + k, y, pixel_key(camera, 1, x + k, y)});
+            worker.render(pixels, samples, Sampler::sobol, means);
+            for (const Color c : means)
+                for (int k = 0; k < 3; ++k) hash = combine(hash, std::bit_cast<Bits>(c[k]));
+        }
+    }
+    return hash;
+}
+
+int main() {
+    const World world = make_world(whitted_scene());
+    Worker worker(world);
+    std::printf("%016llx", static_cast<unsigned long long>(measured(worker, world.scene.camera, world.scene.samples)));
+    for (const auto count : worker.chunk.rays) std::printf(" %llu", static_cast<unsigned long long>(count));
+    std::printf("\n");
+}
