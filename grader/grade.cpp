@@ -15,6 +15,7 @@
 #include "build/toolchain.h"
 #include "calibration/command.h"
 #include "checks/check.h"
+#include "convergence/command.h"
 #include "judging/grading.h"
 #include "judging/judge_check.h"
 #include "report/describe.h"
@@ -216,6 +217,9 @@ int main(int argc, char** argv) {
     CalibrateArguments calibration;
     CLI::App* trust = add_calibrate_command(app, calibration);
 
+    ConvergeArguments converge_arguments;
+    CLI::App* convergence = add_converge_command(app, converge_arguments);
+
     StressArguments stress_arguments;
     CLI::App* stress = add_stress_command(app, stress_arguments);
 
@@ -234,6 +238,8 @@ int main(int argc, char** argv) {
             return calibrate(calibration, arguments.toolchain, command_of(argc, argv)) ? graded : below_required;
         if (tables->parsed()) return describe(arguments);
         if (starter->parsed()) return hand_out_starter(arguments);
+        if (convergence->parsed())
+            return converge(converge_arguments, arguments.toolchain, command_of(argc, argv));
         if (stress->parsed()) return run_stress(stress_arguments, command_of(argc, argv));
         return grade_one(arguments, command_of(argc, argv));
     } catch (const UsageError& error) {
