@@ -18,6 +18,7 @@
 #include "convergence/command.h"
 #include "judging/grading.h"
 #include "judging/judge_check.h"
+#include "lesson/command.h"
 #include "report/describe.h"
 #include "report/page.h"
 #include "report/terminal.h"
@@ -220,6 +221,9 @@ int main(int argc, char** argv) {
     ConvergeArguments converge_arguments;
     CLI::App* convergence = add_converge_command(app, converge_arguments);
 
+    LessonArguments lesson_arguments;
+    CLI::App* part_one = add_lesson_command(app, lesson_arguments);
+
     StressArguments stress_arguments;
     CLI::App* stress = add_stress_command(app, stress_arguments);
 
@@ -240,6 +244,7 @@ int main(int argc, char** argv) {
         if (starter->parsed()) return hand_out_starter(arguments);
         if (convergence->parsed())
             return converge(converge_arguments, arguments.toolchain, command_of(argc, argv));
+        if (part_one->parsed()) return lesson(lesson_arguments, arguments.toolchain), graded;
         if (stress->parsed()) return run_stress(stress_arguments, command_of(argc, argv));
         return grade_one(arguments, command_of(argc, argv));
     } catch (const UsageError& error) {

@@ -63,9 +63,11 @@ void add_programs(Bench& bench, FamilyPrograms& programs, const Submission& subm
         else (complaint.starts_with("did not build") ? broken : missing).push_back(name);
     }
     const std::string other = chain.has_solution() ? "the solution's" : "a blank";
-    if (!broken.empty()) note += fmt::format("Did not build, so that {} stands in: {}. ", other, fmt::join(broken, ", "));
-    if (!missing.empty() && !own.empty())
-        note += fmt::format("Not started, so that {} stands in: {}. ", other, fmt::join(missing, ", "));
+    const auto stands_in = [&](const char* why, const std::vector<std::string>& fragments) {
+        if (!fragments.empty()) note += fmt::format("{}; {} stands in: {}. ", why, other, fmt::join(fragments, ", "));
+    };
+    stands_in("Did not build", broken);
+    if (!own.empty()) stands_in("Not started", missing);
     if (own.empty() && !chain.has_solution())
         throw SubmissionError(submission.name + ": nothing is filled in yet; expected fragments to render with");
 
@@ -178,8 +180,9 @@ int converge(const ConvergeArguments& arguments, const std::string& toolchain, c
     record.version = PENUMBRA_VERSION;
     record.command = command;
     record.sandbox = bench.sandbox.description;
+    const double budget = arguments.amounts.budget / double(scenes.size());
     for (const fs::path& scene : scenes) {
-        record.scenes.push_back(measure(scene, bench, arguments.amounts, arguments.amounts.budget / double(scenes.size())));
+        record.scenes.push_back(measure(scene, bench, arguments.amounts, budget));
         ++scenes_done;
     }
     line.clear();

@@ -22,10 +22,16 @@ const char* name(Who who) { return who == Who::submission ? "submission" : "solu
 
 Json level_json(const Level& level) {
     const auto [low, high] = level.mse_interval();
-    Json json{{"samples", level.samples},       {"replicates", level.runs.size()}, {"mse", number(level.mse())},
-              {"mse_low", number(low)},         {"mse_high", number(high)},        {"rmse", number(std::sqrt(level.mse()))},
-              {"relative_mse", number(level.relative())}, {"rays", number(level.rays())},
-              {"cpu_seconds", number(level.seconds())},   {"efficiency_per_cpu_seconds", number(level.efficiency())}};
+    Json json{{"samples", level.samples},
+              {"replicates", level.runs.size()},
+              {"mse", number(level.mse())},
+              {"mse_low", number(low)},
+              {"mse_high", number(high)},
+              {"rmse", number(std::sqrt(level.mse()))},
+              {"relative_mse", number(level.relative())},
+              {"rays", number(level.rays())},
+              {"cpu_seconds", number(level.seconds())},
+              {"efficiency_per_cpu_seconds", number(level.efficiency())}};
     for (const Run& run : level.runs)
         json["runs"].push_back({{"mse", number(run.mse)},
                                 {"relative_mse", number(run.relative)},

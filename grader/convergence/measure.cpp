@@ -16,8 +16,6 @@ namespace grade {
 
 namespace {
 
-constexpr int least_replicates = 4;  // of a level that the budget cuts short
-
 /// The work on one scene.
 class Measurement {
 public:
@@ -31,7 +29,7 @@ public:
     }
 
     SceneRecord run() {
-        const auto halves = reference_of(file_, bench_, amounts_, record_);
+        const auto halves = reference_of(file_, bench_, amounts_, budget_, record_);
         if (!halves) return record_;
         halves_ = *halves;
         begin();
@@ -129,7 +127,7 @@ private:
     SceneRecord record_;
     Halves halves_;
     std::vector<Gathered> gathered_;
-    std::vector<fs::path> files_;  // of the gathered
+    std::vector<fs::path> files_;  // of what is gathered
     std::array<std::unique_ptr<Runner>, 2> runners_;  // of the submission, of the solution
     int last_samples_ = 0;
     double last_seconds_ = 0;  // of one replicate of the last level, all samplers and programs

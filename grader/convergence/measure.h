@@ -7,11 +7,14 @@
 
 namespace grade {
 
+/// Of a level that the budget cuts short.
+constexpr int least_replicates = 4;
+
 /// How much is measured.
 struct Amounts {
     std::vector<int> samples{1, 4, 16, 64, 256, 1024};  // a pixel, ascending
     std::vector<std::string> samplers{"uniform", "random", "stratified", "sobol"};
-    int replicates = 8;      // of each level; the last ones may have half as many
+    int replicates = 8;      // of each level; the last one may have less
     int side = 48;           // pixels of the longer side of a picture; 0: as the scene has it
     double budget = 60;      // CPU seconds of rendering, all scenes together, without the references
     double time_limit = 60;  // CPU seconds of one picture

@@ -29,6 +29,16 @@ std::optional<double> independent_variance(const SceneRecord& scene) {
     return products.mean > 0 ? std::optional(products.mean) : std::nullopt;
 }
 
+/// Its own, or, for a pattern that gives but one picture, that of another pattern: the fragments have a bias, not the
+/// pattern.
+std::optional<Estimate> bias_for(const Curve& curve, const SceneRecord& scene) {
+    std::optional<Estimate> bias = curve.bias;
+    for (const Curve& other : scene.curves)
+        if (!curve.bias && other.who == curve.who && other.bias && (!bias || other.bias->se < bias->se))
+            bias = other.bias;
+    return bias;
+}
+
 Comparison comparison(const SceneRecord& scene, const Curve& mine, const Curve& theirs) {
     Comparison result;
     result.sampler = mine.sampler;
@@ -124,7 +134,7 @@ bool ConvergenceRecord::is_biased() const {
 }
 
 void analyse(SceneRecord& scene) {
-    for (Curve& curve : scene.curves) curve.fit = fit_errors(curve.errors(), curve.bias);
+    for (Curve& curve : scene.curves) curve.fit = fit_errors(curve.errors(), bias_for(curve, scene));
     if (const auto v = independent_variance(scene))
         for (std::size_t k = 0; k < scene.errors.size(); ++k) scene.errors[k] = *v / independent_samples[k];
     for (const Curve& curve : scene.curves) {

@@ -36,35 +36,61 @@ Outcome<rt::Image> picture(Runner& runner, const Render& render, std::uint64_t s
     return outcome;
 }
 
-std::optional<Halves> reference_of(const fs::path& file, const Bench& bench, const Amounts& amounts,
+int last_level(const Amounts& amounts, double budget, double seconds, int series) {
+    int last = amounts.samples.front();
+    double spent = 0;
+    for (const int samples : amounts.samples) {
+        const double of_one = seconds * samples * series;  // of one replicate of all
+        if (spent + of_one * std::min(least_replicates, amounts.replicates) > budget) break;
+        last = samples;
+        spent += of_one * amounts.replicates;
+    }
+    return last;
+}
+
+std::optional<Halves> reference_of(const fs::path& file, const Bench& bench, const Amounts& amounts, double budget,
                                    SceneRecord& record) {
     const rt::ivec2 size = size_of(rt::read_scene(file.string()), amounts.side);
     const std::string text = read_text(file).value_or("");
+    const std::string name = file.stem().string();
     record.own_reference = bench.solution.empty();
-    record.reference_samples = 2 * amounts.samples.back();
     const std::string& by = record.own_reference ? bench.submission_stamp : bench.solution_stamp;
-    const std::string name =
-        Stamp().add(text + fmt::format("{}x{} {}", size.x, size.y, record.reference_samples)).add(by).text();
-    const fs::path path = bench.results / fmt::format("{}-{}", file.stem().string(), name) / "reference";
-    std::optional<Kept> kept = read_kept(path);
-    if (!kept || kept->images.size() != 2) {
-        kept.emplace();
-        Runner runner(bench.copy(record.own_reference ? bench.submission : bench.solution), bench.sandbox,
-                      fs::absolute(file).parent_path(), time_limit);
-        for (int half = 0; half < 2; ++half) {
-            if (bench.progress)
-                bench.progress(0, fmt::format("{}: reference, half {}", file.stem().string(), half + 1));
-            // as a replicate that no level has
-            auto outcome = picture(runner, {text, record.reference_samples, "sobol", size}, seed_of(0, half));
-            if (const Fault* fault = std::get_if<Fault>(&outcome)) {
-                record.fault = fmt::format("reference of {} samples: {}", record.reference_samples, fault->message);
-                if (record.own_reference) return std::nullopt;
+    const std::string stamp = Stamp().add(text + fmt::format("{}x{}", size.x, size.y)).add(by).text();
+    const fs::path path = bench.results / fmt::format("{}-{}", name, stamp) / "reference";
+    Runner runner(bench.copy(record.own_reference ? bench.submission : bench.solution), bench.sandbox,
+                  fs::absolute(file).parent_path(), time_limit);
+    // level 0: seeds that no level has
+    const auto made = [&](int samples, int which) {
+        auto outcome = picture(runner, {text, samples, "sobol", size}, seed_of(0, which));
+        if (const Fault* fault = std::get_if<Fault>(&outcome)) {
+            record.fault = fmt::format("reference of {} samples: {}", samples, fault->message);
+            if (!record.own_reference)
                 throw std::runtime_error(fmt::format("{}: the solution itself: {}", file.string(), record.fault));
-            }
-            kept->images.push_back(std::move(std::get<rt::Image>(outcome)));
+            return rt::Image();
+        }
+        return std::move(std::get<rt::Image>(outcome));
+    };
+
+    constexpr int few = 4;
+    made(few, 2);
+    if (!record.fault.empty()) return std::nullopt;
+    const int programs = int(!bench.solution.empty()) + int(!bench.submission.empty());
+    const int wanted =
+        2 * last_level(amounts, budget, runner.seconds() / few, programs * int(amounts.samplers.size()));
+
+    // half as many will do: what can be foreseen of the last level depends on how busy the machine is
+    std::optional<Kept> kept = read_kept(path);
+    if (!kept || kept->images.size() != 2 || 2 * kept->head.value("samples", 0) < wanted) {
+        kept.emplace();
+        kept->head["samples"] = wanted;
+        for (int half = 0; half < 2; ++half) {
+            if (bench.progress) bench.progress(0, fmt::format("{}: reference, half {}", name, half + 1));
+            kept->images.push_back(made(wanted, half));
+            if (!record.fault.empty()) return std::nullopt;
         }
         write_kept(path, *kept);
     }
+    record.reference_samples = kept->head.at("samples");
     Halves halves{std::move(kept->images[0]), std::move(kept->images[1])};
     record.reference_noise = noise_of(halves);
     return halves;

@@ -31,26 +31,28 @@ std::string root(double square) { return square > 0 ? fmt::format("{:.3g}", std:
 std::string bias_of(const Curve& curve) {
     if (!curve.bias) return "";
     const auto [value, se] = *curve.bias;
-    if (!curve.bias->is_positive()) return fmt::format("none above {}", root(std::max(value, 0.0) + 4 * se));
+    if (!curve.bias->is_positive()) return fmt::format("< {}", root(std::max(value, 0.0) + 4 * se));
     return fmt::format("{} ({} to {})", root(value), root(value - 1.96 * se), root(value + 1.96 * se));
 }
 
 const char* name(Who who) { return who == Who::submission ? "submission" : "solution"; }
 
-Cells curve_rows(const SceneRecord& scene) {
-    Cells rows{{"", "sampler", "slope", "expected", "samples", "RMSE", "relative", "CPU s", "M rays", "efficiency",
-               "s to error of 64", "of 1024", "bias"}};
+/// The result of each curve; the long form has relative errors and rays as well.
+Cells curve_rows(const SceneRecord& scene, bool is_long) {
+    Cells rows{{"", "sampler", "slope", "expected", "samples", "RMSE", "CPU s", "efficiency", "s to 64", "to 1024",
+                "bias"}};
+    if (is_long) rows[0].insert(rows[0].begin() + 6, {"relative RMSE", "M rays"});
     for (const Curve& curve : scene.curves) {
         std::vector<std::string> row{name(curve.who), curve.sampler};
-        row.push_back(curve.fit.good ? with_interval(curve.fit.order, curve.fit.low, curve.fit.high, "{:.2f}") : "none");
+        const Fit& fit = curve.fit;
+        row.push_back(fit.good ? with_interval(fit.order, fit.low, fit.high, "{:.2f}") : "none");
         row.push_back(expected_order(curve.sampler));
         if (curve.levels.empty()) continue;
         const Level& last = curve.levels.back();
-        for (const std::string& cell :
-             {fmt::format("{}", last.samples), root(last.mse()), root(last.relative()),
-              fmt::format("{:.3g}", last.seconds()), fmt::format("{:.3g}", 1e-6 * last.rays()),
-              last.mse() > 0 ? fmt::format("{:.3g}", last.efficiency()) : "no error"})
-            row.push_back(cell);
+        row.insert(row.end(), {fmt::format("{}", last.samples), root(last.mse())});
+        if (is_long) row.insert(row.end(), {root(last.relative()), fmt::format("{:.3g}", 1e-6 * last.rays())});
+        row.insert(row.end(), {fmt::format("{:.3g}", last.seconds()),
+                               last.mse() > 0 ? fmt::format("{:.3g}", last.efficiency()) : "no error"});
         for (const auto& error : scene.errors) {
             const auto seconds = error ? curve.seconds_for(*error) : std::nullopt;
             row.push_back(seconds ? fmt::format("{:.3g}", seconds->value) : error ? "not reached" : "unknown");
@@ -70,7 +72,8 @@ Cells comparison_rows(const SceneRecord& scene) {
 
 /// What a bias does; empty: none is shown.
 std::string warning(const SceneRecord& scene) {
-    if (!scene.fault.empty()) return fmt::format("The submission's program breaks down: {}", printable(scene.fault, 200));
+    if (!scene.fault.empty())
+        return fmt::format("The submission's program breaks down: {}", printable(scene.fault, 200));
     const Curve* curve = scene.biased();
     if (!curve) return {};
     std::string text = fmt::format("Biased: with {}, the error of the {} does not fall below a plateau of {}",
@@ -78,7 +81,7 @@ std::string warning(const SceneRecord& scene) {
     const Fit& fit = curve->fit;
     if (fit.good && fit.plateau > 0 && fit.order < 0) {
         const double samples = std::pow(fit.plateau / fit.v, 1 / (2 * fit.order));
-        text += samples < 1 ? "; its noise is smaller than that with any number of samples"
+        text += samples < 1 ? "; already the noise of a single sample is less"
                             : fmt::format("; from about {:.2g} samples on, that is more than its noise", samples);
     }
     return text + ". More samples do not help: the mean picture is another one than the solution's.";
@@ -120,9 +123,9 @@ std::string markdown(const Cells& rows) {
 
 /// What the columns mean.
 constexpr const char* legend =
-    "slope: of the RMSE against the samples, fit of MSE = b^2 + v N^(-2q), 95 % interval. Efficiency: 1 / (MSE x CPU s).\n"
-    "Errors of 64 and 1024: MSE of so many independent samples a pixel. Bias: what is left of the error when all noise\n"
-    "is averaged away.\n";
+    "Slope: of the RMSE against the samples, from the fit MSE = b^2 + v N^(-2q), with its 95 % interval.\n"
+    "Efficiency: 1 / (MSE x CPU s). s to 64, to 1024: CPU time to the MSE of so many independent samples a pixel.\n"
+    "Bias: RMSE that is left when all noise is averaged away; <: none is shown, and none above that is likely.\n";
 
 }  // namespace
 
@@ -131,7 +134,7 @@ std::string table(const ConvergenceRecord& record, bool color) {
     for (const SceneRecord& scene : record.scenes) {
         text += fmt::format("{}{}{}: {}\n", color ? "\033[1m" : "", scene.name, color ? "\033[0m" : "",
                             about_reference(scene));
-        if (!scene.curves.empty()) text += aligned(curve_rows(scene));
+        if (!scene.curves.empty()) text += aligned(curve_rows(scene, false));
         if (!scene.comparisons.empty()) text += "\n" + aligned(comparison_rows(scene));
         if (const std::string words = warning(scene); !words.empty())
             text += fmt::format("  {}{}{}\n", color ? "\033[31m" : "", words, color ? "\033[0m" : "");
@@ -145,13 +148,17 @@ std::string report(const ConvergenceRecord& record) {
     std::string text = fmt::format("# Error against run time: {}\n\n`{}`\n\n", record.submission, record.command);
     if (!record.note.empty()) text += record.note + "\n\n";
     text += legend;
-    text += "\nCPU seconds are of rendering alone, with fragments linked as the grader does it; compare them within one run only.\n\n";
+    text +=
+        "\nCPU seconds are of rendering alone, with fragments linked as the grader does it; compare them within one "
+        "run only.\n\n";
     Cells orders{{"pattern", "RMSE slope on an edge in 2D", "for a smooth function in 2D"}};
     for (const ExpectedOrder& order : expected_orders())
         orders.push_back({order.sampler, order.edge ? fmt::format("{:.2f}", *order.edge) : "no law",
                           order.smooth ? fmt::format("{:.2f}", *order.smooth) : "no law"});
-    text += "Expected in theory; a picture has both, and where many dimensions interact, patterns that stratify two at a\n"
-            "time fall back towards -0.50. Edges along the axes behave otherwise.\n\n" + markdown(orders);
+    text +=
+        "Expected in theory; a picture has both, and where many dimensions interact, patterns that stratify two at a "
+        "time\nfall back towards -0.50. Edges along the axes behave otherwise.\n\n" +
+        markdown(orders);
     for (const SceneRecord& scene : record.scenes) {
         text += fmt::format("## {}\n\n{}.\n\n", scene.name, about_reference(scene));
         if (const std::string words = warning(scene); !words.empty()) text += fmt::format("**{}**\n\n", words);
@@ -159,7 +166,7 @@ std::string report(const ConvergenceRecord& record) {
         for (const Against against : {Against::seconds, Against::rays})
             text += fmt::format("![RMSE of {} against {}]({})\n", scene.name,
                                 against == Against::seconds ? "CPU seconds" : "rays", plot_file(scene, against));
-        text += "\n" + markdown(curve_rows(scene));
+        text += "\n" + markdown(curve_rows(scene, true));
         if (!scene.comparisons.empty()) text += markdown(comparison_rows(scene));
     }
     return text;
