@@ -164,10 +164,9 @@ int converge(const ConvergeArguments& arguments, const std::string& toolchain, c
         arguments.folder.empty() ? fs::path(toolchain).parent_path() / "convergence" : fs::path(arguments.folder);
     bench.fresh = arguments.fresh;
     ProgressLine line;
-    constexpr int steps = 1000;  // of each scene
     int scenes_done = 0;
     bench.progress = [&](double done, const std::string& doing) {
-        line.show(scenes_done * steps + int(done * steps), int(scenes.size()) * steps, doing);
+        line.show(int(100 * (scenes_done + done) / double(scenes.size())), 100, doing);
     };
     bench.progress(0, "compiling");
     FamilyPrograms programs(submission, chain, bench.sandbox, !chain.has_solution());

@@ -23,10 +23,10 @@ Outcome<rt::Image> picture(Runner& runner, const Render& render, std::uint64_t s
 /// series   samplers times programs
 int last_level(const Amounts& amounts, double budget, double seconds, int series);
 
-/// The two halves of a scene's reference, or what is kept of them. Each has twice the samples of the last level that
-/// the budget allows, as a small picture foretells: its noise then makes the errors of that level uncertain by a few
-/// percent, and biases none. None: the submission's program, which must make them where there is no solution, breaks
-/// down; record.fault says how. Throws std::runtime_error where the solution does.
+/// The two halves of a scene's reference, or what is kept of them. Each has four times the samples of the last level
+/// that the budget allows, as a small picture foretells: its noise then makes the errors of that level uncertain by a
+/// few percent at most, and biases none. None: the submission's program, which must make them where there is no
+/// solution, breaks down; record.fault says how. Throws std::runtime_error where the solution does.
 std::optional<Halves> reference_of(const fs::path& scene, const Bench& bench, const Amounts& amounts, double budget,
                                    SceneRecord& record);
 
