@@ -243,6 +243,7 @@ TEST_CASE("a wrong fragment fails with the hint of its statistic") {
 
 TEST_CASE("the same submission and seed give the same record but for times") {
     const std::function<void(nlohmann::json&)> drop_times = [&](nlohmann::json& json) {
+        if (!json.is_structured()) return;
         for (auto& part : json) drop_times(part);
         if (!json.is_object()) return;
         for (auto entry = json.begin(); entry != json.end();)
