@@ -15,8 +15,10 @@
 #include "build/toolchain.h"
 #include "calibration/command.h"
 #include "checks/check.h"
+#include "convergence/command.h"
 #include "judging/grading.h"
 #include "judging/judge_check.h"
+#include "lesson/command.h"
 #include "report/describe.h"
 #include "report/page.h"
 #include "report/terminal.h"
@@ -216,6 +218,12 @@ int main(int argc, char** argv) {
     CalibrateArguments calibration;
     CLI::App* trust = add_calibrate_command(app, calibration);
 
+    ConvergeArguments converge_arguments;
+    CLI::App* convergence = add_converge_command(app, converge_arguments);
+
+    LessonArguments lesson_arguments;
+    CLI::App* part_one = add_lesson_command(app, lesson_arguments);
+
     StressArguments stress_arguments;
     CLI::App* stress = add_stress_command(app, stress_arguments);
 
@@ -234,6 +242,9 @@ int main(int argc, char** argv) {
             return calibrate(calibration, arguments.toolchain, command_of(argc, argv)) ? graded : below_required;
         if (tables->parsed()) return describe(arguments);
         if (starter->parsed()) return hand_out_starter(arguments);
+        if (convergence->parsed())
+            return converge(converge_arguments, arguments.toolchain, command_of(argc, argv));
+        if (part_one->parsed()) return lesson(lesson_arguments, arguments.toolchain), graded;
         if (stress->parsed()) return run_stress(stress_arguments, command_of(argc, argv));
         return grade_one(arguments, command_of(argc, argv));
     } catch (const UsageError& error) {

@@ -242,13 +242,16 @@ TEST_CASE("a wrong fragment fails with the hint of its statistic") {
 }
 
 TEST_CASE("the same submission and seed give the same record but for times") {
-    const auto timeless = [](const Record& record) {
+    const std::function<void(nlohmann::json&)> drop_times = [&](nlohmann::json& json) {
+        if (!json.is_structured()) return;
+        for (auto& part : json) drop_times(part);
+        if (!json.is_object()) return;
+        for (auto entry = json.begin(); entry != json.end();)
+            entry = entry.key().ends_with("_seconds") ? json.erase(entry) : std::next(entry);
+    };
+    const auto timeless = [&](const Record& record) {
         auto json = nlohmann::json::parse(to_json(record));
-        json.erase("wall_seconds");
-        for (auto& fragment : json["fragments"]) {
-            fragment.erase("cpu_seconds");
-            for (auto& check : fragment["checks"]) check.erase("check_cpu_seconds");
-        }
+        drop_times(json);
         return json;
     };
     const Submission same = submission({{"mirror_direction", mirror("return d;")}});

@@ -51,6 +51,32 @@ TEST_CASE("nothing that a submission says gets into the page or the terminal as 
     CHECK_NOTHROW(nlohmann::json::parse(to_json(record)));
 }
 
+TEST_CASE("reports show what a picture costs and how noisy it is, beside the solution's") {
+    Record record = record_with("mine");
+    CHECK_FALSE(record.efficiency_ratio().has_value());
+    CHECK(page(record, assignment()).find("One picture") == std::string::npos);
+    CheckRecord& check = record.fragments[0].checks[0];
+    check.cost = PictureCost{4e-4, 0.5};
+    check.solution_cost = PictureCost{1e-4, 0.25};
+    CHECK(check.cost->rmse() == Approx(0.02));
+    CHECK(check.cost->efficiency().value() == Approx(5000));
+    CHECK(record.efficiency_ratio().value() == Approx(0.125));
+    const auto json = nlohmann::json::parse(to_json(record));
+    CHECK(json["efficiency_over_solution_by_cpu_seconds"] == Approx(0.125));
+    CHECK(json["fragments"][0]["checks"][0]["picture_rmse"] == Approx(0.02));
+    CHECK(json["fragments"][0]["checks"][0]["solution_picture_cpu_seconds"] == Approx(0.25));
+    CHECK(json["fragments"][0]["checks"][0]["efficiency_per_cpu_seconds"] == Approx(5000));
+    const std::string text = page(record, assignment());
+    CHECK(text.find("One picture: RMSE 0.02 in 0.5 s of CPU time, efficiency 5e+03") != std::string::npos);
+    CHECK(text.find("error against run time</text>") != std::string::npos);
+    CHECK(table(record, assignment(), false).find("0.12 of the solution's") != std::string::npos);
+
+    // without an error there is no efficiency
+    check.cost->mse = 0;
+    CHECK_FALSE(record.efficiency_ratio().has_value());
+    CHECK(nlohmann::json::parse(to_json(record))["fragments"][0]["checks"][0]["efficiency_per_cpu_seconds"].is_null());
+}
+
 TEST_CASE("printable text keeps what people write and ends somewhere") {
     CHECK(printable("größer\tals\n§") == "größer\tals\n§");
     CHECK(printable("a\rb\x01" "c") == "ab?c");

@@ -106,23 +106,27 @@ Outcome<std::vector<double>> Runner::ask(const std::string& request, int kind, s
 Outcome<rt::Image> Runner::render(const Render& experiment, std::uint64_t seed, double seconds) {
     if (experiment.scene != scene_) {
         const rt::Scene scene = rt::parse_scene(experiment.scene, (meshes_ / "check.toml").string());
-        width_ = scene.camera.size.x, height_ = scene.camera.size.y;
+        size_ = scene.camera.size;
         if (const auto fault = tell(frame(FrameKind::scene, experiment.scene))) return *fault;
         scene_ = experiment.scene;
     }
-    const RenderRequest request{seed, experiment.samples, sampler_of(experiment.sampler), seconds};
-    const std::size_t pixels = std::size_t(width_) * std::size_t(height_);
+    const rt::ivec2 size = experiment.size.x > 0 ? experiment.size : size_;
+    const RenderRequest request{seed, experiment.samples, sampler_of(experiment.sampler), seconds, size.x, size.y};
+    const std::size_t pixels = std::size_t(size.x) * std::size_t(size.y), count = image_head + 3 * pixels;
     auto outcome =
-        ask(frame(FrameKind::render, bytes_of<RenderRequest>({&request, 1})), int(FrameKind::image), 3 + 3 * pixels);
+        ask(frame(FrameKind::render, bytes_of<RenderRequest>({&request, 1})), int(FrameKind::image), count);
     if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
 
     const auto& numbers = std::get<std::vector<double>>(outcome);
-    if (numbers.size() != 3 + 3 * pixels || numbers[0] != width_ || numbers[1] != height_)
+    if (numbers.size() != count || numbers[0] != size.x || numbers[1] != size.y)
         return Fault{Verdict::not_an_image, "a picture of the wrong size came back", {}};
     last_seconds_ = numbers[2];
-    rt::Image image(width_, height_);
+    last_rays_ = 0;
+    for (std::size_t i = 3; i < image_head; ++i) last_rays_ += numbers[i];
+    rt::Image image(size.x, size.y);
     for (std::size_t i = 0; i < pixels; ++i)
-        image.pixels[i] = {numbers[3 + 3 * i], numbers[4 + 3 * i], numbers[5 + 3 * i]};
+        image.pixels[i] = {numbers[image_head + 3 * i], numbers[image_head + 1 + 3 * i],
+                           numbers[image_head + 2 + 3 * i]};
     return image;
 }
 

@@ -43,6 +43,9 @@ public:
     /// CPU time of the last answer, by the child's own account.
     double seconds() const { return last_seconds_; }
 
+    /// Rays of all kinds in the last picture, likewise.
+    double rays() const { return last_rays_; }
+
 private:
     struct Answer;
     Outcome<std::vector<double>> ask(const std::string& request, int kind, std::size_t most_numbers);
@@ -54,8 +57,8 @@ private:
     double limit_;
     std::unique_ptr<Process> process_;
     std::string scene_, fragment_;  // what the child was told last
-    int width_ = 0, height_ = 0;    // of that scene's image
-    double last_seconds_ = 0;
+    rt::ivec2 size_{0};             // of that scene's image
+    double last_seconds_ = 0, last_rays_ = 0;
 };
 
 }  // namespace grade

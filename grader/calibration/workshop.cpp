@@ -6,6 +6,7 @@
 
 #include "build/compile.h"
 #include "build/files.h"
+#include "build/stamp.h"
 #include "judging/parallel.h"
 #include "judging/progress.h"
 
@@ -15,8 +16,6 @@ namespace {
 
 /// Of all that decides what a fragment's replicates are: its own checks, and what all share. Without a fragment, of all
 /// that decides what becomes of a submission.
-///
-/// Source: Fowler, Noll, Vo, "The FNV Non-Cryptographic Hash Algorithm", RFC 9923.
 std::string stamp(const fs::path& source, const std::vector<std::string>& fragments, const std::string& fragment) {
     std::vector<fs::path> files;
     std::vector<std::string> folders{"starter/rt",    "solution",          "scenes",
@@ -25,17 +24,11 @@ std::string stamp(const fs::path& source, const std::vector<std::string>& fragme
     for (const std::string& folder : folders)
         for (const auto& entry : fs::recursive_directory_iterator(source / folder)) {
             const fs::path& path = entry.path();
-            const bool read = path.extension() == ".cpp" || path.extension() == ".h" || path.extension() == ".toml";
             const bool of_another = !fragment.empty() && folder == "grader/checks" && path.stem() != fragment &&
                                     std::ranges::count(fragments, path.stem().string()) > 0;
-            if (read && !of_another) files.push_back(path);
+            if (is_source(path) && !of_another) files.push_back(path);
         }
-    std::ranges::sort(files);
-    std::uint64_t hash = 0xcbf29ce484222325;
-    for (const fs::path& file : files)
-        for (const char c : fs::relative(file, source).string() + read_text(file).value_or(""))
-            hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-    return fmt::format("{:016x}", hash);
+    return Stamp().add_files(source, std::move(files)).text();
 }
 
 std::vector<Variant> chosen(std::vector<Variant> all, const std::vector<std::string>& words) {

@@ -35,6 +35,7 @@ struct Render {
     std::string scene;    // TOML text, its parameters already drawn from the grading seed
     int samples = 16;     // a pixel
     std::string sampler;  // "uniform", "random", "stratified", "sobol"
+    rt::ivec2 size{0};    // [pixel]; 0: the scene's
 };
 
 /// One number measured in an observation, and what it must be.

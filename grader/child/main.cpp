@@ -22,6 +22,8 @@ namespace {
 
 using namespace grade;
 
+static_assert(image_head == 3 + std::tuple_size_v<rt::RayCounts>);
+
 int results = -1;  // a copy of descriptor 3 that fragments do not know
 
 void write_all(std::string_view bytes) {
@@ -57,7 +59,7 @@ void allow(double seconds) {
     setrlimit(RLIMIT_CPU, &limit);
 }
 
-std::string render(const rt::Scene& scene, const std::string& payload) {
+std::string render(rt::Scene scene, const std::string& payload) {
     RenderRequest request{};
     if (payload.size() != sizeof request) throw std::runtime_error("a request to render of the wrong size");
     std::memcpy(&request, payload.data(), sizeof request);
@@ -69,10 +71,11 @@ std::string render(const rt::Scene& scene, const std::string& payload) {
     settings.threads = 1;
     settings.estimate_error = false;
     if (request.seconds > 0) settings.time_limit = request.seconds;
-    const double start = cpu_seconds();
+    if (request.width > 0 && request.height > 0) scene.camera.size = {request.width, request.height};
     const rt::Rendering rendering = rt::render(scene, settings);
-    std::vector<double> numbers{double(rendering.image.width), double(rendering.image.height), cpu_seconds() - start};
-    numbers.reserve(3 + 3 * rendering.image.pixels.size());
+    std::vector<double> numbers{double(rendering.image.width), double(rendering.image.height), rendering.cpu_seconds};
+    numbers.reserve(image_head + 3 * rendering.image.pixels.size());
+    for (const std::uint64_t rays : rendering.rays) numbers.push_back(double(rays));
     for (const rt::Color& pixel : rendering.image.pixels) numbers.insert(numbers.end(), {pixel.r, pixel.g, pixel.b});
     return frame(FrameKind::image, bytes_of<double>(numbers));
 }

@@ -10,7 +10,7 @@
 ///
 ///     grader               child
 ///     scene  TOML text     done, or error with a text
-///     render settings      image: width, height, CPU seconds, then red, green, blue of each pixel
+///     render settings      image: width, height, CPU seconds, rays of each kind, then red, green, blue of each pixel
 ///     fragment  name       done
 ///     swarm  which         rows: CPU seconds, then one number for each call; see swarm.h
 ///     rows   rows          rows: CPU seconds, then one row of results for each
@@ -28,7 +28,11 @@ struct RenderRequest {
     std::uint64_t seed;
     std::int32_t samples, sampler;
     double seconds;  // above 0: passes of so many samples follow each other until then
+    std::int32_t width = 0, height = 0;  // 0: the scene's
 };
+
+/// Numbers of an image's frame before its pixels: width, height, CPU seconds, rays of each kind.
+constexpr std::size_t image_head = 3 + 7;
 
 inline std::string frame(FrameKind kind, std::string_view payload) {
     const FrameHeader header{kind, FrameHeader{}.check, payload.size()};

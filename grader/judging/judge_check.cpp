@@ -7,6 +7,7 @@
 #include <exception>
 
 #include "judging/check_judge.h"
+#include "judging/picture_cost.h"
 #include "statistics/image_fault.h"
 
 namespace grade {
@@ -104,7 +105,8 @@ CheckRecord judge_check(const Check& check, Runner& runner, Reference& reference
     const auto seed = [&](int replicate) {
         return replicate_seed(settings.seed, check, Stream::submission, replicate);
     };
-    const auto spend = [&] { record.cpu_seconds += runner.seconds(); };
+    int runs = 0;
+    const auto spend = [&] { record.cpu_seconds += runner.seconds(), ++runs; };
     const auto give_up = [&](Fault fault) {
         record.verdict = fault.verdict;
         record.message = advice(fault, reference);
@@ -168,6 +170,7 @@ CheckRecord judge_check(const Check& check, Runner& runner, Reference& reference
         record.verdict = Verdict::not_an_image;
         record.message = "two seeds give one picture: are the random numbers that the fragment is handed used?";
     }
+    if (is_render(check)) add_picture_costs(record, first.image, record.cpu_seconds / runs, reference);
     if (settings.pictures && is_render(check))
         if (auto theirs_picture = reference.picture(pictures)) record.solution_picture = std::move(*theirs_picture);
     return record;

@@ -25,7 +25,7 @@ Observation Reference::Live::run(std::uint64_t with_seed) {
     auto outcome = observe(*runner, check, with_seed);
     if (const Fault* fault = std::get_if<Fault>(&outcome))
         throw std::runtime_error(fmt::format("check {}: the solution itself: {}", check.name, fault->message));
-    cpu_seconds = runner->seconds();
+    cpu_seconds += runner->seconds(), ++runs;
     return std::move(std::get<Observation>(outcome));
 }
 
@@ -60,9 +60,14 @@ std::optional<bool> Reference::noisy() {
 std::optional<double> Reference::cpu_seconds() {
     if (live_) {
         live_->with_seed_of_submission(0);
-        return live_->cpu_seconds;
+        return live_->cpu_seconds / live_->runs;
     }
     return stored_ ? std::optional(stored_->cpu_seconds) : std::nullopt;
+}
+
+std::optional<rt::Image> Reference::image(int which) {
+    if (!live_ || !std::holds_alternative<Render>(live_->check.experiment)) return std::nullopt;
+    return live_->with_seed_of_submission(which).image;
 }
 
 std::optional<rt::Image> Reference::picture(int replicates) {

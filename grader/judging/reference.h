@@ -38,7 +38,12 @@ public:
 
     /// Whether two seeds give two pictures, beyond rounding. None: not known.
     std::optional<bool> noisy();
+
+    /// Of one replicate, in the mean. None: not known.
     std::optional<double> cpu_seconds();
+
+    /// The picture with the seed of one of the submission's replicates. None: not known, or the check renders nothing.
+    std::optional<rt::Image> image(int which);
 
     /// The mean picture of the submission's first replicates. None: not known, or the check renders nothing.
     std::optional<rt::Image> picture(int replicates);
@@ -52,7 +57,8 @@ private:
         fs::path meshes;
         std::unique_ptr<Runner> runner;
         std::vector<Observation> own;  // of the submission's seeds
-        double cpu_seconds = 0;
+        double cpu_seconds = 0;        // of all runs
+        int runs = 0;
 
         const Observation& with_seed_of_submission(int which);
         Observation run(std::uint64_t seed);

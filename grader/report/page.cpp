@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "report/bar.h"
+#include "report/cost.h"
 #include "report/diagnosis.h"
 #include "report/escape.h"
 #include "report/picture.h"
@@ -83,7 +84,7 @@ std::string check_section(const CheckRecord& check, bool student) {
         text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(check.verdict), html(check.message));
     if (!check.excerpt.empty())
         text += fmt::format("<p class=\"soft\">It printed:</p><pre>{}</pre>\n", html(check.excerpt));
-    text += pictures(check, student) + statistics(check);
+    text += pictures(check, student) + cost_line(check) + statistics(check);
     if (!check.scene.empty())
         text += fmt::format(
             "<details><summary class=\"soft\">scene, {} samples a pixel, {}</summary><pre>{}</pre></details>\n",
@@ -178,6 +179,7 @@ std::string page(const Record& record, const Assignment& assignment, const std::
             if (fragment.part == part.name) sections += fragment_section(fragment, record.student_mode, handout);
         if (!sections.empty()) text += fmt::format("<h2>{}</h2>\n{}", html(part.title), sections);
     }
+    text += error_section(record);
     text += fmt::format(
         "<h2>About this grading</h2><section class=\"card soft\"><p>Again: <code>{}</code></p><p>Toolchain: {}. Grader "
         "{}. Sandbox: {}.</p>"

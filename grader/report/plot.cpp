@@ -45,18 +45,96 @@ std::string power(double decade) {
     return fmt::format("1e{:g}", decade);
 }
 
+const char* color_of(const Series& series, std::size_t place) {
+    return colors[(series.color >= 0 ? std::size_t(series.color) : place) % colors.size()];
+}
+
+/// Where the values of a plot are in its picture.
+struct Frame {
+    Axis x, y;
+    double corner_x = std::numeric_limits<double>::infinity(), corner_y = 0;  // least x, greatest y
+
+    explicit Frame(const Plot& plot) {
+        for (const Series& series : plot.series)
+            for (const auto& point : series.points) {
+                if (!(point.x > 0 && point.y > 0)) continue;
+                x.take(point.x);
+                for (const double value : {point.y, point.low, point.high})
+                    if (value > 0) y.take(std::max(value, plot.least_y));
+                corner_x = std::min(corner_x, point.x), corner_y = std::max(corner_y, point.y);
+            }
+        x.close(), y.close();
+    }
+    double at_x(double value) const { return left + (width - left - right) * x.share(value); }
+    double at_y(double value) const {
+        return top + (height - top - bottom) * (1 - std::clamp(y.share(value), 0.0, 1.0));
+    }
+};
+
+/// From the corner down to the border that is met first.
+std::string guide_line(const Guide& guide, const Frame& frame) {
+    if (!(frame.corner_y > 0)) return {};
+    const double from_x = std::log10(frame.corner_x), from_y = std::log10(frame.corner_y);
+    const double to_x = std::min(frame.x.high, from_x + (frame.y.low - from_y) / guide.slope);
+    const double to_y = from_y + (to_x - from_x) * guide.slope;
+    const double x = frame.at_x(std::pow(10, to_x)), y = frame.at_y(std::pow(10, to_y));
+    return fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"#888\" stroke-dasharray=\"2 3\"/>\n",
+                       frame.at_x(frame.corner_x), frame.at_y(frame.corner_y), x, y) +
+           text(x - 3, y - 5, "end", guide.name, "font-size=\"11\" fill=\"#666\"");
+}
+
+std::string grid(const Frame& frame) {
+    const double wide = width - left - right, tall = height - top - bottom;
+    std::string svg;
+    for (double decade = frame.x.low; decade <= frame.x.high; ++decade) {
+        const double at = frame.at_x(std::pow(10, decade));
+        svg += fmt::format("<path d=\"M{0:.1f} {1:g}V{2:g}\" stroke=\"#ddd\"/>\n", at, top, top + tall) +
+               text(at, top + tall + 18, "middle", power(decade));
+    }
+    for (double decade = frame.y.low; decade <= frame.y.high; ++decade) {
+        const double at = frame.at_y(std::pow(10, decade));
+        svg += fmt::format("<path d=\"M{0:g} {1:.1f}H{2:g}\" stroke=\"#ddd\"/>\n", left, at, left + wide) +
+               text(left - 8, at + 4, "end", power(decade));
+    }
+    return svg;
+}
+
+/// A series with its ribbon, and its row of the legend.
+std::string drawn(const Series& series, std::size_t place, const Frame& frame) {
+    const char* color = color_of(series, place);
+    const std::string dashes = series.dashed ? " stroke-dasharray=\"5 4\"" : "";
+    const auto dot = [&](double x, double y) {
+        return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" fill=\"{}\"/>\n", x, y, color);
+    };
+    std::string line, upper, lower, dots;
+    for (const auto& point : series.points) {
+        if (!(point.x > 0 && point.y > 0)) continue;
+        const double x = frame.at_x(point.x), y = frame.at_y(point.y);
+        line += fmt::format("{}{:.1f} {:.1f}", line.empty() ? "M" : "L", x, y);
+        if (series.dots && !series.dashed) dots += dot(x, y);
+        if (point.high > point.low && point.low > 0) {
+            upper += fmt::format("{:.1f},{:.1f} ", x, frame.at_y(point.high));
+            lower = fmt::format("{:.1f},{:.1f} ", x, frame.at_y(point.low)) + lower;
+        }
+    }
+    std::string svg;
+    if (!upper.empty())
+        svg += fmt::format("<polygon points=\"{}{}\" fill=\"{}\" opacity=\"0.18\"/>\n", upper, lower, color);
+    if (series.joined)
+        svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"{}/>\n", line, color, dashes);
+    svg += dots;
+    const double row = top + 8 + 20 * double(place), at = width - right + 14;
+    svg += series.joined ? fmt::format("<path d=\"M{0:g} {1:g}h22\" stroke=\"{2}\" stroke-width=\"2\"{3}/>\n", at, row,
+                                       color, dashes)
+                         : dot(at + 11, row);
+    return svg + text(at + 28, row + 4, "start", series.name);
+}
+
 }  // namespace
 
 std::string log_log(const Plot& plot) {
-    Axis x, y;
-    for (const Series& series : plot.series)
-        for (const auto& point : series.points)
-            if (point.x > 0 && point.y > 0) x.take(point.x), y.take(point.y), y.take(point.low), y.take(point.high);
-    x.close(), y.close();
+    const Frame frame(plot);
     const double wide = width - left - right, tall = height - top - bottom;
-    const auto at_x = [&](double value) { return left + wide * x.share(value); };
-    const auto at_y = [&](double value) { return top + tall * (1 - std::clamp(y.share(value), 0.0, 1.0)); };
-
     std::string svg = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" "
         "role=\"img\" "
@@ -64,44 +142,11 @@ std::string log_log(const Plot& plot) {
         "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
         width, height, html(plot.title), html(plot.x), html(plot.y));
     svg += text(left, 24, "start", plot.title, "font-size=\"15\" font-weight=\"bold\"");
-    for (double decade = x.low; decade <= x.high; ++decade) {
-        const double at = at_x(std::pow(10, decade));
-        svg += fmt::format("<path d=\"M{0:.1f} {1:g}V{2:g}\" stroke=\"#ddd\"/>\n", at, top, top + tall) +
-               text(at, top + tall + 18, "middle", power(decade));
-    }
-    for (double decade = y.low; decade <= y.high; ++decade) {
-        const double at = at_y(std::pow(10, decade));
-        svg += fmt::format("<path d=\"M{0:g} {1:.1f}H{2:g}\" stroke=\"#ddd\"/>\n", left, at, left + wide) +
-               text(left - 8, at + 4, "end", power(decade));
-    }
+    svg += grid(frame);
     svg += text(left + wide / 2, height - 14, "middle", plot.x);
     svg += text(0, 0, "middle", plot.y, fmt::format("transform=\"translate(18 {:.1f}) rotate(-90)\"", top + tall / 2));
-
-    for (std::size_t i = 0; i < plot.series.size(); ++i) {
-        const Series& series = plot.series[i];
-        const char* color = colors[i % colors.size()];
-        std::string line, upper, lower, dots;
-        for (const auto& point : series.points) {
-            if (!(point.x > 0 && point.y > 0)) continue;
-            line += fmt::format("{}{:.1f} {:.1f}", line.empty() ? "M" : "L", at_x(point.x), at_y(point.y));
-            if (!series.dashed)
-                dots += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" fill=\"{}\"/>\n", at_x(point.x),
-                                    at_y(point.y), color);
-            if (point.high > point.low && point.low > 0) {
-                upper += fmt::format("{:.1f},{:.1f} ", at_x(point.x), at_y(point.high));
-                lower = fmt::format("{:.1f},{:.1f} ", at_x(point.x), at_y(point.low)) + lower;
-            }
-        }
-        if (!upper.empty())
-            svg += fmt::format("<polygon points=\"{}{}\" fill=\"{}\" opacity=\"0.18\"/>\n", upper, lower, color);
-        svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"{}/>\n", line, color,
-                           series.dashed ? " stroke-dasharray=\"5 4\"" : "") +
-               dots;
-        const double row = top + 8 + 20 * double(i);
-        svg += fmt::format("<path d=\"M{0:g} {1:g}h22\" stroke=\"{2}\" stroke-width=\"2\"{3}/>\n", left + wide + 14,
-                           row, color, series.dashed ? " stroke-dasharray=\"5 4\"" : "");
-        svg += text(left + wide + 42, row + 4, "start", series.name);
-    }
+    for (const Guide& guide : plot.guides) svg += guide_line(guide, frame);
+    for (std::size_t i = 0; i < plot.series.size(); ++i) svg += drawn(plot.series[i], i, frame);
     return svg + "</svg>\n";
 }
 

@@ -14,11 +14,22 @@ struct Series {
     std::string name;
     std::vector<Point> points;
     bool dashed = false;
+    int color = -1;       // of the palette; -1: the series' place
+    bool dots = true;     // on the points; a dashed line has none
+    bool joined = true;   // by a line
+};
+
+/// A power law to compare with: a thin line of this slope.
+struct Guide {
+    double slope;
+    std::string name;
 };
 
 struct Plot {
     std::string title, x, y;  // with units
     std::vector<Series> series;
+    std::vector<Guide> guides{};  // from the upper left corner of what the series take
+    double least_y = 0;           // above 0: what is below stands on it
 };
 
 /// A picture with logarithmic axes, as an SVG file of its own: no script, no font, colours that colour-blind readers

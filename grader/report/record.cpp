@@ -41,6 +41,12 @@ Json statistic_json(const CheckRecord& check, const StatisticRecord* statistic) 
     json["share"] = check.share;
     if (!check.blocked_by.empty()) json["blocked_by"] = check.blocked_by;
     json["check_cpu_seconds"] = check.cpu_seconds;
+    for (const auto& [whose, cost] : {std::pair("", check.cost), std::pair("solution_", check.solution_cost)}) {
+        if (!cost) continue;
+        json[std::string(whose) + "picture_rmse"] = number(cost->rmse());
+        json[std::string(whose) + "picture_cpu_seconds"] = cost->cpu_seconds;
+        json[std::string(whose) + "efficiency_per_cpu_seconds"] = number(cost->efficiency());
+    }
     return json;
 }
 
@@ -68,6 +74,25 @@ Json fragment_json(const FragmentRecord& fragment) {
 double rounded(double points) { return std::round(points * 100) / 100; }
 
 }  // namespace
+
+std::optional<double> PictureCost::efficiency() const {
+    return mse > 0 && cpu_seconds > 0 ? std::optional(1 / (mse * cpu_seconds)) : std::nullopt;
+}
+
+double PictureCost::rmse() const { return std::sqrt(std::max(mse, 0.0)); }
+
+std::optional<double> Record::efficiency_ratio() const {
+    std::vector<double> ratios;
+    for (const FragmentRecord& fragment : fragments)
+        for (const CheckRecord& check : fragment.checks) {
+            const auto mine = check.cost ? check.cost->efficiency() : std::nullopt;
+            const auto theirs = check.solution_cost ? check.solution_cost->efficiency() : std::nullopt;
+            if (mine && theirs) ratios.push_back(*mine / *theirs);
+        }
+    if (ratios.empty()) return std::nullopt;
+    std::ranges::sort(ratios);
+    return (ratios[(ratios.size() - 1) / 2] + ratios[ratios.size() / 2]) / 2;
+}
 
 double Record::score() const {
     double sum = 0;
@@ -97,6 +122,7 @@ std::string to_json(const Record& record) {
     json["toolchain"] = record.toolchain;
     json["versions"] = {{"grade", record.version}};
     json["command"] = record.command;
+    json["efficiency_over_solution_by_cpu_seconds"] = number(record.efficiency_ratio());
     json["wall_seconds"] = record.wall_seconds;
     // a submission's text may be no UTF-8
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -21,6 +21,16 @@ struct StatisticRecord {
     std::string hint;  // where it failed: what the deviation usually means
 };
 
+/// What one picture costs, and how far it is from the truth.
+struct PictureCost {
+    double mse = 0;          // mean over pixels and channels; 0: no noise and no bias. Chance can make it negative
+    double cpu_seconds = 0;  // of rendering alone
+
+    /// 1 / (MSE x CPU time); none where there is no error.
+    std::optional<double> efficiency() const;
+    double rmse() const;
+};
+
 struct CheckRecord {
     std::string name, fragment;
     std::string scene;    // TOML text; empty for a probe
@@ -33,6 +43,7 @@ struct CheckRecord {
     std::vector<std::string> blocked_by;
     std::vector<StatisticRecord> statistics;
     double cpu_seconds = 0;
+    std::optional<PictureCost> cost, solution_cost;  // of a check that renders, where there is a solution
 
     // for the page only
     rt::Image picture, solution_picture;
@@ -65,6 +76,9 @@ struct Record {
 
     double score() const;
     double max_score() const;
+
+    /// The submission's efficiency over the solution's, the median of all pictures with noise; none: there are none.
+    std::optional<double> efficiency_ratio() const;
 };
 
 /// The record as JSON, penumbra/result/v1. What depends on time and load is in keys that end in _seconds, nowhere else.

@@ -13,7 +13,8 @@
 
 namespace grade {
 
-/// The programs that a stress run needs. Fragments that are the solution's word for word are not compiled again.
+/// Programs with the submission's version of some fragments. Those that are the solution's word for word are not
+/// compiled again.
 class FamilyPrograms {
 public:
     /// student  the submission's fragments with each other; else only those that a family is about, with the solution's

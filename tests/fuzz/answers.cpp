@@ -22,7 +22,7 @@ std::string rows_frame(const std::vector<std::vector<double>>& rows) {
 
 std::string image_frame(double width, double height, std::size_t pixels) {
     std::vector<double> numbers{width, height, 0.25};
-    numbers.resize(3 + 3 * pixels, 0.5);
+    numbers.resize(image_head + 3 * pixels, 0.5);
     return frame(FrameKind::image, bytes_of<double>(numbers));
 }
 

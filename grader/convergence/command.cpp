@@ -1,0 +1,195 @@
+#include "convergence/command.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "build/stamp.h"
+#include "convergence/report.h"
+#include "report/terminal.h"
+#include "rt/scene_reader.h"
+#include "stress/family_programs.h"
+
+namespace grade {
+
+namespace {
+
+/// The scenes among the words, or those of scenes/bench.
+std::vector<fs::path> scenes_of(const std::vector<std::string>& words, const fs::path& source) {
+    std::vector<fs::path> scenes;
+    for (const std::string& word : words)
+        if (word.ends_with(".toml")) scenes.emplace_back(word);
+    if (scenes.empty())
+        for (const auto& entry : fs::directory_iterator(source / "scenes/bench"))
+            if (entry.path().extension() == ".toml") scenes.push_back(entry.path());
+    std::ranges::sort(scenes);
+    for (const fs::path& scene : scenes) rt::read_scene(scene.string());  // says what is wrong with it, before all work
+    return scenes;
+}
+
+/// The submission among the words; the starter where there is none.
+std::string submission_of(const std::vector<std::string>& words, const fs::path& source) {
+    std::vector<std::string> others;
+    for (const std::string& word : words)
+        if (!word.ends_with(".toml")) others.push_back(word);
+    if (others.size() > 1)
+        throw std::invalid_argument(fmt::format(
+            "{}: one submission too many; expected a submission, then scenes whose names end in .toml", others[1]));
+    return others.empty() ? (source / "starter").string() : others[0];
+}
+
+void check_amounts(const Amounts& amounts) {
+    for (std::size_t i = 1; i < amounts.samples.size(); ++i)
+        if (amounts.samples[i] <= amounts.samples[i - 1])
+            throw std::invalid_argument(fmt::format("--samples {}: {} is not above {}; expected ascending numbers",
+                                                    fmt::join(amounts.samples, ","), amounts.samples[i],
+                                                    amounts.samples[i - 1]));
+}
+
+/// The submission's program where it has fragments of its own, and the solution's where there is one. The note says
+/// what stands in for what is missing.
+void add_programs(Bench& bench, FamilyPrograms& programs, const Submission& submission, const Assignment& assignment,
+                  const Toolchain& chain, int jobs, std::string& note) {
+    std::set<std::string> own;
+    std::vector<std::string> missing, broken;
+    const auto names = assignment.names();
+    programs.compile({names.begin(), names.end()}, jobs);
+    for (const std::string& name : names) {
+        const std::string complaint = programs.complaint(name);
+        if (complaint.empty()) own.insert(name);
+        else (complaint.starts_with("did not build") ? broken : missing).push_back(name);
+    }
+    const std::string other = chain.has_solution() ? "the solution's" : "a blank";
+    const auto stands_in = [&](const char* why, const std::vector<std::string>& fragments) {
+        if (!fragments.empty()) note += fmt::format("{}; {} stands in: {}. ", why, other, fmt::join(fragments, ", "));
+    };
+    stands_in("Did not build", broken);
+    if (!own.empty()) stands_in("Not started", missing);
+    if (own.empty() && !chain.has_solution())
+        throw SubmissionError(submission.name + ": nothing is filled in yet; expected fragments to render with");
+
+    Stamp stamp;
+    const fs::path mine = programs.with(own);
+    if (chain.has_solution()) {
+        bench.solution = programs.with({});
+        bench.solution_stamp = Stamp()
+                                   .add(chain.description)
+                                   .add_sources(chain.source, {"starter/rt", "solution", "grader/child"})
+                                   .text();
+        stamp.add(bench.solution_stamp);
+    } else {
+        stamp.add(chain.description).add_sources(chain.source, {"starter/rt", "grader/child"});
+    }
+    if (mine == bench.solution) {
+        note += own.empty() ? "Nothing is filled in yet: the solution alone. " : "";
+        return;
+    }
+    for (const std::string& name : own) stamp.add(name).add(submission.texts.at(name));
+    bench.submission = mine;
+    bench.submission_stamp = stamp.text();
+}
+
+void write_reports(const ConvergenceRecord& record, const ConvergeArguments& arguments) {
+    if (!arguments.json.empty()) write_text(arguments.json, to_json(record));
+    if (!arguments.csv.empty()) write_text(arguments.csv, to_csv(record));
+    if (arguments.out.empty()) return;
+    const fs::path out = arguments.out;
+    fs::create_directories(out);
+    for (const SceneRecord& scene : record.scenes)
+        for (const Against against : {Against::seconds, Against::rays})
+            if (!scene.curves.empty())
+                write_text(out / plot_file(scene, against), log_log(error_plot(scene, against)));
+    write_text(out / "converge.md", report(record));
+}
+
+}  // namespace
+
+CLI::App* add_converge_command(CLI::App& app, ConvergeArguments& arguments) {
+    Amounts& amounts = arguments.amounts;
+    CLI::App* converge = app.add_subcommand(
+        "converge", "error against run time: how fast it falls, with which sampler, and to which bias");
+    converge->add_option("SUBMISSION SCENE...", arguments.words,
+                         "a folder, a .zip or a .tar.gz; scene files; default: starter, and those of scenes/bench");
+    converge->add_option("--samples", amounts.samples, "levels of samples a pixel")
+        ->delimiter(',')
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1 << 20));
+    converge->add_option("--samplers", amounts.samplers, "patterns; times to an error need random")
+        ->delimiter(',')
+        ->capture_default_str()
+        ->check(CLI::IsMember({"uniform", "random", "stratified", "sobol"}));
+    converge->add_option("--replicates", amounts.replicates, "pictures of each level")
+        ->capture_default_str()
+        ->check(CLI::Range(2, 10000));
+    converge->add_option("--side", amounts.side, "pixels of the longer side of a picture; 0: as the scene has it")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 4096));
+    converge->add_option("--budget", amounts.budget, "CPU seconds for all pictures; the last levels are left out first")
+        ->capture_default_str()
+        ->check(CLI::Range(0.1, 1e9));
+    converge->add_option("--time-limit", amounts.time_limit, "CPU seconds for one picture")
+        ->capture_default_str()
+        ->check(CLI::Range(1.0, 600.0));
+    converge->add_option("--json", arguments.json, "write the record")->type_name("FILE");
+    converge->add_option("--csv", arguments.csv, "write one line for each level")->type_name("FILE");
+    converge->add_option("--out", arguments.out, "write a report with plots into this folder")->type_name("DIR");
+    converge->add_option("--folder", arguments.folder, "where results are kept, and work goes on after an interruption")
+        ->type_name("DIR");
+    converge->add_flag("--fresh", arguments.fresh, "measure anew what is kept, but for references");
+    converge->add_option("--jobs", arguments.jobs, "how many compilers run at a time; pictures are timed one by one")
+        ->check(CLI::Range(1, 1024));
+    converge->add_flag("--trusted", arguments.trusted, "the code is your own: limits, but no sandbox");
+    converge->add_flag("--require", arguments.require, "exit with 1 where a bias is shown or a picture is missing");
+    converge->fallthrough();
+    return converge;
+}
+
+int converge(const ConvergeArguments& arguments, const std::string& toolchain, const std::string& command) {
+    const Toolchain chain = read_toolchain(toolchain);
+    const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
+    check_amounts(arguments.amounts);
+    for (const std::string& file : {arguments.json, arguments.csv})
+        if (const fs::path folder = fs::path(file).parent_path(); !folder.empty() && !fs::is_directory(folder))
+            throw std::invalid_argument(fmt::format("{}: there is no folder {}", file, folder.string()));
+    const auto scenes = scenes_of(arguments.words, chain.source);
+    const Submission submission = read_submission(submission_of(arguments.words, chain.source), assignment.names());
+
+    ConvergenceRecord record;
+    Bench bench;
+    bench.sandbox = find_sandbox(arguments.trusted);
+    bench.results =
+        arguments.folder.empty() ? fs::path(toolchain).parent_path() / "convergence" : fs::path(arguments.folder);
+    bench.fresh = arguments.fresh;
+    ProgressLine line;
+    int scenes_done = 0;
+    bench.progress = [&](double done, const std::string& doing) {
+        line.show(int(100 * (scenes_done + done) / double(scenes.size())), 100, doing);
+    };
+    bench.progress(0, "compiling");
+    FamilyPrograms programs(submission, chain, bench.sandbox, !chain.has_solution());
+    add_programs(bench, programs, submission, assignment, chain, arguments.jobs, record.note);
+    int copies = 0;
+    bench.copy = [&](const fs::path& program) { return programs.copy_for(fmt::to_string(copies++), program); };
+
+    record.submission = submission.name;
+    record.toolchain = chain.description;
+    record.version = PENUMBRA_VERSION;
+    record.command = command;
+    record.sandbox = bench.sandbox.description;
+    const double budget = arguments.amounts.budget / double(scenes.size());
+    for (const fs::path& scene : scenes) {
+        record.scenes.push_back(measure(scene, bench, arguments.amounts, budget));
+        ++scenes_done;
+    }
+    line.clear();
+    write_reports(record, arguments);
+    fmt::print("{}", table(record, isatty(STDOUT_FILENO)));
+    if (!arguments.out.empty()) fmt::print("report: {}\n", (fs::path(arguments.out) / "converge.md").string());
+    const bool broken = std::ranges::any_of(record.scenes, [](const SceneRecord& s) { return !s.fault.empty(); });
+    return arguments.require && (broken || record.is_biased()) ? 1 : 0;
+}
+
+}  // namespace grade

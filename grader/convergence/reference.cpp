@@ -1,0 +1,102 @@
+#include "convergence/reference.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "build/stamp.h"
+#include "convergence/keep.h"
+#include "rt/scene_reader.h"
+#include "statistics/image_fault.h"
+
+namespace grade {
+
+namespace {
+
+constexpr double time_limit = 600;  // CPU seconds of one half
+
+}  // namespace
+
+rt::ivec2 size_of(const rt::Scene& scene, int side) {
+    const rt::ivec2 size = scene.camera.size;
+    const int longer = std::max(size.x, size.y);
+    if (side <= 0 || longer <= side) return size;
+    return {std::max(1, size.x * side / longer), std::max(1, size.y * side / longer)};
+}
+
+std::uint64_t seed_of(int samples, int replicate) {
+    return (std::uint64_t(samples) << 20) + std::uint64_t(replicate) + 1;
+}
+
+Outcome<rt::Image> picture(Runner& runner, const Render& render, std::uint64_t seed) {
+    auto outcome = runner.render(render, seed);
+    if (const auto* image = std::get_if<rt::Image>(&outcome))
+        if (const auto fault = image_fault(*image, render.size.x, render.size.y))
+            return Fault{Verdict::not_an_image, *fault, {}};
+    return outcome;
+}
+
+int last_level(const Amounts& amounts, double budget, double seconds, int series) {
+    int last = amounts.samples.front();
+    double spent = 0;
+    for (const int samples : amounts.samples) {
+        const double of_one = seconds * samples * series;  // of one replicate of all
+        if (spent + of_one * std::min(least_replicates, amounts.replicates) > budget) break;
+        last = samples;
+        spent += of_one * amounts.replicates;
+    }
+    return last;
+}
+
+std::optional<Halves> reference_of(const fs::path& file, const Bench& bench, const Amounts& amounts, double budget,
+                                   SceneRecord& record) {
+    const rt::ivec2 size = size_of(rt::read_scene(file.string()), amounts.side);
+    const std::string text = read_text(file).value_or("");
+    const std::string name = file.stem().string();
+    record.own_reference = bench.solution.empty();
+    const std::string& by = record.own_reference ? bench.submission_stamp : bench.solution_stamp;
+    const std::string stamp = Stamp().add(text + fmt::format("{}x{}", size.x, size.y)).add(by).text();
+    const fs::path path = bench.results / fmt::format("{}-{}", name, stamp) / "reference";
+    Runner runner(bench.copy(record.own_reference ? bench.submission : bench.solution), bench.sandbox,
+                  fs::absolute(file).parent_path(), time_limit);
+    // level 0: seeds that no level has
+    const auto made = [&](int samples, int which) {
+        auto outcome = picture(runner, {text, samples, "sobol", size}, seed_of(0, which));
+        if (const Fault* fault = std::get_if<Fault>(&outcome)) {
+            record.fault = fmt::format("reference of {} samples: {}", samples, fault->message);
+            if (!record.own_reference)
+                throw std::runtime_error(fmt::format("{}: the solution itself: {}", file.string(), record.fault));
+            return rt::Image();
+        }
+        return std::move(std::get<rt::Image>(outcome));
+    };
+
+    // a first picture is slower than the others
+    constexpr int few = 16;
+    for (const int samples : {1, few}) {
+        made(samples, 2);
+        if (!record.fault.empty()) return std::nullopt;
+    }
+    const int programs = int(!bench.solution.empty()) + int(!bench.submission.empty());
+    const int wanted =
+        4 * last_level(amounts, budget, runner.seconds() / few, programs * int(amounts.samplers.size()));
+
+    // half as many will do: what can be foreseen of the last level depends on how busy the machine is
+    std::optional<Kept> kept = read_kept(path);
+    if (!kept || kept->images.size() != 2 || 2 * kept->head.value("samples", 0) < wanted) {
+        kept.emplace();
+        kept->head["samples"] = wanted;
+        for (int half = 0; half < 2; ++half) {
+            if (bench.progress) bench.progress(0, fmt::format("{}: reference, half {}", name, half + 1));
+            kept->images.push_back(made(wanted, half));
+            if (!record.fault.empty()) return std::nullopt;
+        }
+        write_kept(path, *kept);
+    }
+    record.reference_samples = kept->head.at("samples");
+    Halves halves{std::move(kept->images[0]), std::move(kept->images[1])};
+    record.reference_noise = noise_of(halves);
+    return halves;
+}
+
+}  // namespace grade

@@ -1,0 +1,202 @@
+#include "convergence/report.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/escape.h"
+
+namespace grade {
+
+namespace {
+
+/// Cells of words; the first one is the head.
+using Cells = std::vector<std::vector<std::string>>;
+
+std::string with_interval(double value, double low, double high, const char* format) {
+    const std::string number = fmt::format(fmt::runtime(format), value);
+    if (!(high > low)) return number;
+    return fmt::format("{} ({} to {})", number, fmt::format(fmt::runtime(format), low),
+                       fmt::format(fmt::runtime(format), high));
+}
+
+std::string words(const std::optional<Ratio>& ratio) {
+    return ratio ? with_interval(ratio->value, ratio->low, ratio->high, "{:.3g}") : "not reached";
+}
+
+std::string root(double square) { return square > 0 ? fmt::format("{:.3g}", std::sqrt(square)) : "0"; }
+
+std::string bias_of(const Curve& curve) {
+    if (!curve.bias) return "";
+    const auto [value, se] = *curve.bias;
+    if (!curve.bias->is_positive()) return fmt::format("< {}", root(std::max(value, 0.0) + 4 * se));
+    return fmt::format("{} ({} to {})", root(value), root(value - 1.96 * se), root(value + 1.96 * se));
+}
+
+const char* name(Who who) { return who == Who::submission ? "submission" : "solution"; }
+
+/// The result of each curve; the long form has relative errors and rays as well.
+Cells curve_rows(const SceneRecord& scene, bool is_long) {
+    Cells rows{{"", "sampler", "slope", "expected", "samples", "RMSE", "CPU s", "efficiency", "s to 64", "to 1024",
+                "bias"}};
+    if (is_long) rows[0].insert(rows[0].begin() + 6, {"relative RMSE", "M rays"});
+    for (const Curve& curve : scene.curves) {
+        std::vector<std::string> row{name(curve.who), curve.sampler};
+        const Fit& fit = curve.fit;
+        row.push_back(fit.good ? with_interval(fit.order, fit.low, fit.high, "{:.2f}") : "none");
+        row.push_back(expected_order(curve.sampler));
+        if (curve.levels.empty()) continue;
+        const Level& last = curve.levels.back();
+        row.insert(row.end(), {fmt::format("{}", last.samples), root(last.mse())});
+        if (is_long) row.insert(row.end(), {root(last.relative()), fmt::format("{:.3g}", 1e-6 * last.rays())});
+        row.insert(row.end(), {fmt::format("{:.3g}", last.seconds()),
+                               last.mse() > 0 ? fmt::format("{:.3g}", last.efficiency()) : "no error"});
+        for (const auto& error : scene.errors) {
+            const auto seconds = error ? curve.seconds_for(*error) : std::nullopt;
+            row.push_back(seconds ? fmt::format("{:.3g}", seconds->value) : error ? "not reached" : "unknown");
+        }
+        row.push_back(bias_of(curve));
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+Cells comparison_rows(const SceneRecord& scene) {
+    Cells rows{{"submission / solution", "MSE at equal time", "time to the error of 64", "of 1024"}};
+    for (const Comparison& c : scene.comparisons)
+        rows.push_back({c.sampler, words(c.mse_at_equal_time), words(c.time_at_error[0]), words(c.time_at_error[1])});
+    return rows;
+}
+
+/// What a bias does; empty: none is shown.
+std::string warning(const SceneRecord& scene) {
+    if (!scene.fault.empty())
+        return fmt::format("The submission's program breaks down: {}", printable(scene.fault, 200));
+    const Curve* curve = scene.biased();
+    if (!curve) return {};
+    std::string text = fmt::format("Biased: with {}, the error of the {} does not fall below a plateau of {}",
+                                   curve->sampler, name(curve->who), bias_of(*curve));
+    const Fit& fit = curve->fit;
+    if (fit.good && fit.plateau > 0 && fit.order < 0) {
+        const double samples = std::pow(fit.plateau / fit.v, 1 / (2 * fit.order));
+        text += samples < 1 ? "; already the noise of a single sample is less"
+                            : fmt::format("; from about {:.2g} samples on, that is more than its noise", samples);
+    }
+    return text + ". More samples do not help: the mean picture is another one than the solution's.";
+}
+
+std::string about_reference(const SceneRecord& scene) {
+    return fmt::format("{} x {} pixels; reference by {}: 2 x {} samples, RMSE {:.2g}", scene.size.x, scene.size.y,
+                       scene.own_reference ? "the submission itself, which shows no bias" : "the solution",
+                       scene.reference_samples, scene.reference_noise);
+}
+
+std::string aligned(const Cells& rows) {
+    std::vector<std::size_t> widths;
+    for (const auto& row : rows)
+        for (std::size_t k = 0; k < row.size(); ++k) {
+            if (widths.size() <= k) widths.push_back(0);
+            widths[k] = std::max(widths[k], row[k].size());
+        }
+    std::string text;
+    for (const auto& row : rows) {
+        std::string line = " ";
+        for (std::size_t k = 0; k < row.size(); ++k) line += fmt::format(" {:<{}} ", row[k], widths[k]);
+        text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+    }
+    return text;
+}
+
+std::string markdown(const Cells& rows) {
+    std::string text;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        text += fmt::format("| {} |\n", fmt::join(rows[i], " | "));
+        if (i > 0) continue;
+        text += "|";
+        for (std::size_t k = 0; k < rows[i].size(); ++k) text += "---|";
+        text += "\n";
+    }
+    return text + "\n";
+}
+
+/// What the columns mean.
+constexpr const char* legend =
+    "Slope: of the RMSE against the samples, from the fit MSE = b^2 + v N^(-2q), with its 95 % interval.\n"
+    "Efficiency: 1 / (MSE x CPU s). s to 64, to 1024: CPU time to the MSE of so many independent samples a pixel.\n"
+    "Bias: RMSE that is left when all noise is averaged away; <: none is shown, and none above that is likely.\n";
+
+}  // namespace
+
+std::string table(const ConvergenceRecord& record, bool color) {
+    std::string text;
+    for (const SceneRecord& scene : record.scenes) {
+        text += fmt::format("{}{}{}: {}\n", color ? "\033[1m" : "", scene.name, color ? "\033[0m" : "",
+                            about_reference(scene));
+        if (!scene.curves.empty()) text += aligned(curve_rows(scene, false));
+        if (!scene.comparisons.empty()) text += "\n" + aligned(comparison_rows(scene));
+        if (const std::string words = warning(scene); !words.empty())
+            text += fmt::format("  {}{}{}\n", color ? "\033[31m" : "", words, color ? "\033[0m" : "");
+        text += "\n";
+    }
+    if (!record.note.empty()) text += record.note + "\n";
+    return text + legend;
+}
+
+std::string report(const ConvergenceRecord& record) {
+    std::string text = fmt::format("# Error against run time: {}\n\n`{}`\n\n", record.submission, record.command);
+    if (!record.note.empty()) text += record.note + "\n\n";
+    text += legend;
+    text +=
+        "\nCPU seconds are of rendering alone, with fragments linked as the grader does it; compare them within one "
+        "run only.\n\n";
+    Cells orders{{"pattern", "RMSE slope on an edge in 2D", "for a smooth function in 2D"}};
+    for (const ExpectedOrder& order : expected_orders())
+        orders.push_back({order.sampler, order.edge ? fmt::format("{:.2f}", *order.edge) : "no law",
+                          order.smooth ? fmt::format("{:.2f}", *order.smooth) : "no law"});
+    text +=
+        "Expected in theory; a picture has both, and where many dimensions interact, patterns that stratify two at a "
+        "time\nfall back towards -0.50. Edges along the axes behave otherwise.\n\n" +
+        markdown(orders);
+    for (const SceneRecord& scene : record.scenes) {
+        text += fmt::format("## {}\n\n{}.\n\n", scene.name, about_reference(scene));
+        if (const std::string words = warning(scene); !words.empty()) text += fmt::format("**{}**\n\n", words);
+        if (scene.curves.empty()) continue;
+        for (const Against against : {Against::seconds, Against::rays})
+            text += fmt::format("![RMSE of {} against {}]({})\n", scene.name,
+                                against == Against::seconds ? "CPU seconds" : "rays", plot_file(scene, against));
+        text += "\n" + markdown(curve_rows(scene, true));
+        if (!scene.comparisons.empty()) text += markdown(comparison_rows(scene));
+    }
+    return text;
+}
+
+Plot error_plot(const SceneRecord& scene, Against against) {
+    Plot plot{fmt::format("{}: error against {}", scene.name, against == Against::seconds ? "run time" : "rays"),
+              against == Against::seconds ? "CPU time of rendering [s]" : "rays of all kinds", "RMSE", {}};
+    plot.guides = {{-0.5, "-1/2"}, {-0.75, "-3/4"}, {-1, "-1"}};
+    std::vector<std::string> samplers;
+    const bool both = !scene.comparisons.empty();
+    for (const Curve& curve : scene.curves) {
+        auto place = std::ranges::find(samplers, curve.sampler);
+        if (place == samplers.end()) place = samplers.insert(samplers.end(), curve.sampler);
+        grade::Series series{curve.sampler, {}};
+        series.color = int(place - samplers.begin());
+        series.dashed = both && curve.who == Who::solution;
+        if (series.dashed) series.name += ", solution";
+        for (const Level& level : curve.levels) {
+            const auto [low, high] = level.mse_interval();
+            series.points.push_back({against == Against::seconds ? level.seconds() : level.rays(),
+                                     level.mse() > 0 ? std::sqrt(level.mse()) : 0, std::sqrt(low), std::sqrt(high)});
+        }
+        plot.series.push_back(series);
+    }
+    return plot;
+}
+
+std::string plot_file(const SceneRecord& scene, Against against) {
+    return fmt::format("{}-{}.svg", scene.name, against == Against::seconds ? "seconds" : "rays");
+}
+
+}  // namespace grade

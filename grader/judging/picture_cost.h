@@ -1,0 +1,15 @@
+#pragma once
+
+#include "judging/reference.h"
+#include "report/record.h"
+
+namespace grade {
+
+/// What the pictures of a check cost and how far they are from the truth: the submission's first one and the
+/// solution's, each against two pictures of the solution with other seeds. Does nothing where these are not known.
+///
+/// first    the submission's first picture
+/// seconds  mean CPU time of its pictures
+void add_picture_costs(CheckRecord& record, const rt::Image& first, double seconds, Reference& reference);
+
+}  // namespace grade

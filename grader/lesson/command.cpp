@@ -1,0 +1,59 @@
+#include "lesson/command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "assignment.h"
+#include "lesson/lesson.h"
+#include "stress/family_programs.h"
+
+namespace grade {
+
+CLI::App* add_lesson_command(CLI::App& app, LessonArguments& arguments) {
+    CLI::App* lesson =
+        app.add_subcommand("lesson", "part 1 in plots: how fast errors fall, by the way of sampling");
+    lesson->add_option("SUBMISSION", arguments.submission, "a folder, a .zip or a .tar.gz; default: starter");
+    lesson->add_option("--out", arguments.out, "write the plots into this folder")->type_name("DIR");
+    lesson->add_flag("--trusted", arguments.trusted, "the code is your own: limits, but no sandbox");
+    lesson->fallthrough();
+    return lesson;
+}
+
+void lesson(const LessonArguments& arguments, const std::string& toolchain) {
+    constexpr double time_limit = 10;  // CPU seconds of one answer
+    const Toolchain chain = read_toolchain(toolchain);
+    const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
+    const std::string path = arguments.submission.empty() ? (chain.source / "starter").string() : arguments.submission;
+    const Submission submission = read_submission(path, assignment.names());
+    const Sandbox sandbox = find_sandbox(arguments.trusted);
+    const std::set<std::string> fragments{"integrate_uniform", "integrate_monte_carlo", "integrate_stratified"};
+    FamilyPrograms programs(submission, chain, sandbox, !chain.has_solution());
+    programs.compile(fragments, 0);
+    for (const std::string& name : fragments)
+        if (const std::string complaint = programs.complaint(name); !complaint.empty())
+            fmt::print("{}: {}\n", name, complaint);
+    Runner runner(programs.copy_for("lesson", programs.with(fragments)), sandbox, chain.source / "scenes", time_limit);
+
+    if (!arguments.out.empty()) fs::create_directories(arguments.out);
+    for (const LessonIntegrand& integrand : lesson_integrands()) {
+        std::vector<LessonCurve> curves;
+        for (const Method method : {Method::uniform, Method::random, Method::stratified, Method::importance})
+            if (programs.complaint(method_fragments[std::size_t(method)]).empty())
+                curves.push_back(lesson_curve(integrand, method, runner));
+        if (curves.empty()) continue;
+        fmt::print("{}\n  {:<12}{:>12}{:>12}{:>12}  error falls as\n", integrand.title, "", "16 points", "256", "4096");
+        for (const LessonCurve& curve : curves) {
+            fmt::print("  {:<12}", method_names[std::size_t(curve.method)]);
+            for (const LessonPoint& point : curve.points)
+                if (point.n == 16 || point.n == 256 || point.n == 4096) fmt::print("{:>12.2g}", point.error);
+            fmt::print("  {}\n", curve.slope ? fmt::format("N^{:.2f}", *curve.slope) : "exact but for rounding");
+        }
+        if (arguments.out.empty()) continue;
+        const fs::path file = fs::path(arguments.out) / fmt::format("lesson_{}.svg", integrand.name);
+        write_text(file, log_log(lesson_plot(integrand, curves)));
+        fmt::print("  {}\n", file.string());
+    }
+}
+
+}  // namespace grade

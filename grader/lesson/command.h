@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace grade {
+
+struct LessonArguments {
+    std::string submission, out;
+    bool trusted = false;
+};
+
+CLI::App* add_lesson_command(CLI::App& app, LessonArguments& arguments);
+
+/// grade lesson: the errors of part 1's fragments against the number of points, as a table and as plots: the same bytes
+/// on each run. Throws what the other commands do.
+void lesson(const LessonArguments& arguments, const std::string& toolchain);
+
+}  // namespace grade

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "report/record.h"
+
+namespace grade {
+
+/// What one picture of a check costs and how noisy it is, beside the solution's, for the page; empty: not known.
+std::string cost_line(const CheckRecord& check);
+
+/// The page's section with error against run time, a dot for each picture; empty: there is none with noise.
+std::string error_section(const Record& record);
+
+}  // namespace grade

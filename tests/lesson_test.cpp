@@ -1,0 +1,53 @@
+#include "lesson/lesson.h"
+
+#include <cmath>
+
+#include "catch.h"
+
+using namespace grade;
+
+namespace {
+
+double integral_of(const Integrand& f) {
+    const int n = 100'000;
+    double sum = 0;
+    for (int i = 0; i < n; ++i) sum += f((i + 0.5) / n) / n;
+    return sum;
+}
+
+}  // namespace
+
+TEST_CASE("the lesson's integrals are right, and its densities are densities") {
+    for (const LessonIntegrand& one : lesson_integrands()) {
+        INFO(one.name);
+        CHECK(integral_of(one.f) == Approx(one.integral).epsilon(1e-8));
+        CHECK(integral_of(one.density) == Approx(1).epsilon(1e-8));
+        CHECK(one.cumulative(0) == Approx(0).margin(1e-12));
+        CHECK(one.cumulative(1) == Approx(1).epsilon(1e-12));
+        for (double x = 0.01; x < 1; x += 0.0373) {
+            INFO("x = " << x);
+            CHECK(one.density(x) > 0);
+            const double step = 1e-6;
+            CHECK((one.cumulative(x + step) - one.cumulative(x - step)) / (2 * step) ==
+                  Approx(one.density(x)).epsilon(1e-4));
+            CHECK(point_of(one, one.cumulative(x)) == Approx(x).epsilon(1e-6));
+        }
+    }
+}
+
+TEST_CASE("a plot's guides have their slopes, and what is too small stands on its foot") {
+    Plot plot{"lines", "x", "y", {{"one", {{1, 1}, {10, 0.1}, {100, 1e-30}}}}};
+    plot.guides = {{-1, "N^-1"}};
+    plot.least_y = 1e-2;
+    // the plot's area is 454 wide and 340 high, from 76, 44
+    const std::string svg = log_log(plot);
+    INFO(svg);
+    CHECK(svg.find("M76.0 44.0L530.0 384.0") != std::string::npos);   // the guide: two decades down in two
+    CHECK(svg.find("M76.0 44.0L303.0 214.0L530.0 384.0") != std::string::npos);  // the line
+    CHECK(svg.find("1e-30") == std::string::npos);
+
+    plot.series[0].joined = false;
+    CHECK(log_log(plot).find("M76.0 44.0L303.0 214.0") == std::string::npos);
+    plot.series[0].color = 1;
+    CHECK(log_log(plot).find("#d55e00") != std::string::npos);
+}
