@@ -77,6 +77,7 @@ void write_exr(const std::string& path, const Image& image) {
             for (int i = 0; i < 3; ++i) samples.push_back(to_float(c[i]));
         Imf::Header header(image.width, image.height);
         header.compression() = Imf::ZIP_COMPRESSION;
+        header.zipCompressionLevel() = 1;  // noise hardly shrinks, however long one tries
         for (const char* name : channels) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
         Imf::OutputFile file(temporary.c_str(), header);
         file.setFrameBuffer(frame(samples, header.dataWindow()));
@@ -122,6 +123,7 @@ std::string png_bytes(const Image& image, Real exposure) {
     png.width = png_uint_32(image.width);
     png.height = png_uint_32(image.height);
     png.format = PNG_FORMAT_RGB;
+    png.flags = PNG_IMAGE_FLAG_FAST;
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
     std::string file(size, '\0');
     if (!png_image_write_to_memory(&png, file.data(), &size, 0, bytes.data(), 0, nullptr))
