@@ -44,7 +44,7 @@ struct Arguments {
     std::optional<double> required;
     int jobs = 0, replicates = 64;
     double time_limit = 10;
-    bool trusted = false;
+    bool trusted = false, fresh = false;
 };
 
 std::string command_of(int argc, char** argv) {
@@ -87,6 +87,9 @@ GradingSettings settings_of(const Arguments& arguments, const Assignment& assign
     settings.trusted = arguments.trusted;
     settings.keep = arguments.keep;
     settings.pictures = !arguments.html.empty();
+    // The seed of student mode is always the same: what has not changed comes out as it did.
+    if (settings.student && !arguments.fresh && arguments.keep.empty())
+        settings.kept = Kept(fs::path(arguments.toolchain).parent_path() / "kept", chain);
     const fs::path folder = fs::path(arguments.json).parent_path();
     if (!folder.empty() && !fs::is_directory(folder))
         throw UsageError(fmt::format("--json {}: there is no folder {}", arguments.json, folder.string()));
@@ -133,6 +136,9 @@ int grade_one(Arguments arguments, std::string command) {
     }
     fmt::print("{}\nseed {}, {} mode; {}\n", table(record, assignment, isatty(STDOUT_FILENO)), record.seed,
                record.student_mode ? "student" : "instructor", record.sandbox);
+    if (record.reused > 0)
+        fmt::print("{} checks as before: nothing that they depend on has changed (--fresh runs them again)\n",
+                   record.reused);
     if (!arguments.html.empty()) fmt::print("page: {}\n", (fs::path(arguments.html) / "index.html").string());
     return arguments.required && record.score() < *arguments.required ? below_required : graded;
 }
@@ -200,6 +206,7 @@ int main(int argc, char** argv) {
     app.add_option("--keep", arguments.keep, "leave objects and programs in this folder")->type_name("DIR");
     app.add_option("--picture", arguments.own_scene, "the scene of the submission's own picture on the page")
         ->type_name("SCENE");
+    app.add_flag("--fresh", arguments.fresh, "run all checks again, also those that nothing has changed for");
     app.add_flag("--trusted", arguments.trusted, "the code is your own: limits, but no sandbox");
     app.add_option("--toolchain", arguments.toolchain, "what the build wrote about itself")->group("");
 

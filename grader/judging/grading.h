@@ -28,6 +28,7 @@ struct GradingSettings {
     bool pictures = false;         // for the page
     fs::path keep;                 // where objects and programs stay; empty: nowhere
     fs::path own_scene;            // scene of the submission's own picture; empty: none
+    Kept kept;                     // in student mode: what need not be done again
     int replicates = 256;          // of a statistic, after which it is inconclusive
     int statistics = 0;            // that share alpha; 0: those of these checks
 

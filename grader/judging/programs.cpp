@@ -62,11 +62,16 @@ void Programs::compile(const Submission& submission) {
     progress_.expect(int(wanted.size()));
     in_parallel(int(wanted.size()), settings_.jobs, [&](int i) {
         const std::string& name = wanted[std::size_t(i)]->name;
-        const Compiled compiled = compile_fragment(chain_, sandbox_, name, submission.texts.at(name),
-                                                   submission.folder + name + ".cpp", folder("objects/" + name));
+        const std::string& text = submission.texts.at(name);
+        const auto before = settings_.kept.object(name, text);
+        const Compiled compiled = before ? Compiled{true, *before, {}}
+                                         : compile_fragment(chain_, sandbox_, name, text, submission.folder + name + ".cpp",
+                                                            folder("objects/" + name));
         if (compiled.good) {
+            if (!before) settings_.kept.keep_object(name, text, compiled.object);
             const std::scoped_lock lock(lock_);
             objects_[name] = compiled.object;
+            sources_[name] = text;
         } else {
             fails(name, compiled.message);
         }

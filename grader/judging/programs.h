@@ -10,6 +10,7 @@
 #include "build/sandbox.h"
 #include "build/submission.h"
 #include "build/toolchain.h"
+#include "judging/kept.h"
 #include "judging/progress.h"
 #include "statistics/verdict.h"
 
@@ -23,6 +24,7 @@ struct BuildSettings {
     int jobs = 0;                // at a time; 0: one for each core
     bool trusted = false;
     fs::path keep;               // where objects and programs stay; empty: nowhere
+    Kept kept;                   // objects of an earlier grading, and for the next
 };
 
 /// A submission, compiled and linked: what a grading runs, whatever its seed.
@@ -42,6 +44,8 @@ public:
     const std::string& submission() const { return submission_; }
     const std::map<std::string, Problem>& problems() const { return problems_; }
     bool has(const std::string& fragment) const { return objects_.contains(fragment); }
+    /// The text that the fragment was compiled from; empty: a blank stands in.
+    std::string source(const std::string& fragment) const { return has(fragment) ? sources_.at(fragment) : ""; }
     const Sandbox& sandbox() const { return sandbox_; }
 
     /// The program that runs this fragment between the solution's others; that of all together; the solution's.
@@ -74,6 +78,7 @@ private:
     Sandbox sandbox_;
     std::map<std::string, Problem> problems_;
     std::map<std::string, fs::path> objects_, programs_;  // by fragment
+    std::map<std::string, std::string> sources_;          // of what was compiled, by fragment
     fs::path solution_, together_;
     std::mutex lock_;
 };

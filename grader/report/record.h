@@ -67,6 +67,7 @@ struct Record {
     std::string sandbox, toolchain, version, command;
     std::vector<FragmentRecord> fragments;  // in the order of the assignment
     double wall_seconds = 0;
+    int reused = 0;  // checks whose records are those of an earlier grading
 
     // the whole picture that the submission draws, for the page only
     rt::Image own_picture;

@@ -10,15 +10,17 @@ function(add_fragments name folder)
     precompile_fragments_header(${name})
 endfunction()
 
-# precompile_fragments_header(name): what every fragment includes, compiled once for all sets of fragments.
+# precompile_fragments_header(name): what every fragment includes, compiled once for all sets of fragments, for a target
+# of its own: CMake counts it among that target's objects.
 function(precompile_fragments_header name)
-    get_property(first GLOBAL PROPERTY rt_fragments_header)
-    if(first)
-        target_precompile_headers(${name} REUSE_FROM ${first})
-    else()
-        target_precompile_headers(${name} PRIVATE ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../rt/fragments.h)
-        set_property(GLOBAL PROPERTY rt_fragments_header ${name})
+    if(NOT TARGET fragments_header)
+        set(source ${CMAKE_CURRENT_BINARY_DIR}/fragments_header.cpp)
+        file(CONFIGURE OUTPUT ${source} CONTENT "// What fragments include, compiled in advance.\n")
+        add_library(fragments_header OBJECT ${source})
+        target_link_libraries(fragments_header PRIVATE rt rt_speed rt_warnings)
+        target_precompile_headers(fragments_header PRIVATE ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../rt/fragments.h)
     endif()
+    target_precompile_headers(${name} REUSE_FROM fragments_header)
 endfunction()
 
 # add_renderer(name fragments [LINKED]): the program `name`, with the target that add_fragments has made.

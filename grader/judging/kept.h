@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "build/files.h"
+#include "build/toolchain.h"
+#include "report/record.h"
+
+namespace grade {
+
+/// What one grading leaves for the next, where nothing is secret and the seed is always the same: the objects of fragments, and the
+/// records of checks. Each is found again under a hash of all that it was made from, and of the grader itself.
+class Kept {
+public:
+    /// Keeps nothing and finds nothing.
+    Kept() = default;
+
+    /// Throws std::runtime_error where the folder cannot be made.
+    Kept(const fs::path& folder, const Toolchain& chain);
+
+    /// The object that was compiled from this text, and where it goes for the next grading.
+    std::optional<fs::path> object(const std::string& fragment, const std::string& text) const;
+    void keep_object(const std::string& fragment, const std::string& text, const fs::path& object) const;
+
+    /// A check's record. made_from: settings and sources.
+    std::optional<CheckRecord> check(const std::string& key, const std::string& made_from) const;
+
+    /// Only verdicts that do not depend on how busy the machine is.
+    void keep_check(const std::string& key, const std::string& made_from, const CheckRecord& record) const;
+
+private:
+    fs::path path(const std::string& name, const std::string& made_from) const;
+
+    fs::path folder_;  // empty: nothing is kept
+    std::uint64_t framework_ = 0;
+};
+
+}  // namespace grade
