@@ -52,7 +52,7 @@ template <auto hit, class Shape>
 void try_shapes(const World& world, const std::vector<Shape>& shapes, Index first, const Shaft& shaft, Batch& b) {
     for (std::size_t k = 0; k < shapes.size(); ++k) {
         const Index id = first + Index(k);
-        if (!may_meet(shaft, world.boxes[std::size_t(id)])) continue;
+        if (!world.boxes.empty() && !may_meet(shaft, world.boxes[std::size_t(id)])) continue;
         const vec3 velocity = world.surfaces[std::size_t(id)].velocity;
         with_flag(velocity != vec3(0), [&](auto moves) { try_shape<hit, moves()>(shapes[k], velocity, id, b); });
     }
