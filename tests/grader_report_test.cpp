@@ -69,7 +69,7 @@ TEST_CASE("reports show what a picture costs and how noisy it is, beside the sol
     const std::string text = page(record, assignment());
     CHECK(text.find("One picture: RMSE 0.02 in 0.5 s of CPU time, efficiency 5e+03") != std::string::npos);
     CHECK(text.find("error against run time</text>") != std::string::npos);
-    CHECK(table(record, assignment(), false).find("0.12 of the solution's") != std::string::npos);
+    CHECK(table(record, assignment(), false).find("0.12 times the solution's") != std::string::npos);
 
     // without an error there is no efficiency
     check.cost->mse = 0;

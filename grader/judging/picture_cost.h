@@ -9,7 +9,7 @@ namespace grade {
 /// solution's, each against two pictures of the solution with other seeds. Does nothing where these are not known.
 ///
 /// first    the submission's first picture
-/// seconds  mean CPU time of its pictures
+/// seconds  CPU time of its fastest picture
 void add_picture_costs(CheckRecord& record, const rt::Image& first, double seconds, Reference& reference);
 
 }  // namespace grade

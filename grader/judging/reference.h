@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -39,7 +40,7 @@ public:
     /// Whether two seeds give two pictures, beyond rounding. None: not known.
     std::optional<bool> noisy();
 
-    /// Of one replicate, in the mean. None: not known.
+    /// Of the fastest replicate, since the first is slower than all others. None: not known.
     std::optional<double> cpu_seconds();
 
     /// The picture with the seed of one of the submission's replicates. None: not known, or the check renders nothing.
@@ -57,8 +58,7 @@ private:
         fs::path meshes;
         std::unique_ptr<Runner> runner;
         std::vector<Observation> own;  // of the submission's seeds
-        double cpu_seconds = 0;        // of all runs
-        int runs = 0;
+        double cpu_seconds = std::numeric_limits<double>::infinity();  // of the fastest run
 
         const Observation& with_seed_of_submission(int which);
         Observation run(std::uint64_t seed);

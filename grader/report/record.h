@@ -24,7 +24,7 @@ struct StatisticRecord {
 /// What one picture costs, and how far it is from the truth.
 struct PictureCost {
     double mse = 0;          // mean over pixels and channels; 0: no noise and no bias. Chance can make it negative
-    double cpu_seconds = 0;  // of rendering alone
+    double cpu_seconds = 0;  // of rendering alone, the fastest of all pictures
 
     /// 1 / (MSE x CPU time); none where there is no error.
     std::optional<double> efficiency() const;

@@ -87,7 +87,7 @@ std::string table(const Record& record, const Assignment& assignment, bool color
     text += fmt::format("{}{:<43}{:>6} of {}{}\n", color ? "\033[1m" : "", "Total", points(record.score()),
                         points(record.max_score()), color ? "\033[0m" : "");
     if (const auto ratio = record.efficiency_ratio())
-        text += fmt::format("Efficiency of pictures, 1/(MSE x CPU time): {:.2g} of the solution's (median)\n", *ratio);
+        text += fmt::format("Efficiency of pictures, 1/(MSE x CPU time): {:.2g} times the solution's (median)\n", *ratio);
     return text;
 }
 
