@@ -175,8 +175,10 @@ struct Builder {
     void build_pieces(std::vector<Bvh::Node>& nodes) {
         tbb::parallel_for(std::size_t(0), pieces.size(), [&](std::size_t k) {
             Piece& piece = pieces[k];
+            piece.nodes.reserve(piece.range.count() / 4 + 1);
             build(piece.range, piece.depth, false, piece.nodes);
         });
+        items = std::vector<FloatBox>();  // gives the memory back, as = {} does not
         std::size_t all = nodes.size();
         for (const Piece& piece : pieces) all += piece.nodes.size();
         nodes.reserve(all);
@@ -187,7 +189,7 @@ struct Builder {
                 for (std::uint32_t& child : node.child) child += node.leaf ? 0 : offset;
                 nodes.push_back(node);
             }
-            piece.nodes = {};
+            piece.nodes = std::vector<Bvh::Node>();
         }
     }
 };
