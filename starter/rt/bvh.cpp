@@ -10,7 +10,7 @@
 namespace rt {
 namespace {
 
-constexpr int bins = 16;
+constexpr int bins = 32;
 constexpr std::uint32_t piece_size = 1 << 14;  // of items whose tree is built by one thread
 constexpr int halved_below = 18;  // levels at which lists are halved without a look at areas: depth has a bound
 
