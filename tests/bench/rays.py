@@ -3,11 +3,11 @@
 
     tests/bench/rays.py BUILD [--rounds N] [--write]
 
-Builds tests/bench/rays.cpp in the build folder and runs it; with --write, tests/bench/rays.md is written. Without Embree
-(apt-get install libembree-dev, then configure again) only our own figures are shown. Each round times our stages, Embree
-with a medium tree and Embree with its best tree, one after the other, on one thread; the ratio is the median over rounds
-of ours to the faster of the two, with the least and the greatest round. Then a picture of a mesh of a million triangles
-is rendered, for its memory and seconds.
+Builds tests/bench/rays.cpp in the build folder and runs it; with --write, tests/bench/rays.md is written. Without
+Embree (apt-get install libembree-dev, then configure again) only our own figures are shown. Each round times our
+stages, Embree with a medium tree and Embree with its best tree, one after the other, on one thread; the ratio is the
+median over rounds of ours to the faster of the two, with the least and the greatest round. Then a picture of a mesh of
+a million triangles is rendered, for its memory and seconds.
 """
 
 import argparse
@@ -101,9 +101,9 @@ def report(results, linked, memory, cpu, rounds):
         "",
         f"Written by `tests/bench/rays.py BUILD --rounds {rounds} --write` on one thread of {os.cpu_count()} of "
         f"{processor.group(1) if processor else 'an unknown processor'}, which did other work as well.",
-        "Millions of rays per CPU second, the medians of the rounds. The mesh is a knot with bumps on a floor; both sides get the",
-        "same rays, ours in batches of 64 and in double precision, Embree's one by one and in single. Embree's two columns are its",
-        "tree of medium quality and its best.",
+        "Millions of rays per CPU second, the medians of the rounds. The mesh is a knot with bumps on a floor; both",
+        "sides get the same rays, ours in batches of 64 and in double precision, Embree's one by one and in single.",
+        "Embree's two columns are its tree of medium quality and its best.",
         "",
         "| triangles | rays | | ours | Embree | Embree, best tree | ratio (least to greatest round) |",
         "|---|---|---|---|---|---|---|",
@@ -131,22 +131,21 @@ def report(results, linked, memory, cpu, rounds):
         f"With fragments that are linked, not included, through {middle:,} triangles: {slower}.",
     ]
     first, last = results[sizes[0]], results[sizes[-1]]
-    growth = [
-        f"{name} {median(last[name]['ours']) / last[name]['rays'] / (median(first[name]['ours']) / first[name]['rays']):.2f}"
-        for name in kinds
-    ]
+    seconds = [{name: median(r[name]["ours"]) / r[name]["rays"] for name in kinds} for r in (first, last)]
+    growth = [f"{name} {seconds[1][name] / seconds[0][name]:.2f}" for name in kinds]
     lines += [
         "",
-        f"From {sizes[0]:,} to {sizes[-1]:,} triangles the logarithm doubles, and the time of a ray grows by factors of",
-        f"{', '.join(growth)}.",
+        f"From {sizes[0]:,} to {sizes[-1]:,} triangles the logarithm doubles, and the time of a ray grows by",
+        f"factors of {', '.join(growth)}.",
         "",
-        "A whole process that reads 1,000,000 triangles with smooth normals, builds the tree and draws 256 × 256 pixels with 16",
-        f"samples: {memory:.0f} MiB at most, {cpu:.1f} CPU seconds.",
+        "A whole process that reads 1,000,000 triangles with smooth normals, builds the tree and draws 256 × 256",
+        f"pixels with 16 samples: {memory:.0f} MiB at most, {cpu:.1f} CPU seconds.",
         "",
-        "A ratio below 1 falls short of the goal. What stands in the way: a ray's last word is the fragment `hit_triangle`, watertight",
-        "and in double precision with six divisions, on vectors half as wide as single precision's and with every ray and triangle",
-        "copied into them; boxes are the only thing that may leave a triangle out, for any cheaper test would take the exercise away",
-        "from the student; and a step without branches always handles all eight children of a node, met or not.",
+        "A ratio below 1 falls short of the goal. What stands in the way: a ray's last word is the fragment",
+        "`hit_triangle`, watertight and in double precision with six divisions, on vectors half as wide as single",
+        "precision's and with every ray and triangle copied into them; boxes are the only thing that may leave a",
+        "triangle out, for any cheaper test would take the exercise away from the student; and a step without branches always",
+        "handles all eight children of a node, met or not.",
         "",
     ]
     return "\n".join(lines)
@@ -158,7 +157,8 @@ def main():
     words.add_argument("--rounds", type=int, default=7)
     words.add_argument("--write", action="store_true", help="write tests/bench/rays.md")
     words = words.parse_args()
-    subprocess.run(["cmake", "--build", words.build, "--target", "rays", "rays_linked", "raytrace"], check=True, stdout=subprocess.DEVNULL)
+    build = ["cmake", "--build", words.build, "--target", "rays", "rays_linked", "raytrace"]
+    subprocess.run(build, check=True, stdout=subprocess.DEVNULL)
 
     def run(program, n):
         command = [words.build / "tests/bench" / program, str(n), "--rounds", str(words.rounds)]

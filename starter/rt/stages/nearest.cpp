@@ -93,7 +93,7 @@ void measure(const World& world, const std::vector<Shape>& all, Index first, con
     }
 }
 
-/// Distances of all that the rays meet, kind by kind. Items are numbered kind by kind: spheres, triangles, quads, discs.
+/// Distances of all that the rays meet, kind by kind, as items are numbered: spheres, triangles, quads, discs.
 template <bool time>
 void measure_all(const World& world, const Batch& b, const Real* far, Meetings& m) {
     const RenderPlan& plan = world.plan;
