@@ -137,8 +137,9 @@ TEST_CASE("the depth has a bound: all boxes in one place, each half as large as 
     check_tree(std::vector<Box>(100000, one));
     std::vector<Box> halves(1000), flat(1000);
     for (int i = 0; i < 1000; ++i) {
-        halves[std::size_t(i)].include(vec3(power_of_two(-i))), halves[std::size_t(i)].include(vec3(power_of_two(-i - 1)));
-        flat[std::size_t(i)].include(vec3(i, 0, 0)), flat[std::size_t(i)].include(vec3(i + 1, 0, 0));
+        Box &half = halves[std::size_t(i)], &square = flat[std::size_t(i)];
+        half.include(vec3(power_of_two(-i))), half.include(vec3(power_of_two(-i - 1)));
+        square.include(vec3(i, 0, 0)), square.include(vec3(i + 1, 0, 0));
     }
     check_tree(halves);
     check_tree(flat);

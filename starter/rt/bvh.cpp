@@ -10,12 +10,12 @@
 namespace rt {
 namespace {
 
-constexpr int bins = 16;
+constexpr int bins = 32;
 constexpr std::uint32_t piece_size = 1 << 14;  // of items whose tree is built by one thread
 constexpr int halved_below = 18;  // levels at which lists are halved without a look at areas: depth has a bound
 
-/// A box in the tree's space: low corner and minus the high corner, so that to join two is one minimum of 8 numbers. The
-/// fourth number of an item's box is the item, bit by bit.
+/// A box in the tree's space: low corner and minus the high corner, so that to join two is one minimum of 8 numbers.
+/// The fourth number of an item's box is the item, bit by bit.
 struct alignas(32) FloatBox {
     float v[8] = {1e30f, 1e30f, 1e30f, 0, 1e30f, 1e30f, 1e30f, 0};
 
@@ -74,7 +74,9 @@ struct Builder {
             per_unit[a] = extent > 0 ? 0.999f * bins / extent : 0;
             if (!(per_unit[a] < 1e30f)) per_unit[a] = 0;
         }
-        const auto bin_of = [&](const FloatBox& item, int a) { return int((item.twice_center(a) - low[a]) * per_unit[a]); };
+        const auto bin_of = [&](const FloatBox& item, int a) {
+            return int((item.twice_center(a) - low[a]) * per_unit[a]);
+        };
 
         std::array<std::array<FloatBox, bins>, 3> box;
         std::uint32_t count[3][bins] = {};
@@ -175,8 +177,10 @@ struct Builder {
     void build_pieces(std::vector<Bvh::Node>& nodes) {
         tbb::parallel_for(std::size_t(0), pieces.size(), [&](std::size_t k) {
             Piece& piece = pieces[k];
+            piece.nodes.reserve(piece.range.count() / 4 + 1);
             build(piece.range, piece.depth, false, piece.nodes);
         });
+        items = std::vector<FloatBox>();  // gives the memory back, as = {} does not
         std::size_t all = nodes.size();
         for (const Piece& piece : pieces) all += piece.nodes.size();
         nodes.reserve(all);
@@ -187,7 +191,7 @@ struct Builder {
                 for (std::uint32_t& child : node.child) child += node.leaf ? 0 : offset;
                 nodes.push_back(node);
             }
-            piece.nodes = {};
+            piece.nodes = std::vector<Bvh::Node>();
         }
     }
 };

@@ -28,8 +28,8 @@ struct Box {
 /// Boxes are in single precision, in the tree's own space: (p - center) scale lies between -1 and 1, wherever the scene
 /// is and however large. They are rounded; traverse.h widens them.
 ///
-/// Source: Wald, Benthin, Boulos, "Getting Rid of Packets", IRT 2008; Dammertz, Hanika, Keller, "Shallow Bounding Volume
-/// Hierarchies for Fast SIMD Ray Tracing of Incoherent Rays", EGSR 2008.
+/// Source: Wald, Benthin, Boulos, "Getting Rid of Packets", IRT 2008; Dammertz, Hanika, Keller, "Shallow Bounding
+/// Volume Hierarchies for Fast SIMD Ray Tracing of Incoherent Rays", EGSR 2008.
 struct Bvh {
     static constexpr int width = 8;
     static constexpr int deepest = 32;  // levels of nodes

@@ -6,7 +6,8 @@
 /// Pairs of a ray and a shape that may meet.
 namespace rt {
 
-/// Which rays meet the boxes of which items, lane << 32 | item, and the distances to be found.
+/// Which rays meet the boxes of which items, lane << 32 | item, and the distances to be found. A ray takes no other
+/// step before its pairs have been tested, so that there are never more than `most`; a step writes a few places beyond.
 struct alignas(64) Meetings {
     static constexpr int most = lanes * Bvh::width;
     std::uint64_t pair[most + Bvh::width];

@@ -8,13 +8,13 @@
 
 /// Rays of a batch on their way through the tree, all at once, one node after the other.
 ///
-/// A step has no branches: rays go different ways, so a processor would guess most of them wrong, and while one ray waits
-/// for its node the others go on. Items whose boxes are met are put in one list for all rays, so that the tests of what is
-/// in them are one loop over that list.
+/// A step has no branches: rays go different ways, so a processor would guess most of them wrong, and while one ray
+/// waits for its node the others go on. Items whose boxes are met are put in one list for all rays, so that the tests
+/// of what is in them are one loop over that list.
 namespace rt {
 
-/// The rays in the tree's space, in single precision: a plane x = c of a box is met at c inverse - shift. Each ray starts
-/// where it enters the whole, so that numbers stay near 1 however far the eye is.
+/// The rays in the tree's space, in single precision: a plane x = c of a box is met at c inverse - shift. Each ray
+/// starts where it enters the whole, so that numbers stay near 1 however far the eye is.
 struct alignas(64) Journeys {
     float inverse[3][lanes], inverse_out[3][lanes];
     float shift_in[3][lanes], shift_out[3][lanes];  // of the planes where it enters boxes, and where it leaves them
@@ -25,7 +25,8 @@ struct alignas(64) Journeys {
     Index near_side[3][lanes], far_side[3][lanes];  // which of a node's bounds are met first, and last
     Index turn[3][lanes];                           // 7: children far along the axis are far; 0: they are near
     int depth[lanes];                               // of the stack; its place 0 is not in use
-    std::uint64_t stack[lanes][(Bvh::deepest + 1) * Bvh::width];  // distance of a box << 32 | its node; the nearest about last
+    // distance of a box << 32 | its node; the nearest about last
+    std::uint64_t stack[lanes][(Bvh::deepest + 1) * Bvh::width];
 };
 
 /// Single precision's share of the boxes' margin: roundings of numbers up to 4, eight times over.
@@ -33,9 +34,10 @@ constexpr Real box_margin = 0x1p-19;
 
 /// Starts the rays of a batch that have an interval left and meet the box of the whole.
 ///
-/// All boxes are widened: by some roundings of the largest numbers that take part in finding a hit, in double precision,
-/// so that none is missed that an item's test finds; and by roundings of what the tree itself computes. No component of a
-/// direction is 0 here: 2^-60 moves no ray by more than the margin, and then no quotient is infinite or 0/0.
+/// All boxes are widened: by some roundings of the largest numbers that take part in finding a hit, in double
+/// precision, so that none is missed that an item's test finds; and by roundings of what the tree itself computes. No
+/// component of a direction is 0 here: 2^-60 moves no ray by more than the margin, and then no quotient is infinite or
+/// 0/0.
 ///
 /// Source: Kay and Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986; Ize, "Robust BVH Ray Traversal", JCGT 2(2),
 /// 2013.
@@ -53,7 +55,8 @@ inline void start(const Bvh& bvh, const Batch& b, Journeys& j) {
         for (int a = 0; a < 3; ++a) {
             const Real part = d[a] * over_speed, size = std::abs(part);
             over[a] = std::copysign(1 / (size > 0x1p-60 ? size : 0x1p-60), part);
-            const Real one = (whole.low[a] - margin - o[a]) * over[a], other = (whole.high[a] + margin - o[a]) * over[a];
+            const Real one = (whole.low[a] - margin - o[a]) * over[a];
+            const Real other = (whole.high[a] + margin - o[a]) * over[a];
             const Real in = over[a] < 0 ? other : one, out = over[a] < 0 ? one : other;
             enter = in > enter ? in : enter;
             leave = out < leave ? out : leave;
@@ -116,7 +119,8 @@ inline void look_at_node(const Bvh::Node* nodes, const Journeys& j, int i, Child
         const float enter_z = low_z[c] * z - in_z, leave_z = high_z[c] * z_out - out_z;
         const float enter_xy = enter_x > enter_y ? enter_x : enter_y, enter_z0 = enter_z > 0 ? enter_z : 0;
         const float leave_xy = leave_x < leave_y ? leave_x : leave_y, leave_zf = leave_z < far ? leave_z : far;
-        const float enter = enter_xy > enter_z0 ? enter_xy : enter_z0, leave = leave_xy < leave_zf ? leave_xy : leave_zf;
+        const float enter = enter_xy > enter_z0 ? enter_xy : enter_z0;
+        const float leave = leave_xy < leave_zf ? leave_xy : leave_zf;
         children.meets[c] = enter <= leave;
         children.value[c] =
             std::uint64_t(leaf ? std::uint32_t(i) : std::bit_cast<std::uint32_t>(enter)) << 32 | node.child[c];

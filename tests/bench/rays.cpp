@@ -2,8 +2,9 @@
 ///
 ///     rays N [--rounds R]
 ///
-/// The same rays for both, in turns; one line of JSON with seconds for each round. One thread. Camera rays are coherent;
-/// bounce and shadow rays leave the points that camera rays hit. Without Embree at build time only our own are timed.
+/// The same rays for both, in turns; one line of JSON with seconds for each round. One thread. Camera rays are
+/// coherent; bounce and shadow rays leave the points that camera rays hit. Without Embree at build time only our own
+/// are timed.
 
 #include <sys/resource.h>
 
@@ -28,7 +29,8 @@ namespace {
 double cpu_seconds() {
     rusage used;
     getrusage(RUSAGE_SELF, &used);
-    return double(used.ru_utime.tv_sec + used.ru_stime.tv_sec) + 1e-6 * double(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
+    const auto seconds = [](timeval t) { return double(t.tv_sec) + 1e-6 * double(t.tv_usec); };
+    return seconds(used.ru_utime) + seconds(used.ru_stime);
 }
 
 /// A number in [0, 1) for each ray.
@@ -131,7 +133,8 @@ std::pair<Rays, Rays> second_rays(const Mesh& m, const Rays& rays, const Found& 
     for (std::size_t k = 0; k < found.t.size(); ++k) {
         if (found.id[k] == nothing) continue;
         const glm::ivec3 c = m.triangles[std::size_t(found.id[k])];
-        vec3 n = unit(cross(m.vertices[std::size_t(c.y)] - m.vertices[std::size_t(c.x)], m.vertices[std::size_t(c.z)] - m.vertices[std::size_t(c.x)]));
+        const auto corner = [&](int which) { return m.vertices[std::size_t(c[which])]; };
+        vec3 n = unit(cross(corner(1) - corner(0), corner(2) - corner(0)));
         if (dot(n, rays[k].direction) > 0) n = -n;
         // Above the surface by more than single precision's errors, so that both hit the same.
         const vec3 p = rays[k].origin + found.t[k] * rays[k].direction + 1e-4 * n;
@@ -152,10 +155,12 @@ struct Embree {
 
     Embree(const Mesh& m, RTCBuildQuality quality) {
         RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* v = static_cast<float*>(rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, m.vertices.size()));
+        auto* v = static_cast<float*>(
+            rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, m.vertices.size()));
         for (std::size_t i = 0; i < m.vertices.size(); ++i)
             for (int a = 0; a < 3; ++a) v[3 * i + std::size_t(a)] = float(m.vertices[i][a]);
-        auto* t = static_cast<unsigned*>(rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, m.triangles.size()));
+        auto* t = static_cast<unsigned*>(
+            rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, m.triangles.size()));
         for (std::size_t i = 0; i < m.triangles.size(); ++i)
             for (int a = 0; a < 3; ++a) t[3 * i + std::size_t(a)] = unsigned(m.triangles[i][a]);
         build_seconds -= cpu_seconds();
@@ -173,8 +178,8 @@ struct Embree {
 std::vector<RTCRay> embree_rays(const Rays& rays) {
     std::vector<RTCRay> out;
     for (const Ray& r : rays)
-        out.push_back({float(r.origin.x), float(r.origin.y), float(r.origin.z), 0, float(r.direction.x), float(r.direction.y),
-                       float(r.direction.z), 0, float(r.far), ~0u, 0, 0});
+        out.push_back({float(r.origin.x), float(r.origin.y), float(r.origin.z), 0, float(r.direction.x),
+                       float(r.direction.y), float(r.direction.z), 0, float(r.far), ~0u, 0, 0});
     return out;
 }
 

@@ -50,9 +50,10 @@ void try_shape(const Shape& in_memory, vec3 velocity, Index id, Batch& b) {
 /// All of a kind, one by one. first is the number of the first of them.
 template <auto hit, class Shape>
 void try_shapes(const World& world, const std::vector<Shape>& shapes, Index first, const Shaft& shaft, Batch& b) {
+    const Box* const boxes = world.boxes.empty() ? nullptr : world.boxes.data();  // none: all shapes are tried
     for (std::size_t k = 0; k < shapes.size(); ++k) {
         const Index id = first + Index(k);
-        if (!world.boxes.empty() && !may_meet(shaft, world.boxes[std::size_t(id)])) continue;
+        if (boxes && !may_meet(shaft, boxes[id])) continue;
         const vec3 velocity = world.surfaces[std::size_t(id)].velocity;
         with_flag(velocity != vec3(0), [&](auto moves) { try_shape<hit, moves()>(shapes[k], velocity, id, b); });
     }
@@ -92,7 +93,7 @@ void measure(const World& world, const std::vector<Shape>& all, Index first, con
     }
 }
 
-/// Distances of all that the rays meet, kind by kind. Items are numbered kind by kind: spheres, triangles, quads, discs.
+/// Distances of all that the rays meet, kind by kind, as items are numbered: spheres, triangles, quads, discs.
 template <bool time>
 void measure_all(const World& world, const Batch& b, const Real* far, Meetings& m) {
     const RenderPlan& plan = world.plan;
