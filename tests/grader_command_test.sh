@@ -31,6 +31,11 @@ expect 3 "the grader failed" "$grade" solution --only moved --toolchain "$work/n
 timeless() { grep -v '_seconds"\|"command"' "$1"; }
 expect 0 "" diff <(timeless "$work/a.json") <(timeless "$work/b.json")
 
+# in student mode, whose seed is always the same, what has not changed is not run again
+expect 0 "2 of 2" "$grade" solution --only moved --mode student
+expect 0 "checks as before" "$grade" solution --only moved --mode student
+expect 0 "2 of 2" "$grade" solution --only moved --mode student --fresh
+
 # a sandbox is stated, and so is its absence
 expect 0 "the submission is trusted" "$grade" solution --only moved --trusted
 

@@ -258,6 +258,38 @@ TEST_CASE("the same submission and seed give the same record but for times") {
     CHECK(timeless(graded(same)) == timeless(graded(same)));
 }
 
+TEST_CASE("without a solution, only checks whose fragments have changed run again, and come out as they would alone") {
+    const TemporaryFolder folder;
+    const auto again = [&](const Submission& what, bool keep) {
+        GradingSettings settings;
+        settings.only = {names.begin(), names.end()};
+        settings.student = true;
+        settings.jobs = 2;
+        if (keep) settings.kept = Kept(folder.path(), toolchain());
+        return grade_submission(what, read_assignment("assignment.toml"), toolchain(), toy_checks(), settings);
+    };
+    const auto verdicts = [](const Record& record) {
+        std::vector<Verdict> all;
+        for (const FragmentRecord& fragment : record.fragments) all.push_back(fragment.verdict);
+        return all;
+    };
+    const Submission good = submission({});
+    CHECK(again(good, true).reused == 0);
+    const Record second = again(good, true);
+    CHECK(second.reused == 3);
+    CHECK(verdicts(second) == verdicts(again(good, false)));
+    CHECK(second.fragments[0].checks[0].statistics.size() == 1);
+
+    // camera_ray is needed by none of the others; uniform_disk's check needs mirror_direction
+    CHECK(again(submission({{"camera_ray", solution("camera_ray") + "\n"}}), true).reused == 2);
+    const Submission wrong = submission({{"mirror_direction", mirror("return 2.0 * d;")}});
+    const Record third = again(wrong, true);
+    CHECK(of(third, "mirror_direction").verdict == Verdict::failed);
+    CHECK(of(third, "uniform_disk").verdict == Verdict::blocked);
+    CHECK(verdicts(third) == verdicts(again(wrong, false)));
+    CHECK(again(wrong, true).reused == 2);
+}
+
 TEST_CASE("without a solution, a check waits for the fragments that it needs, and says for which") {
     const Record record = graded(submission({{"mirror_direction", mirror("return 2.0 * d;")}}), true);
     CHECK(of(record, "mirror_direction").verdict == Verdict::failed);
