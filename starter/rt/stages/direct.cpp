@@ -67,7 +67,7 @@ void point_light(const World& world, const PointLight& light_in_memory, const Ba
 
 /// One sample of a light with extent for each lane.
 template <Sampler sampler, bool highlights, Emitter::Kind kind>
-void area_light(const Emitter& emitter, Bits dimension, int n, const Batch& b, const Surfaces& s,
+[[gnu::noinline]] void area_light(const Emitter& emitter, Bits dimension, int n, const Batch& b, const Surfaces& s,
                 const Reflectances& reflectances, Batch& shadow, Colors& light) {
     Emitter lamp = emitter;
     lamp.kind = kind;

@@ -29,9 +29,9 @@ inline Triangle at_time(Triangle t, vec3 velocity, Real time) {
 }
 
 /// One shape against all rays of a batch. Of two shapes at one distance the first is hit, the one with the lower
-/// number.
+/// number. A function of its own, for the compiler gives up on loops in a large one.
 template <auto hit, bool moves, class Shape>
-void try_shape(const Shape& in_memory, vec3 velocity, Index id, Batch& b) {
+[[gnu::noinline]] void try_shape(const Shape& in_memory, vec3 velocity, Index id, Batch& b) {
     const Shape shape = in_memory;
 #pragma GCC ivdep
     for (int i = 0; i < lanes; ++i) {
