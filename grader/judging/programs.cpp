@@ -65,7 +65,8 @@ void Programs::compile(const Submission& submission) {
         const std::string& text = submission.texts.at(name);
         const auto before = settings_.kept.object(name, text);
         const Compiled compiled = before ? Compiled{true, *before, {}}
-                                         : compile_fragment(chain_, sandbox_, name, text, submission.folder + name + ".cpp",
+                                         : compile_fragment(chain_, sandbox_, name, text,
+                                                            submission.folder + name + ".cpp",
                                                             folder("objects/" + name));
         if (compiled.good) {
             if (!before) settings_.kept.keep_object(name, text, compiled.object);

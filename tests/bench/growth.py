@@ -3,8 +3,8 @@
 
     tests/bench/growth.py BUILD [--rounds N] [--triangles N] [--out FILE]
 
-CPU seconds of rendering alone, as raytrace reports them: each size in turn, all again in each round, the median of the rounds. An
-exponent k is the slope of log seconds against log size: seconds ~ size^k, with its 95 % interval from the fit. Building
+CPU seconds of rendering alone, as raytrace reports them: each size in turn, all again in each round, the median of the
+rounds. An exponent k is the slope of log seconds against log size: seconds ~ size^k, with its 95 % interval from the fit. Building
 the tree and reading the file are the rest of the process, and have columns of their own.
 
 Exit status: 0 done; targets that are missed are marked, not errors.
@@ -110,7 +110,9 @@ def lamps(n):
     text, side = LAMPS.replace("12, 12, 12", f"{48 / n}, {48 / n}, {48 / n}"), math.ceil(math.sqrt(n))
     for k in range(n):
         x, z = (4 * ((k % side) + 0.5) / side - 2, 4 * ((k // side) + 0.5) / side - 2)
-        text += f'[[shape]]\ntype = "quad"\ncenter = [{x}, 4.5, {z}]\nu = [0.1, 0, 0]\nv = [0, 0, 0.1]\nmaterial = "lamp"\n'
+        text += (
+            f'[[shape]]\ntype = "quad"\ncenter = [{x}, 4.5, {z}]\nu = [0.1, 0, 0]\nv = [0, 0, 0.1]\nmaterial = "lamp"\n'
+        )
     return text
 
 
@@ -133,7 +135,9 @@ class Bench:
         last = slice(-4, None)
         k, half = slope_interval(sizes[last], seconds[last])
         self.text += f"## {title}\n\nExponent of the last four: {k:.2f} ± {half:.2f}; {goal}.\n\n"
-        self.text += f"| {unit} | CPU s |{''.join(f' {name} |' for name, _ in columns)}\n|---|---|{'---|' * len(columns)}\n"
+        self.text += (
+            f"| {unit} | CPU s |{''.join(f' {name} |' for name, _ in columns)}\n|---|---|{'---|' * len(columns)}\n"
+        )
         for n, s, each in zip(sizes, seconds, runs):
             more = "".join(f" {three_digits(statistics.median(f(r) for r in each))} |" for _, f in columns)
             self.text += f"| {n} | {s:.4f} |{more}\n"
@@ -162,7 +166,13 @@ def measure(bench, most_triangles):
         file = bench.folder / f"lamps-{n}.toml"
         file.write_text(lamps(n))
         jobs.append((file, plain))
-    bench.table("Lamps", "lamps", sizes, bench.runs(jobs), "each of them sampled from each point is 1, to be below it is the goal")
+    bench.table(
+        "Lamps",
+        "lamps",
+        sizes,
+        bench.runs(jobs),
+        "each of them sampled from each point is 1, to be below it is the goal",
+    )
 
     sizes, jobs = [], []
     for n in [10**k * f for k in range(2, 7) for f in (1, 3)]:
@@ -173,20 +183,28 @@ def measure(bench, most_triangles):
         file.write_text(MESH.replace("FILE", mesh.name))
         jobs.append((file, plain))
     runs = bench.runs(jobs)
-    seconds = bench.table("Triangles", "triangles", sizes, runs, "no more than a logarithm is the goal", [
-        ("reading and building, CPU s", lambda r: r.cpu - r.render), ("peak, MB", lambda r: r.megabytes)])
-    last = [s / math.log2(n) for n, s in zip(sizes, seconds)]
-    per_doubling = (seconds[-1] / seconds[-5]) / (math.log(sizes[-1]) / math.log(sizes[-5]))
-    bench.text += (f"From {sizes[-5]} to {sizes[-1]} triangles the seconds grow by {seconds[-1] / seconds[-5]:.2f}, the logarithm by "
-                   f"{math.log(sizes[-1]) / math.log(sizes[-5]):.2f}.\n\n")
+    seconds = bench.table(
+        "Triangles",
+        "triangles",
+        sizes,
+        runs,
+        "no more than a logarithm is the goal",
+        [("reading and building, CPU s", lambda r: r.cpu - r.render), ("peak, MB", lambda r: r.megabytes)],
+    )
+    bench.text += (
+        f"From {sizes[0]} to {sizes[-1]} triangles the seconds grow by {seconds[-1] / seconds[0]:.2f}, the logarithm by "
+        f"{math.log(sizes[-1]) / math.log(sizes[0]):.2f}.\n\n"
+    )
     largest = runs[-1]
 
     # One and two threads in turn: of the wall time, what two save; of the CPU time, what they add.
     threads = bench.runs([(SCENE, ["--samples", 256, "--threads", n]) for n in (1, 2)])
     one, two = ([statistics.median(getattr(r, k) for r in each) for k in ("render_wall", "render")] for each in threads)
-    bench.text += (f"## Threads\n\n| threads | wall s | CPU s |\n|---|---|---|\n| 1 | {one[0]:.3f} | {one[1]:.3f} |\n"
-                   f"| 2 | {two[0]:.3f} | {two[1]:.3f} |\n\nTwice the threads are {one[0] / two[0]:.2f} times as fast by the clock "
-                   f"({2 * one[1] / two[1]:.2f} by CPU seconds, which other work on the machine disturbs less); the goal is 1.9.\n\n")
+    bench.text += (
+        f"## Threads\n\n| threads | wall s | CPU s |\n|---|---|---|\n| 1 | {one[0]:.3f} | {one[1]:.3f} |\n"
+        f"| 2 | {two[0]:.3f} | {two[1]:.3f} |\n\nTwice the threads are {one[0] / two[0]:.2f} times as fast by the clock "
+        f"({2 * one[1] / two[1]:.2f} by CPU seconds, which other work on the machine disturbs less); the goal is 1.9.\n\n"
+    )
 
     bench.text += "## Memory and start\n\n| what | measured | goal | |\n|---|---|---|---|\n"
     small = bench.runs([(SCENE, [])])[0]
@@ -214,7 +232,9 @@ def main():
     command = f"tests/bench/growth.py {words.build} --rounds {words.rounds}"
     words.out.write_text(
         f"# How cost grows\n\nMade by `{command}` in {(time.monotonic() - start) / 60:.1f} minutes, on {machine()}, shared with other\n"
-        "work. CPU seconds of rendering alone on one thread, unless said otherwise; soft_shadow, or scenes made for it.\n\n" + bench.text)
+        "work. CPU seconds of rendering alone on one thread, unless said otherwise; soft_shadow, or scenes made for it.\n\n"
+        + bench.text
+    )
 
 
 if __name__ == "__main__":

@@ -42,7 +42,10 @@ def start_again_with_mitsuba():
         sys.exit("build/mitsuba has no mitsuba or no numpy; remove it and start again")
     if not python.exists():
         print("Installing Mitsuba into build/mitsuba", flush=True)
-        for step in ([sys.executable, "-m", "venv", folder], [python, "-m", "pip", "install", "-q", "mitsuba", "numpy"]):
+        for step in (
+            [sys.executable, "-m", "venv", folder],
+            [python, "-m", "pip", "install", "-q", "mitsuba", "numpy"],
+        ):
             if subprocess.run(step, stdout=subprocess.DEVNULL).returncode:
                 print("skipped: no Mitsuba here, and it could not be installed (above)")
                 sys.exit(77)
@@ -147,8 +150,16 @@ def compare(scene, ours, peers, rounds, rows):
             continue
         apart = float(((halves[0] - ours.halves[0]) * (halves[1] - ours.halves[1])).mean())
         mean = (halves[0] + halves[1]).mean() / 2
-        rows["bias"].append((scene.stem, family, mean / ours_mean.mean() - 1, math.sqrt(max(apart, 0)) / ours_mean.mean(),
-                             apart / targets[0], apart / targets[1]))
+        rows["bias"].append(
+            (
+                scene.stem,
+                family,
+                mean / ours_mean.mean() - 1,
+                math.sqrt(max(apart, 0)) / ours_mean.mean(),
+                apart / targets[0],
+                apart / targets[1],
+            )
+        )
 
     curves = {}
     for r in everybody:
@@ -157,9 +168,14 @@ def compare(scene, ours, peers, rounds, rows):
         if r.name == "Mitsuba scalar_rgb" and llvm:  # the same code: the same ways
             ways = list(dict.fromkeys(c.way for c in curves[llvm.name] if c))
         curves[r.name] = best_ways(r, scene, r.halves, targets, ways)
-        print(f"  {scene.stem}, {r.name}: " + "; ".join(
-            f"{c.way}, {c.at(t)[0]:.3g} samples, {c.at(t)[1]:.3g} s" if c else "not reached"
-            for c, t in zip(curves[r.name], targets)), flush=True)
+        print(
+            f"  {scene.stem}, {r.name}: "
+            + "; ".join(
+                f"{c.way}, {c.at(t)[0]:.3g} samples, {c.at(t)[1]:.3g} s" if c else "not reached"
+                for c, t in zip(curves[r.name], targets)
+            ),
+            flush=True,
+        )
 
     at_64 = {}
     for r in everybody:
@@ -175,12 +191,16 @@ def compare(scene, ours, peers, rounds, rows):
         for number in range(rounds):
             for r in everybody:
                 curve = curves[r.name][k]
-                if curve and number < (rounds if curve.at(target)[1] < SLOW else 3 if curve.at(target)[1] < 4 * SLOW else 2):
+                if curve and number < (
+                    rounds if curve.at(target)[1] < SLOW else 3 if curve.at(target)[1] < 4 * SLOW else 2
+                ):
                     times[r.name].append(time_to(r, scene, curve, target, 11 + number))
         for r in everybody:
             curve = curves[r.name][k]
             pairs = list(zip(times.get(r.name, []), times[ours.name]))
-            rows["time"].append((scene.stem, (64, 1024)[k], target, r.name, curve, times.get(r.name), pairs, at_64.get(r.name)))
+            rows["time"].append(
+                (scene.stem, (64, 1024)[k], target, r.name, curve, times.get(r.name), pairs, at_64.get(r.name))
+            )
     print(f"  {scene.stem}: {time.monotonic() - start:.0f} s", flush=True)
 
 

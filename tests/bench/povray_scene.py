@@ -36,9 +36,11 @@ def lamp(shape, emission, n):
     near = 1e-4  # attenuation 2 / (1 + (r / near)^2)
     intensity = np.array(emission, dtype=float) * area / math.pi / (2 * near * near)
     shrink = 2 * (n - 1) / n
-    return (f"light_source {{ {vector(c)} {color(intensity)} fade_power 2 fade_distance {near}\n"
-            f"  spotlight radius 90 falloff 90 tightness 1 point_at {vector(c + normal)}\n"
-            f"  area_light {vector(shrink * u)}, {vector(shrink * v)}, {n}, {n} jitter area_illumination on }}\n")
+    return (
+        f"light_source {{ {vector(c)} {color(intensity)} fade_power 2 fade_distance {near}\n"
+        f"  spotlight radius 90 falloff 90 tightness 1 point_at {vector(c + normal)}\n"
+        f"  area_light {vector(shrink * u)}, {vector(shrink * v)}, {n}, {n} jitter area_illumination on }}\n"
+    )
 
 
 def to_povray(scene, lamp_samples, blur_samples):
@@ -48,13 +50,17 @@ def to_povray(scene, lamp_samples, blur_samples):
     aspect = camera["size"][0] / camera["size"][1]
     angle = 2 * math.degrees(math.atan(aspect * math.tan(math.radians(camera["vfov"]) / 2)))
     text = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n"
-    text += (f"camera {{ perspective location {vector(eye)} up <0, 1, 0> right <{aspect}, 0, 0>\n"
-             f"  sky {vector(camera['up'])} angle {angle:.9g} look_at {vector(target)}\n")
+    text += (
+        f"camera {{ perspective location {vector(eye)} up <0, 1, 0> right <{aspect}, 0, 0>\n"
+        f"  sky {vector(camera['up'])} angle {angle:.9g} look_at {vector(target)}\n"
+    )
     if blur_samples:
         # Of no width where there is no lens: a pixel's rays are spread over it all the same.
         focus = eye + camera.get("focus", 1) * (target - eye) / np.linalg.norm(target - eye)
-        text += (f"  focal_point {vector(focus)} aperture {4 * camera.get('lens_radius', 1e-9):.9g}\n"
-                 f"  blur_samples {blur_samples} variance 0 confidence 0.999999\n")
+        text += (
+            f"  focal_point {vector(focus)} aperture {4 * camera.get('lens_radius', 1e-9):.9g}\n"
+            f"  blur_samples {blur_samples} variance 0 confidence 0.999999\n"
+        )
     text += "}\n"
     for shape in scene["shape"]:
         material = scene["materials"][shape["material"]]

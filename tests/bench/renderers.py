@@ -53,8 +53,24 @@ class Penumbra:
     def render(self, scene, way, n, seed):
         n = 2 ** round(math.log2(n)) if way == "sobol" else round(n)
         done = subprocess.run(
-            [self.raytrace, scene, "-o", self.out, "--threads", "1", "--sampler", way, "--samples", str(n), "--seed", str(seed)],
-            capture_output=True, text=True, check=True)
+            [
+                self.raytrace,
+                scene,
+                "-o",
+                self.out,
+                "--threads",
+                "1",
+                "--sampler",
+                way,
+                "--samples",
+                str(n),
+                "--seed",
+                str(seed),
+            ],
+            capture_output=True,
+            text=True,
+            check=True,
+        )
         return read_image(self.out), float(re.search(r"time\s+([\d.]+) s CPU", done.stdout).group(1)), n
 
 
@@ -64,8 +80,14 @@ class Mitsuba:
     def __init__(self, variant, raytrace, folder, environment):
         self.name, self.variant, self.compiles = f"Mitsuba {variant}", variant, variant.startswith("llvm")
         self.raytrace, self.folder = raytrace, folder
-        self.child = subprocess.Popen([sys.executable, HERE / "mitsuba_child.py", variant], text=True, bufsize=1,
-                                      stdin=subprocess.PIPE, stdout=subprocess.PIPE, env={**os.environ, **environment})
+        self.child = subprocess.Popen(
+            [sys.executable, HERE / "mitsuba_child.py", variant],
+            text=True,
+            bufsize=1,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            env={**os.environ, **environment},
+        )
 
     def ways(self, scene):
         """Samplers, and the integrator: that for direct light alone where it suffices, with its samples of the lamp."""
@@ -99,8 +121,12 @@ class Mitsuba:
             subprocess.run([self.raytrace, source, "--export-mitsuba", name], check=True)
             text = name.read_text().replace('<sampler type="independent">', f'<sampler type="{sampler}">')
             if integrator == "direct":
-                text = re.sub(r"<integrator.*?</integrator>", '<integrator type="direct"><integer name="emitter_samples" '
-                              f'value="{lamp[0]}"/><integer name="bsdf_samples" value="0"/></integrator>', text)
+                text = re.sub(
+                    r"<integrator.*?</integrator>",
+                    '<integrator type="direct"><integer name="emitter_samples" '
+                    f'value="{lamp[0]}"/><integer name="bsdf_samples" value="0"/></integrator>',
+                    text,
+                )
             name.write_text(text)
         return files
 
@@ -154,15 +180,32 @@ class PovRay:
         out = self.folder / "povray.exr"
         size = read_scene(scene)["camera"]["size"]
         done = subprocess.run(
-            ["povray", f"+I{text}", f"+O{out}", "+FE", "File_Gamma=1.0", f"+W{size[0]}", f"+H{size[1]}", "+WT1", "-D", "-V",
-             *([] if blur else ["+A0.0", "+AM1", f"+R{side}", "+J"])], capture_output=True, text=True, check=True)
+            [
+                "povray",
+                f"+I{text}",
+                f"+O{out}",
+                "+FE",
+                "File_Gamma=1.0",
+                f"+W{size[0]}",
+                f"+H{size[1]}",
+                "+WT1",
+                "-D",
+                "-V",
+                *([] if blur else ["+A0.0", "+AM1", f"+R{side}", "+J"]),
+            ],
+            capture_output=True,
+            text=True,
+            check=True,
+        )
         cpu = re.search(r"Trace Time.*?with ([\d.]+) CPU", done.stderr, re.DOTALL)
         return read_image(out), float(cpu.group(1)), (blur or side * side) * lamp * lamp
 
 
 def newest_llvm():
     """The newest libLLVM that Mitsuba can use; none: it aborts with those up to 16."""
-    files = [f for f in pathlib.Path("/usr/lib").glob("*/libLLVM*.so*") if re.search(r"LLVM[.-]?(?:so\.)?(\d+)", f.name)]
+    files = [
+        f for f in pathlib.Path("/usr/lib").glob("*/libLLVM*.so*") if re.search(r"LLVM[.-]?(?:so\.)?(\d+)", f.name)
+    ]
     version = {f: int(re.search(r"LLVM[.-]?(?:so\.)?(\d+)", f.name).group(1)) for f in files}
     best = max(files, key=version.get, default=None)
     return best if best and version[best] > 16 else None

@@ -3,8 +3,8 @@
 
 1. Each scene's picture is the same, bit by bit, drawn by a program without the fragments of the integrals and stages
    that its plan leaves out: blanks stand in their places, and each would say that it was called.
-2. A Whitted scene drawn by the stages compiled with a plan whose other members are constants, so that the compiler removes
-   what they switch on: the same bits as by the stages as they are, which need at most 2 % more instructions.
+2. A Whitted scene drawn by the stages compiled with a plan whose other members are constants, so that the compiler
+   removes what they switch on: the same bits as by the stages as they are, which need at most 2 % more instructions.
    Instructions are counted by valgrind, where it is there.
 """
 
@@ -37,8 +37,22 @@ ONLY_FOR = {
 NEVER = {"integrate_uniform", "integrate_monte_carlo", "integrate_stratified"}
 
 # Of the plan, what a Whitted scene without a tree does not have.
-ABSENT = ["light", "lobe", "lens", "time", "bounce", "medium", "environment", "emission", "choice", "environment_lit", "bvh",
-          "triangles", "discs", "smooth"]
+ABSENT = [
+    "light",
+    "lobe",
+    "lens",
+    "time",
+    "bounce",
+    "medium",
+    "environment",
+    "emission",
+    "choice",
+    "environment_lit",
+    "bvh",
+    "triangles",
+    "discs",
+    "smooth",
+]
 NOTHING = """
 /// A switch that is off, and that nothing turns on.
 struct Absent {
@@ -68,15 +82,20 @@ def unneeded(raytrace, scene):
 
 def draw(program, scene, out):
     """The picture's bytes, and what was said."""
-    done = subprocess.run([program, scene, "-o", out, "--size", "24x24", "--samples", "4", "--threads", "1"],
-                          capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        [program, scene, "-o", out, "--size", "24x24", "--samples", "4", "--threads", "1"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
     return (out.read_bytes() if out.exists() else done.stderr.encode()), done.stdout + done.stderr
 
 
 def link_line(build):
     """How the build links the renderer from one object for each fragment."""
-    done = subprocess.run(["ninja", "-C", build, "-t", "commands", "-s", "raytrace_linked"],
-                          capture_output=True, text=True, check=True)
+    done = subprocess.run(
+        ["ninja", "-C", build, "-t", "commands", "-s", "raytrace_linked"], capture_output=True, text=True, check=True
+    )
     return done.stdout.strip()
 
 
@@ -119,27 +138,45 @@ def includes(files):
 def compile_whitted(chain, shadow, program):
     """The stages with the fragments inside them, as the build includes them; and what they need, in a file of its own."""
     lines = (ROOT / "starter/rt/fragments.h").read_text().splitlines()
-    declared = [f"inline {line}" for line in lines if re.match(r"[A-Za-z].*\(.*\);$", line) and "report_not_started" not in line]
+    declared = [
+        f"inline {line}" for line in lines if re.match(r"[A-Za-z].*\(.*\);$", line) and "report_not_started" not in line
+    ]
     files = sorted(ROOT.glob("solution/*.cpp")) + sorted(ROOT.glob("starter/rt/stages/*.cpp"))
     stages, rest = (program.with_name(f"{program.name}_{part}.cpp") for part in ("stages", "rest"))
     stages.write_text('#include "rt/fragments.h"\nnamespace rt {\n' + "\n".join(declared) + "\n}\n" + includes(files))
-    rest.write_text(includes([ROOT / "starter/rt" / f"{name}.cpp" for name in ("bvh", "path", "plan", "trace", "world")] +
-                             [ROOT / "tests/plan/whitted.cpp"]))
+    rest.write_text(
+        includes(
+            [ROOT / "starter/rt" / f"{name}.cpp" for name in ("bvh", "path", "plan", "trace", "world")]
+            + [ROOT / "tests/plan/whitted.cpp"]
+        )
+    )
     # valgrind knows no AVX-512
     options = [o for o in chain["options"] if not o.startswith("-m")]
-    limits = ["-finline-limit=100000", "--param=inline-unit-growth=10000", "--param=large-function-growth=10000",
-              "--param=large-stack-frame-growth=10000", "--param=max-inline-insns-single=100000",
-              "--param=max-inline-insns-auto=100000"] if "GNU" in chain["description"] else ["-mllvm", "-inline-threshold=100000"]
+    limits = (
+        [
+            "-finline-limit=100000",
+            "--param=inline-unit-growth=10000",
+            "--param=large-function-growth=10000",
+            "--param=large-stack-frame-growth=10000",
+            "--param=max-inline-insns-single=100000",
+            "--param=max-inline-insns-auto=100000",
+        ]
+        if "GNU" in chain["description"]
+        else ["-mllvm", "-inline-threshold=100000"]
+    )
     command = [chain["compiler"], *chain["compile"], *options, "-w", "-iquote", shadow, "-I", ROOT / "starter"]
     for source, more in ((stages, limits), (rest, [])):
         subprocess.run([*command, *more, "-c", source, "-o", source.with_suffix(".o")], check=True)
-    subprocess.run([*command, stages.with_suffix(".o"), rest.with_suffix(".o"), "-o", program, "-lfmt"], check=True)
+    subprocess.run([*command, stages.with_suffix(".o"), rest.with_suffix(".o"), "-o", program, *chain["libraries"]], check=True)
 
 
 def instructions(program, work):
     log = work / f"{program.name}.callgrind"
-    subprocess.run(["valgrind", "--tool=callgrind", "--toggle-collect=measured", f"--callgrind-out-file={log}", program],
-                   capture_output=True, check=True)
+    subprocess.run(
+        ["valgrind", "--tool=callgrind", "--toggle-collect=measured", f"--callgrind-out-file={log}", program],
+        capture_output=True,
+        check=True,
+    )
     return int(re.search(r"^(?:summary|totals): (\d+)", log.read_text(), re.MULTILINE).group(1))
 
 
@@ -163,7 +200,9 @@ def pure_whitted(chain, work):
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         list(pool.map(lambda job: compile_whitted(chain, *job), [(work / "with", full), (work / "without", pure)]))
     pictures = [subprocess.run([p], capture_output=True, text=True, check=True).stdout for p in (full, pure)]
-    expect(pictures[0] == pictures[1], f"a Whitted scene: {pictures[0]} by all stages, {pictures[1]} by a Whitted tracer's")
+    expect(
+        pictures[0] == pictures[1], f"a Whitted scene: {pictures[0]} by all stages, {pictures[1]} by a Whitted tracer's"
+    )
     if not shutil.which("valgrind"):
         print("valgrind is missing: instructions are not counted")
         return
