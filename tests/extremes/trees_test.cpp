@@ -58,7 +58,7 @@ TEST_CASE("10 the tree finds what brute force finds, bit by bit", "[extremes]") 
     std::int64_t different = 0, rays = 0;
     const std::int64_t wanted = count_of(1e6, 1e7);
     for (int round = 0; round < 16; ++round) {
-        World world = make_world(crowd(round % 2 ? 60 : 400, random));
+        World world = make_world(crowd(round % 2 ? 120 : 400, random));
         REQUIRE(world.plan.bvh);
         for (std::int64_t k = 0; k < wanted / 16 / lanes + 1; ++k)
             different += differences(world, rays_through(random)), rays += lanes;
