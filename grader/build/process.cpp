@@ -47,7 +47,9 @@ void limit(int resource, rlim_t soft, rlim_t hard) {
 /// In the new process, between fork and exec: only calls that are safe there.
 void apply(const Limits& limits) {
     limit(RLIMIT_CPU, rlim_t(std::ceil(limits.cpu_seconds)), rlim_t(std::ceil(limits.most_cpu_seconds)) + 1);
+#ifndef __SANITIZE_ADDRESS__  // it reserves terabytes of addresses
     limit(RLIMIT_AS, limits.memory, limits.memory);
+#endif
     limit(RLIMIT_FSIZE, limits.file_size, limits.file_size);
     limit(RLIMIT_NPROC, limits.processes, limits.processes);
     limit(RLIMIT_NOFILE, 256, 256);
