@@ -27,7 +27,9 @@ struct Stores {
     int least = 0;
 };
 
-Stores stores_of(const Workshop& workshop, const std::string& name, const std::set<std::string>& fragments) {
+/// enough  replicates that each must hold
+Stores stores_of(const Workshop& workshop, const std::string& name, const std::set<std::string>& fragments,
+                 int enough = 0) {
     Stores stores;
     for (int part = 0; part < workshop.amount().seeds; ++part) {
         PooledChecks checks;
@@ -42,7 +44,7 @@ Stores stores_of(const Workshop& workshop, const std::string& name, const std::s
             stores.pools.push_back(std::make_unique<Pool>(std::move(*pool)));
             checks.push_back({&check, stores.pools.back().get()});
         }
-        if (checks.size() != wanted) continue;
+        if (checks.size() != wanted || least < enough) continue;
         stores.seeds.push_back(std::move(checks));
         if (least < std::numeric_limits<int>::max()) stores.least += least;
     }
@@ -189,7 +191,9 @@ Summary summarize(const Workshop& workshop, int jobs,
     for (const int n : {8, 16, 32, 64, 128, 256, 512}) summary.budgets.push_back({n, {}, {}, 0, {}});
     for (const int n : {2, 3, 4, 6, 8, 12, 16, 24, 32, 64, 128, 256})
         summary.fixed_budgets.push_back({n, {}, {}, 0, {}});
-    const Stores solution = stores_of(workshop, "solution", workshop.fragments());
+    // Few replicates have a mean of their own, off the truth: many draws from them would be of another, wrong program.
+    const int enough = std::min(4 * cap, workshop.amount().replicates / workshop.amount().seeds);
+    const Stores solution = stores_of(workshop, "solution", workshop.fragments(), enough);
     std::map<std::string, int> fixed;
     if (!solution.seeds.empty())
         for (const PooledCheck& stored : solution.seeds.front())
@@ -221,7 +225,8 @@ Summary summarize(const Workshop& workshop, int jobs,
         for (VariantSummary& row : *rows)
             work.emplace_back(row.variant->name, [&] {
                 read_peers(workshop, row);
-                const Stores stores = stores_of(workshop, row.variant->name, {row.variant->fragment});
+                const Stores stores = stores_of(workshop, row.variant->name, {row.variant->fragment},
+                                                row.variant->kind == Variant::Kind::right ? enough : 0);
                 if (stores.seeds.empty()) return;
                 row.replayed = replay(stores.seeds, settings, draws / 10, 3);
                 for (const PooledCheck& stored : stores.seeds.front())
