@@ -260,7 +260,7 @@ Plot budget_plot(const Summary& s, int fragments) {
     Plot plot{"Error of the verdict against run time", "CPU seconds of a whole submission's checks",
               "probability of a wrong verdict", {}};
     const auto add = [&](const std::vector<Budget>& budgets, const std::string& rule, bool dashed) {
-        Series right{"right not passed, " + rule, {}, dashed}, wrong{"wrong not failed, " + rule, {}, dashed};
+        Series right{"right, " + rule, {}, dashed}, wrong{"wrong, " + rule, {}, dashed};
         for (const Budget& b : budgets) {
             const long missed = b.right.gradings - b.right.passed, passed_by = b.wrong.gradings - b.wrong.failed;
             const auto [low, high] = rate_bounds(missed, b.right.gradings);
