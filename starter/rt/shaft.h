@@ -7,11 +7,11 @@
 
 namespace rt {
 
-/// What the rays of a batch have in common: boxes about their origins and directions, and where they begin. A shape that
-/// no such ray can meet need not be tried.
+/// What the rays of a batch have in common: boxes about their origins and directions, and where they begin. A shape
+/// that no such ray can meet need not be tried.
 ///
-/// Source: Boulos, Wald, Shirley, "Geometric and Arithmetic Culling Methods for Entire Ray Packets", University of Utah,
-/// UUCS-06-10, 2006.
+/// Source: Boulos, Wald, Shirley, "Geometric and Arithmetic Culling Methods for Entire Ray Packets", University of
+/// Utah, UUCS-06-10, 2006.
 struct Shaft {
     Box origins, directions;
     Real near = inf;
