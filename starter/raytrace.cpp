@@ -12,7 +12,6 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <map>
 #include <new>
 #include <optional>
 
@@ -37,14 +36,8 @@ struct Options {
     rt::RenderSettings settings;
 };
 
-const std::map<std::string, rt::Sampler> samplers = {{"uniform", rt::Sampler::uniform},
-                                                     {"random", rt::Sampler::random},
-                                                     {"stratified", rt::Sampler::stratified},
-                                                     {"sobol", rt::Sampler::sobol}};
-
 void describe_options(CLI::App& app, Options& o) {
-    std::vector<std::string> names;
-    for (const auto& [name, sampler] : samplers) names.push_back(name);
+    const std::vector<std::string> names(rt::sampler_names.begin(), rt::sampler_names.end());
     const CLI::Range positive(1e-30, 1e30);
     const auto not_negative = [](const std::string& text) { return text[0] == '-' ? "must not be negative" : ""; };
     app.add_option("scene", o.scene, "a scene file (TOML)")->required();
@@ -76,7 +69,7 @@ struct UsageError : std::runtime_error {
 rt::Scene read_scene(const Options& o) {
     rt::Scene scene = rt::read_scene(o.scene);
     if (o.samples) scene.samples = *o.samples;
-    if (o.sampler) scene.sampler = samplers.at(*o.sampler);
+    if (o.sampler) scene.sampler = *rt::sampler_named(*o.sampler);
     if (o.exposure) scene.exposure = *o.exposure;
     if (!o.size.empty()) scene.camera.size = {o.size[0], o.size[1]};
     if (std::int64_t(scene.camera.size.x) * scene.camera.size.y > (1 << 28))
@@ -154,12 +147,10 @@ void report_fault(const Options& o, const rt::RenderSettings& settings, const rt
                   const std::string& fault) {
     int x = 0, y = 0;
     std::sscanf(fault.c_str(), "pixel %d,%d", &x, &y);
-    const auto name = std::find_if(samplers.begin(), samplers.end(),
-                                   [&](const auto& entry) { return entry.second == settings.sampler; });
     fmt::print(stderr,
                "{}: {}; expected a finite number\n"
                "To see how it came about: raytrace {} --pixel {},{} --seed {} --samples {} --sampler {} --size {}x{}\n",
-               o.scene, fault, o.scene, x, y, settings.seed, settings.samples, name->first, scene.camera.size.x,
+               o.scene, fault, o.scene, x, y, settings.seed, settings.samples, rt::sampler_names[std::size_t(settings.sampler)], scene.camera.size.x,
                scene.camera.size.y);
 }
 

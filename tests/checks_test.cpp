@@ -174,10 +174,6 @@ TEST_CASE("a picture that the solution draws under one seed does not pass under 
     const auto first = all_checks(1);
     std::vector<std::vector<Check>> others;
     for (std::uint64_t seed = 2; seed <= 5; ++seed) others.push_back(all_checks(seed));
-    const std::map<std::string, rt::Sampler> samplers = {{"uniform", rt::Sampler::uniform},
-                                                         {"random", rt::Sampler::random},
-                                                         {"stratified", rt::Sampler::stratified},
-                                                         {"sobol", rt::Sampler::sobol}};
     for (std::size_t k = 0; k < first.size(); ++k) {
         const auto* render = std::get_if<Render>(&first[k].experiment);
         if (!render) continue;
@@ -185,7 +181,7 @@ TEST_CASE("a picture that the solution draws under one seed does not pass under 
         CAPTURE(name);
         rt::RenderSettings settings;
         settings.samples = render->samples, settings.threads = 1, settings.estimate_error = false;
-        settings.sampler = samplers.at(render->sampler);
+        settings.sampler = *rt::sampler_named(render->sampler);
         Observation copied;
         copied.image = rt::render(rt::parse_scene(render->scene, "scenes/scene.toml"), settings).image;
         const auto is_off = [&](const Statistic& s) {

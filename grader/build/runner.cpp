@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cstring>
 
 #include "child/protocol.h"
+#include "rt/scene.h"
 #include "rt/scene_reader.h"
 
 namespace grade {
@@ -30,11 +30,8 @@ std::vector<double> numbers_of(const std::string& payload) {
 }
 
 int sampler_of(const std::string& name) {
-    constexpr std::array names{"uniform", "random", "stratified", "sobol"};
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (name == names[i]) return int(i);
-    throw rt::InputError(
-        fmt::format("no sampler is named \"{}\"; expected uniform, random, stratified or sobol", name));
+    if (const auto sampler = rt::sampler_named(name)) return int(*sampler);
+    throw rt::InputError(fmt::format("no sampler is named \"{}\"; expected {}", name, fmt::join(rt::sampler_names, ", ")));
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ struct Probe {
 struct Render {
     std::string scene;    // TOML text, its parameters already drawn from the grading seed
     int samples = 16;     // a pixel
-    std::string sampler;  // "uniform", "random", "stratified", "sobol"
+    std::string sampler;  // one of sampler_names
     rt::ivec2 size{0};    // [pixel]; 0: the scene's
 };
 

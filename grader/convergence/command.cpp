@@ -120,7 +120,7 @@ CLI::App* add_converge_command(CLI::App& app, ConvergeArguments& arguments) {
     converge->add_option("--samplers", amounts.samplers, "patterns; times to an error need random")
         ->delimiter(',')
         ->capture_default_str()
-        ->check(CLI::IsMember({"uniform", "random", "stratified", "sobol"}));
+        ->check(CLI::IsMember(std::vector<std::string>(rt::sampler_names.begin(), rt::sampler_names.end())));
     converge->add_option("--replicates", amounts.replicates, "pictures of each level")
         ->capture_default_str()
         ->check(CLI::Range(2, 10000));

@@ -148,7 +148,8 @@ const std::vector<ExpectedOrder>& expected_orders() {
     static const std::vector<ExpectedOrder> all{{"uniform", {}, {}},
                                                 {"random", -0.5, -0.5},
                                                 {"stratified", -0.75, -1},
-                                                {"sobol", -0.75, -1.5}};
+                                                {"sobol", -0.75, -1.5},
+                                                {"orthogonal", -0.75, -1.5}};
     return all;
 }
 

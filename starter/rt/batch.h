@@ -34,6 +34,7 @@ struct alignas(64) Batch {
     Index event[lanes];   // where the ray comes from: an Event
     Index depth[lanes];   // mirrors, glass and lobes so far
     Index bounce[lanes];  // diffuse bounces so far
+    Real density[lanes];  // with which a lobe took the ray, where it is weighed against lamps, else 0; only after lobes [1/sr]
     Index medium[lanes];  // material whose inside the ray is in; nothing: none
 
     Ray ray(int i) const { return {{ox[i], oy[i], oz[i]}, {dx[i], dy[i], dz[i]}, near[i], far[i]}; }
@@ -47,7 +48,7 @@ struct alignas(64) Batch {
         set_ray(to, ray(from));
         time[to] = time[from], shape[to] = shape[from];
         set_weight(to, weight(from));
-        key[to] = key[from], sample[to] = sample[from], slot[to] = slot[from], event[to] = event[from];
+        key[to] = key[from], sample[to] = sample[from], slot[to] = slot[from], event[to] = event[from], density[to] = density[from];
         depth[to] = depth[from], bounce[to] = bounce[from], medium[to] = medium[from];
     }
     Color weight(int i) const { return {weight_r[i], weight_g[i], weight_b[i]}; }

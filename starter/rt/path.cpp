@@ -48,7 +48,8 @@ void Worker::follow(Batch& batch, int n, int wave, Sampler sampler) {
     scatter_stage(world, sampler, n, wave, batch, surfaces, next, chunk);
 }
 
-void Worker::render(const std::vector<PixelWork>& pixels, int n, Sampler sampler, Color* means) {
+void Worker::render(const std::vector<PixelWork>& pixels, int n, Sampler asked, Color* means) {
+    const Sampler sampler = pattern_of(asked, n);
     const std::size_t all = pixels.size() * std::size_t(n);
     chunk.radiance.assign(all, Color(0));
     chunk.weight.resize(all);

@@ -30,11 +30,31 @@ int emitters(const Scene& scene) {
     return n;
 }
 
+/// Numbers the dimensions that are drawn, without gaps.
+void number_pairs(RenderPlan& plan) {
+    plan.pairs.assign(std::size_t(plan.camera_dimensions + plan.wave_dimensions), -1);
+    int next = 0;
+    const auto number = [&](int dimension, bool drawn) {
+        if (drawn) plan.pairs[std::size_t(dimension)] = next++;
+    };
+    number(pixel_dimension, true);
+    number(lens_dimension, plan.lens);
+    number(time_dimension, plan.time);
+    const int before = next, wave = plan.camera_dimensions;
+    for (int light = light_dimension; light < plan.wave_dimensions; ++light) number(wave + light, plan.light);
+    number(wave + environment_dimension, plan.environment_lit);
+    number(wave + lobe_dimension, plan.lobe || plan.bounce);
+    number(wave + choice_dimension, plan.choice);
+    number(wave + flight_dimension, plan.medium);
+    number(wave + phase_dimension, plan.medium);
+    plan.pairs_of_wave = next - before;
+}
+
 }  // namespace
 
 RenderPlan make_plan(const Scene& scene) {
     RenderPlan plan;
-    bool moves = false, diffuse = false, mirrors = false, glass = false;
+    bool moves = false, diffuse = false, glossy = false, mirrors = false, glass = false;
     const std::vector<char> used = materials_in_use(scene);
     for (std::size_t i = 0; i < used.size(); ++i) {
         if (!used[i]) continue;
@@ -45,6 +65,7 @@ RenderPlan make_plan(const Scene& scene) {
         plan.emission |= m.emission != Color(0);
         plan.medium |= dielectric && m.medium.extinction > 0;
         plan.lobe |= (dielectric || mirror) && m.exponent < inf;
+        glossy |= (dielectric || mirror) && m.exponent < inf;
         mirrors |= mirror && m.exponent == inf;
         glass |= dielectric && m.exponent == inf;
         plan.choice |= (m.albedo != Color(0) && scene.bounces > 0 && (dielectric || mirror)) || (dielectric && mirror);
@@ -69,7 +90,8 @@ RenderPlan make_plan(const Scene& scene) {
     plan.lens = scene.camera.lens_radius > 0;
     plan.time = moves && scene.shutter.close > scene.shutter.open;
     plan.point_lights = !scene.lights.empty();
-    plan.light = (diffuse || plan.phong) && emitters(scene) > 0;
+    plan.weigh = scene.multiple_importance && glossy && emitters(scene) > 0;
+    plan.light = (diffuse || plan.phong || plan.weigh) && emitters(scene) > 0;
     plan.environment = scene.environment != Color(0);
     plan.environment_lit = plan.environment && diffuse;
     plan.bounce = diffuse && scene.bounces > 0;
@@ -78,6 +100,7 @@ RenderPlan make_plan(const Scene& scene) {
     plan.choice = plan.choice && !plan.split;
     plan.camera_dimensions = camera_dimensions;
     plan.wave_dimensions = light_dimension + emitters(scene);
+    number_pairs(plan);
     return plan;
 }
 
@@ -97,6 +120,8 @@ std::string describe(const RenderPlan& plan, const Scene& scene) {
     row("light", plan.light, fmt::format("{} emitters", emitters(scene)), "no emitter that lights a diffuse surface");
     row("environment", plan.environment_lit, "lights the diffuse surfaces",
         "no environment that lights a diffuse surface");
+    row("weigh", plan.weigh, "lamps against glossy lobes",
+        scene.multiple_importance ? "no glossy lobe, or no emitter" : "not asked for: multiple_importance");
     row("lobe", plan.lobe, "glossy or translucent surfaces", "no glossy or translucent surface");
     row("bounce", plan.bounce, fmt::format("up to {}", scene.bounces), "no diffuse surface, or no bounces asked for");
     row("medium", plan.medium, "random walks", "no medium");

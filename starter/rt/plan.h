@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "rt/scene.h"
 
@@ -24,6 +25,7 @@ struct RenderPlan {
     bool split = false;         // mirror and glass rays are both followed, as Whitted does; else one is chosen
     bool choice = false;        // a surface has several ways on, and one is chosen at random
     bool phong = false;         // a highlight
+    bool weigh = false;         // lamps are sampled for glossy lobes too: multiple importance sampling
     bool environment_lit = false;  // diffuse surfaces gather light from the environment
     bool bvh = false;
     bool spheres = false, triangles = false, quads = false, discs = false;
@@ -32,6 +34,8 @@ struct RenderPlan {
     // the dimensions of one sample: where each integral's random numbers start
     int camera_dimensions = 0;  // pixel, lens, time
     int wave_dimensions = 0;    // of each following wave
+    std::vector<int> pairs;     // of the camera's dimensions and a wave's: which of those that are drawn; -1: not drawn
+    int pairs_of_wave = 0;      // drawn
 };
 
 RenderPlan make_plan(const Scene& scene);

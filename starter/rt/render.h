@@ -27,7 +27,7 @@ struct RenderSettings {
     int samples = 16;
     std::uint64_t seed = 0;
     int threads = 0;  // 0: one for each core
-    Sampler sampler = Sampler::sobol;
+    Sampler sampler = Sampler::orthogonal;
     std::optional<Crop> crop;   // default: the whole film
     bool estimate_error = true; // renders some pixels twice
     Real time_limit = inf;      // [s]; passes of `samples` samples follow each other until then

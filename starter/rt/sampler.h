@@ -76,6 +76,72 @@ inline std::uint32_t pascal(std::uint32_t x) {
     return {x * 0x1p-32, y * 0x1p-32};
 }
 
+/// A 2D dimension of a sampling pattern.
+struct Dimension {
+    Bits number;        // of its random numbers
+    Bits products = 0;  // of an orthogonal array: see field_products
+    Bits round = 0;     // of an orthogonal array: 0 for the pairs of the first one
+
+    constexpr Dimension(Bits number) : number(number) {}
+    Dimension(Bits number, int pair, int n);  // the pair-th of those that are drawn, for n samples
+};
+
+/// Products with one element of the field of 2^h elements, h <= 8: byte k is the product with x^k.
+constexpr Bits field_products(int h, Bits element) {
+    constexpr Bits polynomials[] = {1, 0x3, 0x7, 0xb, 0x13, 0x25, 0x43, 0x83, 0x11b};  // irreducible
+    Bits products = 0;
+    for (int k = 0; k < h; ++k) {
+        products |= element << (8 * k);
+        element <<= 1;
+        if (element >> h) element ^= polynomials[h];
+    }
+    return products;
+}
+
+/// An orthogonal array of n = 2^m samples has two digits of this many bits for each dimension, the second one bit less where m is odd.
+inline int digit_bits(int n) { return std::bit_width(unsigned(n - 1)) / 2 + std::bit_width(unsigned(n - 1)) % 2; }
+
+inline Dimension::Dimension(Bits number, int pair, int n) : number(number) {
+    if (pair < 0) return;
+    const int h = std::min(digit_bits(n), 8), pairs = h > 0 ? 1 << (h - 1) : 1;
+    products = field_products(h, Bits(2 * (pair % pairs)));
+    round = Bits(pair / pairs);
+}
+
+/// A bijection of m bits.
+inline std::uint32_t mixed(std::uint32_t i, int m, std::uint32_t key) {
+    i = (i * (key | 1) + (key >> 16)) & ((1u << m) - 1);
+    return i ^ (i >> ((m + 1) / 2));
+}
+
+/// Sample i of n in one pair of the dimensions of an orthogonal array of strength 2, scrambled.
+///
+/// n = 2^m is at most 2^16. In the field of 2^h elements, h = m/2, sample (a, b) has the leading digits u = b + c a and v = u + a,
+/// with another c for each pair: any two dimensions of two pairs have one sample in each of 2^h x 2^h cells. The second digits
+/// are those of the other dimension of the pair, turned round, which makes each pair a (0,m,2)-net. Where m is odd, a lacks a
+/// bit. There are 2^(h-1) pairs; those that follow take the samples in another order.
+///
+/// Source: Bose, "On the Application of the Properties of Galois Fields to the Problem of Construction of Hyper-Graeco-Latin
+/// Squares", Sankhya 3(4), 1938; Jarosz et al., "Orthogonal Array Sampling for Monte Carlo Rendering", EGSR 2019.
+[[gnu::always_inline]] inline vec2 orthogonal_2d(Bits key, int sample, int n, Dimension dimension) {
+    const int m = std::bit_width(std::uint32_t(n - 1)), h = digit_bits(n);
+    std::uint32_t i = std::uint32_t(sample);
+    if (dimension.round > 0) {
+        const Bits order = combine(~key, dimension.round);
+        i = mixed(mixed(mixed(i, m, std::uint32_t(order)), m, std::uint32_t(order >> 16)), m, std::uint32_t(order >> 32));
+    }
+    const std::uint32_t a = i >> h;
+    std::uint32_t u = i & ((1u << h) - 1);
+    for (int k = 0; k < 8; ++k) u ^= (a & (1u << k)) != 0 ? std::uint32_t(dimension.products >> (8 * k)) & 0xff : 0;
+    const std::uint32_t v = u ^ a;
+    const std::uint32_t second_u = std::uint32_t(Bits(reversed(u)) >> (32 - (m - h))),
+                        second_v = std::uint32_t(Bits(reversed(v)) >> (32 - (m - h)));
+    const Bits seeds = combine(key, dimension.number);
+    const std::uint32_t x = reversed(scrambled(u | second_v << h, std::uint32_t(seeds)));
+    const std::uint32_t y = reversed(scrambled(v | second_u << h, std::uint32_t(seeds >> 32)));
+    return {x * 0x1p-32, y * 0x1p-32};
+}
+
 /// Where i, 0 <= i < n, goes in a permutation of n that the key chooses.
 ///
 /// A bijection of the next power of two, repeated until it falls below n.
@@ -104,24 +170,33 @@ inline int permuted(int i, int n, Bits key) {
 ///     random      independent
 ///     stratified  a random point in each cell
 ///     sobol       Owen-scrambled (0,2)-sequence
+///     orthogonal  scrambled orthogonal array: even between dimensions too; sobol where n is no power of two
 ///
 /// Cells are dealt out in another random order in each dimension: dimensions must not go together.
 template <Sampler sampler>
-[[gnu::always_inline]] inline vec2 pattern_2d(Bits key, int i, int n, Bits dimension) {
-    if constexpr (sampler == Sampler::random) return random_2d(key, Bits(i), dimension);
-    if constexpr (sampler == Sampler::sobol) return sobol_2d(key, std::uint32_t(i), dimension);
+[[gnu::always_inline]] inline vec2 pattern_2d(Bits key, int i, int n, Dimension dimension) {
+    if constexpr (sampler == Sampler::random) return random_2d(key, Bits(i), dimension.number);
+    if constexpr (sampler == Sampler::sobol) return sobol_2d(key, std::uint32_t(i), dimension.number);
+    if constexpr (sampler == Sampler::orthogonal) return orthogonal_2d(key, i, n, dimension);
     if constexpr (sampler == Sampler::stratified)
-        return stratified_2d(permuted(i, n, combine(~key, dimension)), n, random_2d(key, Bits(i), dimension));
-    return stratified_2d(permuted(i, n, combine(0, dimension)), n, vec2(0.5));
+        return stratified_2d(permuted(i, n, combine(~key, dimension.number)), n, random_2d(key, Bits(i), dimension.number));
+    return stratified_2d(permuted(i, n, combine(0, dimension.number)), n, vec2(0.5));
 }
 
 template <Sampler sampler>
-[[gnu::always_inline]] inline Real pattern_1d(Bits key, int i, int n, Bits dimension) {
-    if constexpr (sampler == Sampler::random) return random_1d(key, Bits(i), dimension);
-    if constexpr (sampler == Sampler::sobol) return sobol_2d(key, std::uint32_t(i), dimension).x;
+[[gnu::always_inline]] inline Real pattern_1d(Bits key, int i, int n, Dimension dimension) {
+    if constexpr (sampler == Sampler::random) return random_1d(key, Bits(i), dimension.number);
+    if constexpr (sampler == Sampler::sobol) return sobol_2d(key, std::uint32_t(i), dimension.number).x;
+    if constexpr (sampler == Sampler::orthogonal) return orthogonal_2d(key, i, n, dimension).x;
     if constexpr (sampler == Sampler::stratified)
-        return std::min((permuted(i, n, combine(~key, dimension)) + random_1d(key, Bits(i), dimension)) / n, below_one);
-    return (permuted(i, n, combine(0, dimension)) + 0.5) / n;
+        return std::min((permuted(i, n, combine(~key, dimension.number)) + random_1d(key, Bits(i), dimension.number)) / n, below_one);
+    return (permuted(i, n, combine(0, dimension.number)) + 0.5) / n;
+}
+
+/// The pattern that takes n samples: an orthogonal array has a power of two, at most 2^16.
+inline Sampler pattern_of(Sampler sampler, int n) {
+    const bool fits = std::has_single_bit(unsigned(n)) && n <= 1 << 16;
+    return sampler == Sampler::orthogonal && !fits ? Sampler::sobol : sampler;
 }
 
 }  // namespace rt

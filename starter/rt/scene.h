@@ -1,7 +1,11 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -118,7 +122,13 @@ struct Extent {
 
 // ---- the whole ----
 
-enum class Sampler { uniform, random, stratified, sobol };
+enum class Sampler { uniform, random, stratified, sobol, orthogonal };
+constexpr std::array<std::string_view, 5> sampler_names{"uniform", "random", "stratified", "sobol", "orthogonal"};
+
+inline std::optional<Sampler> sampler_named(std::string_view name) {
+    const auto found = std::find(sampler_names.begin(), sampler_names.end(), name);
+    return found == sampler_names.end() ? std::nullopt : std::optional(Sampler(found - sampler_names.begin()));
+}
 
 struct Scene {
     std::string path;  // where it was read from
@@ -135,7 +145,8 @@ struct Scene {
     int samples = 16;      // a pixel
     int bounces = 0;       // diffuse bounces after the first surface
     int depth = 16;        // mirrors, glass and lobes on one path
-    Sampler sampler = Sampler::sobol;
+    Sampler sampler = Sampler::orthogonal;
+    bool multiple_importance = false;  // lamps are sampled for glossy lobes too, and both ways are weighed
     Real exposure = 1;     // factor for previews only
 };
 

@@ -27,12 +27,12 @@ std::string read_text(const std::string& path) {
 }
 
 void read_settings(const Table& settings, Scene& scene) {
-    settings.only({"samples", "bounces", "depth", "sampler", "exposure"});
+    settings.only({"samples", "bounces", "depth", "sampler", "multiple_importance", "exposure"});
     scene.samples = settings.integer("samples", 1, 1 << 30, scene.samples);
     scene.bounces = settings.integer("bounces", 0, 1 << 24, scene.bounces);
     scene.depth = settings.integer("depth", 0, 1 << 24, scene.depth);
-    const int sampler = settings.choice("sampler", {"uniform", "random", "stratified", "sobol"}, int(scene.sampler));
-    scene.sampler = Sampler(sampler);
+    scene.sampler = Sampler(settings.choice("sampler", sampler_names, int(scene.sampler)));
+    scene.multiple_importance = settings.flag("multiple_importance", scene.multiple_importance);
     scene.exposure = settings.number("exposure", positive, scene.exposure);
 }
 

@@ -231,8 +231,7 @@ Color Table::color(std::string_view key, Limits limits, std::optional<Color> oth
     return vector(key, limits, otherwise);
 }
 
-int Table::choice(std::string_view key, std::initializer_list<std::string_view> words,
-                  std::optional<int> otherwise) const {
+int Table::choice(std::string_view key, std::span<const std::string_view> words, std::optional<int> otherwise) const {
     if (!find(key, !otherwise)) return *otherwise;
     const std::string word = text(key);
     const auto found = std::find(words.begin(), words.end(), word);

@@ -3,6 +3,7 @@
 #include <initializer_list>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <toml++/impl/forward_declarations.h>
@@ -51,8 +52,11 @@ class Table {
     Color color(std::string_view key, Limits limits, std::optional<Color> otherwise = {}) const;
 
     /// One of the words; returns its place in the list.
+    int choice(std::string_view key, std::span<const std::string_view> words, std::optional<int> otherwise = {}) const;
     int choice(std::string_view key, std::initializer_list<std::string_view> words,
-               std::optional<int> otherwise = {}) const;
+               std::optional<int> otherwise = {}) const {
+        return choice(key, std::span(words.begin(), words.size()), otherwise);
+    }
 
     /// The table [key]; none: an empty one.
     Table table(std::string_view key) const;

@@ -32,6 +32,10 @@ SurfaceRecord record(const Triangle& t) { return {.center = t.a, .normal = unit(
 SurfaceRecord record(const Quad& q) { return {.center = q.center, .normal = unit(cross(q.u, q.v))}; }
 SurfaceRecord record(const Disc& d) { return {.center = d.center, .normal = d.normal}; }
 
+Real area(const Sphere&) { return 0; }
+Real area(const Quad& q) { return 4 * length(cross(q.u, q.v)); }
+Real area(const Disc& d) { return pi * sqr(d.radius); }
+
 Emitter emitter(const Sphere& s) { return {Emitter::Kind::sphere, {}, {}, s, {}}; }
 Emitter emitter(const Quad& q) { return {Emitter::Kind::quad, q, {}, {}, {}}; }
 Emitter emitter(const Disc& d) { return {Emitter::Kind::disc, {}, d, {}, {}}; }
@@ -58,6 +62,7 @@ struct Layout {
         if constexpr (!std::is_same_v<S, Triangle>) {
             if (m.emission != Color(0) && m.sampled && velocity == vec3(0)) {
                 r.sampled = true;
+                r.area = area(shape);
                 world.emitters.push_back(emitter(shape));
                 world.emitters.back().radiance = m.emission;
             }
@@ -131,7 +136,8 @@ World make_world(const Scene& scene) {
     world.reflectances.push_back({});
     for (const Material& m : scene.materials)
         world.reflectances.push_back(
-            {m.albedo, m.specular, m.shininess, Index(m.albedo != Color(0) || m.specular != Color(0))});
+            {m.albedo, m.specular, m.shininess, Index(m.albedo != Color(0) || m.specular != Color(0)),
+             Index(m.exponent < inf && (m.reflectance != Color(0) || m.transmittance != Color(0)))});
     world.scene.shapes = {};
     world.scene.meshes = {};
     reserve(world, scene);

@@ -16,6 +16,7 @@ struct SurfaceRecord {
     Real reach = 0;      // largest coordinate: what its rounding errors are measured by [world]
     vec3 velocity{0};
     Index material = 0;
+    Real area = 0;         // of a flat emitter that shadow rays look for [m2]
     bool sampled = false;  // an emitter that shadow rays look for
     Index shines = 0;      // 1: its front side sends out light
     Index smooth = nothing;  // which of World::corners has its normals
@@ -26,6 +27,7 @@ struct Reflectance {
     Color albedo{0}, specular{0};
     Real shininess = 1;
     Index reflects = 0;  // 1: any light
+    Index lobe = 0;      // 1: some of it into a glossy lobe
 };
 
 /// A scene laid out for the stages' loops. Shapes are numbered kind by kind: spheres, triangles, quads, discs.

@@ -45,13 +45,13 @@ class Penumbra:
         self.raytrace, self.out = raytrace, folder / "penumbra.exr"
 
     def ways(self, scene):
-        return ["sobol", "stratified"]
+        return ["orthogonal", "sobol"]
 
     def references(self, scene):
         return [self.render(scene, "sobol", REFERENCE, 7 + k)[0] for k in range(2)]
 
     def render(self, scene, way, n, seed):
-        n = 2 ** round(math.log2(n)) if way == "sobol" else round(n)
+        n = 2 ** round(math.log2(n))
         done = subprocess.run(
             [
                 self.raytrace,

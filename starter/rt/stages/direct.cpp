@@ -1,3 +1,4 @@
+#include "rt/importance.h"
 #include "rt/stages/stages.h"
 
 namespace rt {
@@ -67,7 +68,7 @@ void point_light(const World& world, const PointLight& light_in_memory, const Ba
 
 /// One sample of a light with extent for each lane.
 template <Sampler sampler, bool highlights, Emitter::Kind kind>
-[[gnu::noinline]] void area_light(const Emitter& emitter, Bits dimension, int n, const Batch& b, const Surfaces& s,
+[[gnu::noinline]] void area_light(const Emitter& emitter, Dimension dimension, int n, const Batch& b, const Surfaces& s,
                 const Reflectances& reflectances, Batch& shadow, Colors& light) {
     Emitter lamp = emitter;
     lamp.kind = kind;
@@ -89,9 +90,39 @@ template <Sampler sampler, bool highlights, Emitter::Kind kind>
     }
 }
 
+/// What glossy lobes reflect to the viewer, gathered for each lane; black where there is none.
+struct alignas(64) Lobes {
+    Real r[lanes], g[lanes], b[lanes], exponent[lanes];
+};
+
+/// One sample of a light with extent for each lane with a glossy lobe, weighed against the rays of the lobe.
+template <Sampler sampler, Emitter::Kind kind>
+[[gnu::noinline]] void weighed_light(const Emitter& emitter, Dimension dimension, int n, const Batch& b, const Surfaces& s,
+                                     const Lobes& lobes, Batch& shadow, Colors& light) {
+    Emitter lamp = emitter;
+    lamp.kind = kind;
+    const Color radiance = lamp.radiance;
+#pragma GCC ivdep
+    for (int i = 0; i < lanes; ++i) {
+        const Hit hit = s.hit(i);
+        const vec3 normal = s.normal(i), to_viewer = -vec3(b.dx[i], b.dy[i], b.dz[i]);
+        const vec2 u = pattern_2d<sampler>(b.key[i], int(b.sample[i]), n, dimension);
+        const LightSample sample = light_sample(lamp, hit.point, u);
+        const Real exponent = lobes.exponent[i], cosine = dot(normal, sample.direction);
+        const Real of_lobe = lobe_density(exponent, sample.direction, normal, to_viewer);
+        // BRDF x cosine, from the density of the lobe, over the density of the lamp's point.
+        const Real reflected = (exponent + 2) / (exponent + 1) * of_lobe * cosine / sample.density;
+        const Real share = reflected * power_heuristic(sample.density, of_lobe);
+        const Real seen = bool(sample.density > 0) & bool(cosine > 0) ? share : 0;
+        light.r[i] = seen * lobes.r[i] * radiance.x, light.g[i] = seen * lobes.g[i] * radiance.y,
+        light.b[i] = seen * lobes.b[i] * radiance.z;
+        shadow.set_ray(i, shadow_ray(hit, sample.direction, sample.distance));
+    }
+}
+
 /// One direction of the environment for each lane.
 template <Sampler sampler>
-void environment_light(const World& world, Bits dimension, int n, const Batch& b, const Surfaces& s,
+void environment_light(const World& world, Dimension dimension, int n, const Batch& b, const Surfaces& s,
                        const Reflectances& reflectances, Batch& shadow, Colors& light) {
     const Color radiance = world.scene.environment;
 #pragma GCC ivdep
@@ -123,6 +154,38 @@ bool gather_reflectances(const World& world, int count, const Surfaces& s, Refle
     return any != 0;
 }
 
+/// The lobes of the lanes' materials whose rays go on, where lamps are weighed against them. Returns whether there is any.
+bool gather_lobes(const World& world, const Batch& b, const Surfaces& s, Lobes& lobes) {
+    if (!world.plan.weigh) return false;
+    const Reflectance* table = world.reflectances.data();
+    const Index last = b.count, depth = world.scene.depth;
+    Index lobe[lanes], any = 0;
+    for (Index i = 0; i < lanes; ++i) {
+        lobe[i] = table[i < last ? s.material[i] + 1 : 0].lobe & (b.depth[i] < depth);
+        any |= lobe[i];
+    }
+    if (!any) return false;
+    lobes = {};
+    for (int i = 0; i < b.count; ++i) {
+        if (!lobe[i]) continue;
+        const Material& m = world.scene.materials[std::size_t(s.material[i])];
+        const Color mirror = outgoing(m, b, s, i).mirror;
+        lobes.r[i] = mirror.x, lobes.g[i] = mirror.y, lobes.b[i] = mirror.z, lobes.exponent[i] = m.exponent;
+    }
+    return true;
+}
+
+/// Calls f with the kind of an emitter as a compile-time constant.
+template <class F>
+void with_kind(Emitter::Kind kind, F f) {
+    using Kind = Emitter::Kind;
+    switch (kind) {
+        case Kind::quad: return f(std::integral_constant<Kind, Kind::quad>{});
+        case Kind::disc: return f(std::integral_constant<Kind, Kind::disc>{});
+        case Kind::sphere: return f(std::integral_constant<Kind, Kind::sphere>{});
+    }
+}
+
 void ambient_light(const World& world, const Batch& b, const Surfaces& s, Colors& found) {
     for (int i = 0; i < b.count; ++i) {
         if (s.material[i] == nothing) continue;
@@ -139,9 +202,23 @@ void direct_stage(const World& world, Sampler sampler_in_use, int n, int wave, c
                   Batch& shadow, Colors& found, Chunk& chunk) {
     if (world.scene.ambient != Color(0)) ambient_light(world, b, s, found);
     Reflectances reflectances;
-    if (!gather_reflectances(world, b.count, s, reflectances)) return;
+    Lobes lobes;
+    const bool reflects = gather_reflectances(world, b.count, s, reflectances);
+    const bool weighs = gather_lobes(world, b, s, lobes);
+    if (!reflects && !weighs) return;
     Colors light;
     for (int i = 0; i < lanes; ++i) shadow.time[i] = b.time[i];
+    if (weighs)
+        with_sampler(sampler_in_use, [&](auto sampler) {
+            for (std::size_t l = 0; l < world.emitters.size(); ++l) {
+                const Dimension dimension = wave_dimension(world, wave, light_dimension + int(l), n);
+                with_kind(world.emitters[l].kind, [&](auto kind) {
+                    weighed_light<sampler(), kind()>(world.emitters[l], dimension, n, b, s, lobes, shadow, light);
+                });
+                gather(world, b, light, shadow, found, chunk);
+            }
+        });
+    if (!reflects) return;
     for (const PointLight& lamp : world.scene.lights) {
         point_light(world, lamp, b, s, shadow, light);
         gather(world, b, light, shadow, found, chunk);
@@ -149,22 +226,16 @@ void direct_stage(const World& world, Sampler sampler_in_use, int n, int wave, c
     with_sampler(sampler_in_use, [&](auto sampler) {
         with_flag(world.plan.phong, [&](auto highlights) {
             for (std::size_t l = 0; l < world.emitters.size(); ++l) {
-                const Bits dimension = wave_dimension(world, wave, light_dimension + int(l));
-                const auto sample = [&](auto kind) {
+                const Dimension dimension = wave_dimension(world, wave, light_dimension + int(l), n);
+                with_kind(world.emitters[l].kind, [&](auto kind) {
                     area_light<sampler(), highlights(), kind()>(world.emitters[l], dimension, n, b, s,
                                                                 reflectances, shadow, light);
-                };
-                using Kind = Emitter::Kind;
-                switch (world.emitters[l].kind) {
-                    case Kind::quad: sample(std::integral_constant<Kind, Kind::quad>{}); break;
-                    case Kind::disc: sample(std::integral_constant<Kind, Kind::disc>{}); break;
-                    case Kind::sphere: sample(std::integral_constant<Kind, Kind::sphere>{}); break;
-                }
+                });
                 gather(world, b, light, shadow, found, chunk);
             }
         });
         if (world.plan.environment_lit) {
-            environment_light<sampler()>(world, wave_dimension(world, wave, environment_dimension), n, b, s,
+            environment_light<sampler()>(world, wave_dimension(world, wave, environment_dimension, n), n, b, s,
                                          reflectances, shadow, light);
             gather(world, b, light, shadow, found, chunk);
         }

@@ -1,3 +1,4 @@
+#include "rt/importance.h"
 #include "rt/stages/stages.h"
 
 namespace rt {
@@ -25,9 +26,14 @@ void see_emitters(const World& world, const Batch& b, const Surfaces& s, Colors&
     Index any = 0;
     for (int i = 0; i < lanes; ++i) any |= s.shines[i];
     if (!any) return;
-    for (int i = 0; i < b.count; ++i)
-        if (s.shines[i] && emission_counts(Event(b.event[i]), world.surfaces[std::size_t(b.shape[i])].sampled))
-            found.set(i, found.at(i) + b.weight(i) * world.scene.materials[std::size_t(s.material[i])].emission);
+    for (int i = 0; i < b.count; ++i) {
+        if (!s.shines[i]) continue;
+        const SurfaceRecord& lamp = world.surfaces[std::size_t(b.shape[i])];
+        if (!emission_counts(Event(b.event[i]), lamp.sampled)) continue;
+        const bool weighed = world.plan.weigh && Event(b.event[i]) == Event::lobe && b.density[i] > 0 && lamp.sampled;
+        const Real share = weighed ? power_heuristic(b.density[i], light_density(lamp, b.ray(i), b.far[i])) : 1;
+        found.set(i, found.at(i) + share * b.weight(i) * world.scene.materials[std::size_t(s.material[i])].emission);
+    }
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ Real phase(vec3 d, vec3 w, Real g) {
 void medium_stage(const World& world, Sampler sampler_in_use, int n, int wave, Batch& b, Queue& next, Chunk& chunk) {
     if (!world.plan.medium) return;
     with_sampler(sampler_in_use, [&](auto sampler) {
-        const Bits flight = wave_dimension(world, wave, flight_dimension),
-                   turn = wave_dimension(world, wave, phase_dimension);
+        const Dimension flight = wave_dimension(world, wave, flight_dimension, n),
+                        turn = wave_dimension(world, wave, phase_dimension, n);
         for (int i = 0; i < b.count; ++i) {
             if (b.medium[i] == nothing) continue;
             const Medium& medium = world.scene.materials[std::size_t(b.medium[i])].medium;

@@ -1,3 +1,4 @@
+#include "rt/importance.h"
 #include "rt/stages/stages.h"
 
 namespace rt {
@@ -23,7 +24,7 @@ Leaving& of(AllLeaving& all, Way way) { return all[std::size_t(way)]; }
 /// Decides how lanes from `begin` to `end` go on. Where there are several ways, one is chosen with a probability in proportion to what
 /// it carries; or, if the plan says so, mirror and glass are both followed.
 template <Sampler sampler>
-void choose(const World& world, int n, Bits choice, const Batch& b, const Surfaces& s, int begin, int end,
+void choose(const World& world, int n, Dimension choice, const Batch& b, const Surfaces& s, int begin, int end,
             AllLeaving& leaving) {
     const RenderPlan& plan = world.plan;
     for (Leaving& way : leaving) way.count = 0;
@@ -38,12 +39,7 @@ void choose(const World& world, int n, Bits choice, const Batch& b, const Surfac
         const bool deeper = (plan.specular || plan.lobe) && b.depth[i] < world.scene.depth;
         Outgoing out{Color(1), Color(0), Color(0)};
         if (deeper) {
-            Real fresnel = 0;
-            if (m.transmittance != Color(0)) {
-                const Real cosine = -dot(vec3(b.dx[i], b.dy[i], b.dz[i]), s.normal(i));
-                fresnel = s.behind[i] ? fresnel_dielectric(cosine, m.ior, 1) : fresnel_dielectric(cosine, 1, m.ior);
-            }
-            out = whitted(m, fresnel);
+            out = outgoing(m, b, s, i);
         }
         const Real mirror_share = deeper ? largest(out.mirror) : 0, glass_share = deeper ? largest(out.glass) : 0;
         const Real bounce_share = b.bounce[i] < world.scene.bounces ? largest(out.local * m.albedo) : 0;
@@ -120,6 +116,7 @@ void collect(const World& world, const Batch& b, const Surfaces& s, const Index*
         to.event[j] = Index(event);
         to.depth[j] = b.depth[i] + !bounces;
         to.bounce[j] = b.bounce[i] + bounces;
+        if constexpr (way == Way::glossy || way == Way::translucent) to.density[j] = 0;
         to.medium[j] = !enters                                  ? b.medium[i]
                        : behind || m.medium.extinction == 0 ? nothing
                                                                 : s.material[i];
@@ -140,7 +137,7 @@ Scattered direction_of(const Crossing& c, int k, vec2 u) {
 
 /// Writes the rays that leave in one way, and their weights, into lanes of a batch, from `first` on.
 template <Sampler sampler, Way way>
-void send(int n, Bits dimension, const Crossing& c, const Leaving& leaving, int begin, int count, Batch& to,
+void send(int n, Dimension dimension, const Crossing& c, const Leaving& leaving, int begin, int count, Batch& to,
           int first) {
     constexpr bool specular = way == Way::mirror || way == Way::glass;
 #pragma GCC ivdep
@@ -149,6 +146,15 @@ void send(int n, Bits dimension, const Crossing& c, const Leaving& leaving, int 
         const Scattered scattered = direction_of<way>(c, k, u);
         to.set_ray(first + k, spawn_ray(c.hit(k), scattered.direction));
         to.set_weight(first + k, leaving.weight.at(begin + k) * scattered.weight);
+    }
+}
+
+/// With which density each lane of a glossy lobe was taken, where that is weighed against lamps.
+void note_densities(const Crossing& c, int count, Batch& to, int first) {
+    for (int k = 0; k < count; ++k) {
+        const int j = first + k;
+        to.density[j] = lobe_density(c.exponent[k], {to.dx[j], to.dy[j], to.dz[j]}, {c.nx[k], c.ny[k], c.nz[k]},
+                                     {-c.dx[k], -c.dy[k], -c.dz[k]});
     }
 }
 
@@ -165,7 +171,7 @@ void close_ranks(Batch& b, int first) {
 }
 
 template <Sampler sampler, Way way>
-void follow(const World& world, int n, Bits dimension, const Batch& b, const Surfaces& s, const Leaving& leaving,
+void follow(const World& world, int n, Dimension dimension, const Batch& b, const Surfaces& s, const Leaving& leaving,
             Queue& next, Chunk& chunk) {
     constexpr RayKind kind = way == Way::mirror  ? RayKind::mirror
                              : way == Way::glass ? RayKind::glass
@@ -177,6 +183,7 @@ void follow(const World& world, int n, Bits dimension, const Batch& b, const Sur
         const int first = to.count, taken = std::min(leaving.count - k, lanes - first);
         collect<way>(world, b, s, leaving.lane + k, taken, crossing, to, first);
         send<sampler, way>(n, dimension, crossing, leaving, k, taken, to, first);
+        if (way == Way::glossy && world.plan.weigh) note_densities(crossing, taken, to, first);
         to.count = first + taken;
         close_ranks(to, first);
         chunk.rays[int(kind)] += std::uint64_t(to.count - first);
@@ -190,8 +197,8 @@ void scatter_stage(const World& world, Sampler sampler_in_use, int n, int wave, 
                    Queue& next, Chunk& chunk) {
     const RenderPlan& plan = world.plan;
     if (!plan.specular && !plan.lobe && !plan.bounce) return;
-    const Bits choice = wave_dimension(world, wave, choice_dimension),
-               lobe = wave_dimension(world, wave, lobe_dimension);
+    const Dimension choice = wave_dimension(world, wave, choice_dimension, n),
+                    lobe = wave_dimension(world, wave, lobe_dimension, n);
     AllLeaving leaving;
     with_sampler(sampler_in_use, [&](auto sampler) {
         const auto follow_way = [&](auto way) {

@@ -51,6 +51,16 @@ void scatter_stage(const World& world, Sampler sampler, int n, int wave, const B
 /// The mean of one pixel's samples.
 Color film_stage(const Color* radiance, const Real* weight, int n);
 
+/// What leaves the surface of lane i towards the viewer, and with which weights.
+inline Outgoing outgoing(const Material& m, const Batch& b, const Surfaces& s, int i) {
+    Real fresnel = 0;
+    if (m.transmittance != Color(0)) {
+        const Real cosine = -dot(vec3(b.dx[i], b.dy[i], b.dz[i]), s.normal(i));
+        fresnel = s.behind[i] ? fresnel_dielectric(cosine, m.ior, 1) : fresnel_dielectric(cosine, 1, m.ior);
+    }
+    return whitted(m, fresnel);
+}
+
 /// Calls f with the sampler as a compile-time constant.
 template <class F>
 auto with_sampler(Sampler sampler, F f) {
@@ -58,6 +68,7 @@ auto with_sampler(Sampler sampler, F f) {
         case Sampler::uniform: return f(std::integral_constant<Sampler, Sampler::uniform>{});
         case Sampler::random: return f(std::integral_constant<Sampler, Sampler::random>{});
         case Sampler::stratified: return f(std::integral_constant<Sampler, Sampler::stratified>{});
+        case Sampler::orthogonal: return f(std::integral_constant<Sampler, Sampler::orthogonal>{});
         default: return f(std::integral_constant<Sampler, Sampler::sobol>{});
     }
 }
@@ -79,8 +90,14 @@ enum WaveDimension : int {
     light_dimension
 };
 
-inline Bits wave_dimension(const World& world, int wave, int dimension) {
-    return Bits(world.plan.camera_dimensions + wave * world.plan.wave_dimensions + dimension);
+inline Dimension camera_dimension(const World& world, int dimension, int n) {
+    return {Bits(dimension), world.plan.pairs[std::size_t(dimension)], n};
+}
+
+inline Dimension wave_dimension(const World& world, int wave, int dimension, int n) {
+    const RenderPlan& plan = world.plan;
+    return {Bits(plan.camera_dimensions + wave * plan.wave_dimensions + dimension),
+            plan.pairs[std::size_t(plan.camera_dimensions + dimension)] + wave * plan.pairs_of_wave, n};
 }
 
 }  // namespace rt

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "rt/world.h"
+
+/// Multiple importance sampling of lamps that glossy lobes reflect: points of the lamp and rays of the lobe both find them, and each
+/// is weighed by its density against the other's.
+///
+/// Source: Veach and Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering", SIGGRAPH 1995.
+namespace rt {
+
+/// The weight of a sample of density p that the other technique would have taken with density q: the power heuristic.
+[[gnu::always_inline]] inline Real power_heuristic(Real p, Real q) { return p > 0 ? 1 / (1 + sqr(q / p)) : 0; }
+
+/// The density with which phong_lobe takes a direction about the mirror direction [1/sr].
+///
+/// direction  unit, from the surface [world]
+/// n          unit normal, on the side of the viewer [world]
+/// to_viewer  unit [world]
+[[gnu::always_inline]] inline Real lobe_density(Real exponent, vec3 direction, vec3 n, vec3 to_viewer) {
+    const vec3 apart = 2 * dot(n, direction) * n - direction - to_viewer;
+    const Real off = dot(apart, apart) / 2;  // 1 - cos(alpha), with all its digits
+    const Real to_the_n = exp(exponent * log1p(-(off < 1 ? off : 0)));
+    return off < 1 ? (exponent + 1) / (2 * pi) * to_the_n : 0;
+}
+
+/// The density with which light_sample takes the point of an emitter that a ray hits [1/sr].
+///
+/// lamp      what the surface stage knows of the emitter
+/// ray       unit direction, from the surface [world]
+/// distance  along the ray to the emitter [m]
+inline Real light_density(const SurfaceRecord& lamp, const Ray& ray, Real distance) {
+    if (lamp.radius == 0) return sqr(distance) / (std::abs(dot(ray.direction, lamp.normal)) * lamp.area);
+    const vec3 to_center = lamp.center - ray.origin;
+    const Real sine2 = sqr(lamp.radius) / dot(to_center, to_center);
+    return (1 + safe_sqrt(1 - sine2)) / (2 * pi * sine2);  // 1 - cos = sine^2 / (1 + cos)
+}
+
+}  // namespace rt

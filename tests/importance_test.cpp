@@ -1,0 +1,202 @@
+#include "rt/importance.h"
+
+#include <cmath>
+
+#include "catch.h"
+#include "rt/render.h"
+#include "rt/sampler.h"
+#include "rt/scene_reader.h"
+
+using namespace rt;
+
+namespace {
+
+/// Three lobes under lamps of each kind; one of the balls is rough glass.
+constexpr const char* lamps = R"(
+environment = 0.1
+[render]
+samples = 64
+bounces = 1
+[camera]
+eye = [0, 3, 7]
+target = [0, 0.5, 0]
+size = [24, 16]
+[materials.grey]
+albedo = 0.5
+[materials.lamp]
+emission = 9
+[materials.broad]
+reflectance = [0.4, 0.7, 0.9]
+exponent = 4
+[materials.narrow]
+reflectance = 0.8
+exponent = 300
+albedo = 0.1
+[materials.rough]
+transmittance = 0.9
+reflectance = 0.9
+exponent = 40
+ior = 1.5
+[[shape]]
+type = "quad"
+u = [9, 0, 0]
+v = [0, 0, -9]
+center = [0, 0, 0]
+material = "grey"
+[[shape]]
+type = "quad"
+center = [2, 4, 1]
+u = [0.5, 0, 0]
+v = [0, 0, 0.5]
+material = "lamp"
+[[shape]]
+type = "disc"
+center = [-2, 4, 1]
+normal = [0, -1, 0]
+radius = 0.5
+material = "lamp"
+[[shape]]
+type = "sphere"
+center = [0, 3, -2]
+radius = 0.4
+material = "lamp"
+[[shape]]
+type = "sphere"
+center = [-2, 0.9, 0]
+radius = 0.9
+material = "broad"
+[[shape]]
+type = "sphere"
+center = [0, 0.9, 0]
+radius = 0.9
+material = "narrow"
+[[shape]]
+type = "sphere"
+center = [2, 0.9, 0]
+radius = 0.9
+material = "rough"
+)";
+
+struct Estimate {
+    Color mean{0}, variance{0};  // of the picture's mean
+    Real noise = 0;              // mean variance of a pixel
+};
+
+/// From so many pictures of different seeds.
+Estimate estimate(const Scene& scene, Sampler sampler, int pictures) {
+    Estimate e;
+    std::vector<Image> all;
+    for (int k = 0; k < pictures; ++k)
+        all.push_back(render(scene, {.samples = scene.samples, .seed = std::uint64_t(k), .sampler = sampler, .estimate_error = false}).image);
+    std::vector<Color> means;
+    for (const Image& image : all) {
+        Color mean{0};
+        for (const Color c : image.pixels) mean += c / Real(image.pixels.size());
+        means.push_back(mean);
+        e.mean += mean / Real(pictures);
+    }
+    for (const Color m : means) e.variance += (m - e.mean) * (m - e.mean) / Real(pictures * (pictures - 1));
+    for (std::size_t p = 0; p < all[0].pixels.size(); ++p) {
+        Color mean{0};
+        for (const Image& image : all) mean += image.pixels[p] / Real(pictures);
+        for (const Image& image : all) {
+            const Color d = image.pixels[p] - mean;
+            e.noise += dot(d, d) / Real(3 * (pictures - 1)) / Real(all[0].pixels.size());
+        }
+    }
+    return e;
+}
+
+vec2 numbers(int i) { return sobol_2d(11, std::uint32_t(i), 4); }
+
+}  // namespace
+
+TEST_CASE("the density of a lobe is that of phong_lobe, and is 1 in all") {
+    const vec3 n = unit(vec3(0.2, 0.5, 0.8)), d = unit(vec3(0.4, -0.7, -0.3));
+    for (const Real exponent : {0., 1., 6., 100., 1e5}) {
+        const Frame about = frame_about(mirror_direction(d, n));
+        for (int i = 0; i < 1000; ++i) {
+            const DirectionSample sample = phong_lobe(exponent, numbers(i));
+            CAPTURE(exponent, i);
+            CHECK(lobe_density(exponent, about.to_world(sample.direction), n, -d) ==
+                  Approx(sample.density).epsilon(1e-9 * (1 + exponent)).margin(1e-12));
+        }
+        // Over the sphere, with the cosine to the mirror direction as c = 1 - 2 s^2: rings near the peak are narrow.
+        Real sum = 0;
+        const int rings = 20000;
+        for (int k = 0; k < rings; ++k) {
+            const Real s = (k + 0.5) / rings, c = 1 - 2 * s * s;
+            const vec3 l = about.to_world({2 * s * std::sqrt(1 - s * s), 0, c});
+            sum += 2 * pi * 4 * s / rings * lobe_density(exponent, l, n, -d);
+        }
+        CHECK(sum == Approx(1).epsilon(1e-3));
+    }
+}
+
+TEST_CASE("the density of a lamp is that of light_sample") {
+    const World world = make_world(parse_scene(lamps, "lamps.toml"));
+    REQUIRE(world.emitters.size() == 3);
+    const vec3 p{0.3, 0.2, -0.1};
+    for (const Emitter& emitter : world.emitters) {
+        const auto lamp = std::find_if(world.surfaces.begin(), world.surfaces.end(), [&](const SurfaceRecord& r) {
+            if (!r.sampled) return false;
+            if (emitter.kind == Emitter::Kind::sphere) return r.center == emitter.sphere.center && r.radius > 0;
+            return r.center == (emitter.kind == Emitter::Kind::quad ? emitter.quad.center : emitter.disc.center);
+        });
+        REQUIRE(lamp != world.surfaces.end());
+        for (int i = 0; i < 200; ++i) {
+            const LightSample sample = light_sample(emitter, p, numbers(i));
+            CAPTURE(int(emitter.kind), i);
+            CHECK(light_density(*lamp, {p, sample.direction, 0, inf}, sample.distance) == Approx(sample.density));
+        }
+    }
+}
+
+TEST_CASE("the weights of both techniques add up to 1, also at the ends") {
+    for (const Real p : {1e-300, 1e-3, 1., 1e5, 1e300})
+        for (const Real q : {1e-300, 1e-3, 1., 1e5, 1e300}) {
+            CAPTURE(p, q);
+            CHECK(power_heuristic(p, q) + power_heuristic(q, p) == Approx(1));
+        }
+    CHECK(power_heuristic(0, 1) == 0);
+    CHECK(power_heuristic(1, 0) == 1);
+    CHECK(power_heuristic(0, 0) == 0);
+}
+
+TEST_CASE("multiple importance sampling changes the noise, not the picture") {
+    Scene scene = parse_scene(lamps, "lamps.toml");
+    for (const Sampler sampler : {Sampler::random, Sampler::orthogonal}) {
+        scene.multiple_importance = false;
+        const Estimate lobes = estimate(scene, sampler, 40);
+        scene.multiple_importance = true;
+        const Estimate both = estimate(scene, sampler, 40);
+        for (int c = 0; c < 3; ++c) {
+            CAPTURE(int(sampler), c, lobes.mean[c], both.mean[c]);
+            CHECK(std::abs(lobes.mean[c] - both.mean[c]) < 4.5 * std::sqrt(lobes.variance[c] + both.variance[c]));
+        }
+    }
+    // Most of the noise is that of the rough glass, which is not weighed.
+    scene.shapes.pop_back();
+    scene.multiple_importance = false;
+    const Real lobes = estimate(scene, Sampler::orthogonal, 10).noise;
+    scene.multiple_importance = true;
+    const Real both = estimate(scene, Sampler::orthogonal, 10).noise;
+    CAPTURE(lobes, both);
+    CHECK(both < 0.6 * lobes);
+}
+
+TEST_CASE("without lobes or lamps multiple importance sampling leaves everything as it is") {
+    const std::string text = lamps;
+    const auto picture = [](Scene scene, bool both) {
+        scene.multiple_importance = both;
+        return render(scene, {.samples = 4, .estimate_error = false});
+    };
+    Scene smooth = parse_scene(text, "lamps.toml"), dark = smooth;
+    for (Material& m : smooth.materials) m.exponent = inf;
+    for (Material& m : dark.materials) m.sampled = false;
+    for (const Scene& scene : {smooth, dark}) {
+        const Rendering with = picture(scene, true), without = picture(scene, false);
+        CHECK(with.image.pixels == without.image.pixels);
+        CHECK(with.rays == without.rays);
+    }
+}

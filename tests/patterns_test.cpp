@@ -1,0 +1,120 @@
+#include <cmath>
+#include <vector>
+
+#include "catch.h"
+#include "rt/sampler.h"
+
+using namespace rt;
+
+namespace {
+
+/// All n points of one pair of dimensions.
+template <Sampler sampler>
+std::vector<vec2> points(Bits key, int n, int pair) {
+    std::vector<vec2> all;
+    for (int i = 0; i < n; ++i) all.push_back(pattern_2d<sampler>(key, i, n, Dimension(Bits(pair), pair, n)));
+    return all;
+}
+
+/// Whether there is one value in each of columns x rows cells of the unit square.
+bool one_in_each_cell(const std::vector<Real>& x, const std::vector<Real>& y, int columns, int rows) {
+    std::vector<char> taken(std::size_t(columns) * std::size_t(rows), 0);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        char& cell = taken[std::size_t(int(x[i] * columns)) * std::size_t(rows) + std::size_t(int(y[i] * rows))];
+        if (cell) return false;
+        cell = 1;
+    }
+    return x.size() == taken.size();
+}
+
+std::vector<Real> coordinate(const std::vector<vec2>& points, int axis) {
+    std::vector<Real> all;
+    for (const vec2 p : points) all.push_back(p[axis]);
+    return all;
+}
+
+template <Sampler sampler>
+void check_nets() {
+    for (int m = 0; m <= 12; ++m) {
+        const int n = 1 << m;
+        for (const int pair : {0, 1, 3, 40}) {
+            const auto all = points<sampler>(77, n, pair);
+            for (int k = 0; k <= m; ++k) {
+                CAPTURE(m, pair, k);
+                CHECK(one_in_each_cell(coordinate(all, 0), coordinate(all, 1), 1 << k, 1 << (m - k)));
+            }
+        }
+    }
+}
+
+}  // namespace
+
+TEST_CASE("each pair of dimensions has one sample in every elementary interval") {
+    check_nets<Sampler::sobol>();
+    check_nets<Sampler::orthogonal>();
+}
+
+TEST_CASE("any two dimensions of an orthogonal array have one sample in each cell") {
+    for (int h = 1; h <= 5; ++h) {
+        const int n = 1 << (2 * h), pairs = 1 << (h - 1);
+        std::vector<std::vector<Real>> dimensions;
+        for (int pair = 0; pair < pairs; ++pair)
+            for (int axis = 0; axis < 2; ++axis) dimensions.push_back(coordinate(points<Sampler::orthogonal>(5, n, pair), axis));
+        for (std::size_t a = 0; a < dimensions.size(); ++a)
+            for (std::size_t b = a + 1; b < dimensions.size(); ++b) {
+                CAPTURE(n, a, b);
+                CHECK(one_in_each_cell(dimensions[a], dimensions[b], 1 << h, 1 << h));
+            }
+    }
+}
+
+TEST_CASE("scrambled points are uniform, and pairs do not go together") {
+    // Over many keys: the first two moments of a sample, and its product with one of another pair, also of a later array.
+    constexpr int keys = 200'000, n = 16;
+    const Dimension first(0, 0, n);
+    for (const int pair : {1, 2, 9}) {
+        const Dimension other(Bits(pair), pair, n);
+        for (const int i : {0, 7}) {
+            Real mean = 0, square = 0, product = 0, within = 0;
+            for (int k = 0; k < keys; ++k) {
+                const vec2 p = pattern_2d<Sampler::orthogonal>(combine(3, Bits(k)), i, n, first);
+                const vec2 q = pattern_2d<Sampler::orthogonal>(combine(3, Bits(k)), i, n, other);
+                mean += q.x / keys, square += q.x * q.x / keys;
+                product += (p.x - 0.5) * (q.y - 0.5) / keys, within += (q.x - 0.5) * (q.y - 0.5) / keys;
+            }
+            CAPTURE(pair, i);
+            CHECK(std::abs(mean - 1 / 2.) < 4.5 * std::sqrt(1 / 12. / keys));
+            CHECK(std::abs(square - 1 / 3.) < 4.5 * std::sqrt(4 / 45. / keys));
+            CHECK(std::abs(product) < 4.5 / 12. / std::sqrt(keys));
+            CHECK(std::abs(within) < 4.5 / 12. / std::sqrt(keys));
+        }
+    }
+}
+
+TEST_CASE("dimensions of one orthogonal array leave a fifth of the noise of random pairs, those of two no more than these") {
+    // The variance of a mean of products over dimensions of two arrays.
+    constexpr int n = 64, keys = 4000;
+    for (const int pair : {1, 5, 9}) {
+        Real variance = 0;
+        for (int k = 0; k < keys; ++k) {
+            const Bits key = combine(9, Bits(k));
+            const auto a = points<Sampler::orthogonal>(key, n, 0), b = points<Sampler::orthogonal>(key, n, pair);
+            Real mean = 0;
+            for (std::size_t i = 0; i < n; ++i) mean += (a[i].x - 0.5) * (b[i].x - 0.5) / n;
+            variance += mean * mean / keys;
+        }
+        CAPTURE(pair);
+        const Real random = 1 / 144. / n;
+        CHECK(variance < (pair < 4 ? 0.2 : 1.15) * random);
+    }
+}
+
+TEST_CASE("an orthogonal array takes a power of two, and others are Sobol's points") {
+    CHECK(pattern_of(Sampler::orthogonal, 1) == Sampler::orthogonal);
+    CHECK(pattern_of(Sampler::orthogonal, 1 << 16) == Sampler::orthogonal);
+    CHECK(pattern_of(Sampler::orthogonal, 1 << 17) == Sampler::sobol);
+    CHECK(pattern_of(Sampler::orthogonal, 48) == Sampler::sobol);
+    CHECK(pattern_of(Sampler::stratified, 48) == Sampler::stratified);
+    for (std::size_t i = 0; i < sampler_names.size(); ++i) CHECK(sampler_named(sampler_names[i]) == Sampler(i));
+    CHECK(!sampler_named("halton"));
+}
