@@ -121,7 +121,7 @@ Checks check_camera_ray(Generator& random) {
         return fmt::format("the ray misses its film point by up to {:.3g} pixels", value);
     };
     return {probe_check("film_point", "camera_ray", {}, inputs, {film, origin, length, range}),
-            slanted_quad(random, "camera_ray", {"hit_quad"})};
+            slanted_quad(random, "camera_ray", {"hit_quad", "emission_counts"})};
 }
 
 }  // namespace grade

@@ -54,7 +54,7 @@ Check silhouette(Generator& random) {
     const vec3 center = place({between(random, -0.5, 0.5), between(random, -0.4, 0.4), 0});
     const double radius = between(random, 0.7, 1.1);
     return figure_check(
-        "silhouette", "hit_sphere", {}, toml(view_down(place, 5, 40)) + lamp + sphere("lamp", center, radius), "sphere",
+        "silhouette", "hit_sphere", {"emission_counts"}, toml(view_down(place, 5, 40)) + lamp + sphere("lamp", center, radius), "sphere",
         [=](const rt::Camera& camera) -> Sight {
             return [=](vec2 film) {
                 return glm::length(rt::cross(center - camera.eye, view_direction(camera, film))) < radius ? 1.0 : 0.0;
@@ -70,7 +70,7 @@ Check two_triangles(Generator& random) {
     const std::string scene = toml(view_down(place, 5, 40)) + "[materials.lamp]\nemission = 1\nsampled = false\n\n" +
                               triangle("lamp", a, b, c) + triangle("lamp", a, c, d);
     Check check = figure_check(
-        "two_triangles", "hit_triangle", {}, scene, "pair of triangles", [q](const rt::Camera& camera) -> Sight {
+        "two_triangles", "hit_triangle", {"emission_counts"}, scene, "pair of triangles", [q](const rt::Camera& camera) -> Sight {
             return [=](vec2 film) { return on_quad(q, camera.eye, view_direction(camera, film)) ? 1.0 : 0.0; };
         });
     Statistic seam = of_picture("A1", "brightest pixel, off 1 by", [](const rt::Image& image) {
@@ -182,7 +182,7 @@ Check invisible_glass(Generator& random, const std::string& fragment) {
                     thing, value, question);
             });
     };
-    std::vector<std::string> needs = {"hit_sphere"};
+    std::vector<std::string> needs = {"hit_sphere", "emission_counts"};
     for (const char* other : {"whitted", "mirror_direction", "refracted_direction", "fresnel_dielectric"})
         if (fragment != other) needs.push_back(other);
     return render_check(
@@ -232,7 +232,7 @@ Check edge_noise(Generator& random) {
                 value);
         });
     noise.delta0 = 0.1;
-    return render_check("edge_noise", "stratified_2d", {"hit_quad"}, {scene, samples, "stratified"}, {noise});
+    return render_check("edge_noise", "stratified_2d", {"hit_quad", "emission_counts"}, {scene, samples, "stratified"}, {noise});
 }
 
 /// A matt floor under a sky of radiance 1 has its albedo's radiance, whatever direction is drawn: no noise (V1).
@@ -260,7 +260,7 @@ Check open_sky(Generator& random) {
         always(
             "directions drawn as the cosine leave no noise under an even sky: is the density that of the direction?"));
     noise.exact = true;
-    return render_check("open_sky", "cosine_hemisphere", {"hit_quad", "shadow_ray"}, {scene, 4, "random"},
+    return render_check("open_sky", "cosine_hemisphere", {"hit_quad", "shadow_ray", "emission_counts"}, {scene, 4, "random"},
                         {light, noise});
 }
 

@@ -68,7 +68,7 @@ Checks check_hit_quad(Generator& random) {
                         {formula("W1", "distance, off by", right, 1e-3, suspects, circumstances)}),
             probe_check("interval", "hit_quad", {}, clipped,
                         {formula("W1", "distance within the interval, off by", right, 1e-3, suspects, circumstances)}),
-            slanted_quad(random, "hit_quad", {})};
+            slanted_quad(random, "hit_quad", {"emission_counts"})};
 }
 
 }  // namespace grade

@@ -61,7 +61,7 @@ Check two_colors(Generator& random) {
         of_picture(
             "D4", "red less green, from the middle of the blur outwards [blur radius^2]",
             [=](const rt::Image& i) { return moments(i).square; }, 0, 0.3, hint)};
-    return render_check("two_colors", "lens_ray", {"uniform_disk", "light_sample", "direct_light", "shadow_ray"},
+    return render_check("two_colors", "lens_ray", {"uniform_disk", "hit_quad", "light_sample", "direct_light", "shadow_ray"},
                         {scene, 24, "random"}, statistics);
 }
 

@@ -9,6 +9,7 @@
 #include "build/compile.h"
 #include "build/files.h"
 #include "judging/judge_check.h"
+#include "judging/mentions.h"
 #include "judging/parallel.h"
 #include "rt/scene_reader.h"
 
@@ -144,14 +145,16 @@ void Grading::judge(const Task& task) {
 }
 
 /// What a check's record depends on, in student mode, beside the grader: the settings, and the sources of its fragment
-/// and of those that it needs. Others take no part in its experiment.
+/// of those that it needs, and of those that any of these names. Others take no part in its experiment.
 std::string Grading::made_from(const Task& task) const {
     std::string text = fmt::format("{} {} {} {} {} {}\n", settings_.seed, settings_.time_limit, settings_.pictures,
                                    check_settings_.statistics.statistics, check_settings_.statistics.cap,
                                    record_.sandbox);
-    std::set<std::string> names(task.check->needs.begin(), task.check->needs.end());
-    names.insert(task.check->fragment);
-    for (const std::string& name : names) {
+    std::set<std::string> called(task.check->needs.begin(), task.check->needs.end()), all;
+    called.insert(task.check->fragment);
+    for (const auto& [name, object] : chain_.blank_objects) all.insert(name);
+    for (const std::string& name :
+         with_mentioned(called, all, [&](const std::string& fragment) { return programs_.source(fragment); })) {
         const std::string source = programs_.source(name);
         text += fmt::format("{} {}\n{}\n", name, source.size(), source);
     }

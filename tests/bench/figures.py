@@ -56,3 +56,9 @@ def three_digits(x):
     if x != x:
         return "?"
     return f"{x:.3g}" if x < 1000 else f"{x:.0f}"
+
+
+def table(heads, rows):
+    """Markdown."""
+    lines = [heads, ["---"] * len(heads), *rows]
+    return "".join("|" + "|".join(str(cell) if cell == "---" else f" {cell} " for cell in line) + "|\n" for line in lines)

@@ -20,7 +20,7 @@ import subprocess
 import tempfile
 import time
 
-from figures import machine, slope_interval, three_digits
+from figures import machine, slope_interval, table, three_digits
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
@@ -119,7 +119,7 @@ def lamps(n):
 class Bench:
     def __init__(self, words, folder):
         self.raytrace, self.rounds, self.folder = words.build.absolute() / "raytrace", words.rounds, folder
-        self.out, self.text = folder / "out.exr", ""
+        self.out, self.text, self.targets = folder / "out.exr", "", []
 
     def runs(self, jobs):
         """Each job in turn, in each round: for each the runs. A job: a scene and options."""
@@ -129,25 +129,23 @@ class Bench:
                 done[k].append(Run(self.raytrace, scene, "-o", self.out, *options))
         return done
 
-    def table(self, title, unit, sizes, runs, goal, columns=()):
+    def growth(self, title, unit, sizes, runs, goal, columns=()):
         """Seconds for each size, and the exponent of the upper sizes, where what is the same for all no longer counts."""
         seconds = [statistics.median(r.render for r in each) for each in runs]
         last = slice(-4, None)
         k, half = slope_interval(sizes[last], seconds[last])
         self.text += f"## {title}\n\nExponent of the last four: {k:.2f} ± {half:.2f}; {goal}.\n\n"
-        self.text += (
-            f"| {unit} | CPU s |{''.join(f' {name} |' for name, _ in columns)}\n|---|---|{'---|' * len(columns)}\n"
-        )
-        for n, s, each in zip(sizes, seconds, runs):
-            more = "".join(f" {three_digits(statistics.median(f(r) for r in each))} |" for _, f in columns)
-            self.text += f"| {n} | {s:.4f} |{more}\n"
-        self.text += "\n"
+        rows = [
+            [n, f"{s:.4f}", *(three_digits(statistics.median(f(r) for r in each)) for _, f in columns)]
+            for n, s, each in zip(sizes, seconds, runs)
+        ]
+        self.text += table([unit, "CPU s", *(name for name, _ in columns)], rows) + "\n"
         print(f"{title}: {k:.2f} ± {half:.2f}", flush=True)
         return seconds
 
     def target(self, what, value, goal, unit):
         verdict = "met" if value <= goal else "**missed**"
-        self.text += f"| {what} | {three_digits(value)} {unit} | {goal} {unit} | {verdict} |\n"
+        self.targets.append([what, f"{three_digits(value)} {unit}", f"{goal} {unit}", verdict])
         print(f"{what}: {three_digits(value)} {unit}, at most {goal}: {verdict}", flush=True)
 
 
@@ -155,18 +153,18 @@ def measure(bench, most_triangles):
     plain = ["--threads", 1]
     sizes = [64, 128, 256, 512, 1024]
     runs = bench.runs([(SCENE, [*plain, "--samples", 16, "--size", f"{n}x{n}"]) for n in sizes])
-    bench.table("Pixels", "pixels", [n * n for n in sizes], runs, "linear is 1")
+    bench.growth("Pixels", "pixels", [n * n for n in sizes], runs, "linear is 1")
 
     sizes = [1, 4, 16, 64, 256, 1024]
     runs = bench.runs([(SCENE, [*plain, "--size", "128x128", "--samples", n]) for n in sizes])
-    bench.table("Samples", "samples a pixel", sizes, runs, "linear is 1")
+    bench.growth("Samples", "samples a pixel", sizes, runs, "linear is 1")
 
     sizes, jobs = [1, 2, 4, 8, 16, 32, 64], []
     for n in sizes:
         file = bench.folder / f"lamps-{n}.toml"
         file.write_text(lamps(n))
         jobs.append((file, plain))
-    bench.table(
+    bench.growth(
         "Lamps",
         "lamps",
         sizes,
@@ -183,7 +181,7 @@ def measure(bench, most_triangles):
         file.write_text(MESH.replace("FILE", mesh.name))
         jobs.append((file, plain))
     runs = bench.runs(jobs)
-    seconds = bench.table(
+    seconds = bench.growth(
         "Triangles",
         "triangles",
         sizes,
@@ -201,12 +199,12 @@ def measure(bench, most_triangles):
     threads = bench.runs([(SCENE, ["--samples", 256, "--threads", n]) for n in (1, 2)])
     one, two = ([statistics.median(getattr(r, k) for r in each) for k in ("render_wall", "render")] for each in threads)
     bench.text += (
-        f"## Threads\n\n| threads | wall s | CPU s |\n|---|---|---|\n| 1 | {one[0]:.3f} | {one[1]:.3f} |\n"
-        f"| 2 | {two[0]:.3f} | {two[1]:.3f} |\n\nTwice the threads are {one[0] / two[0]:.2f} times as fast by the clock "
+        "## Threads\n\n"
+        + table(["threads", "wall s", "CPU s"], [[n, f"{wall:.3f}", f"{cpu:.3f}"] for n, (wall, cpu) in enumerate((one, two), 1)])
+        + f"\nTwice the threads are {one[0] / two[0]:.2f} times as fast by the clock "
         f"({2 * one[1] / two[1]:.2f} by CPU seconds, which other work on the machine disturbs less); the goal is 1.9.\n\n"
     )
 
-    bench.text += "## Memory and start\n\n| what | measured | goal | |\n|---|---|---|---|\n"
     small = bench.runs([(SCENE, [])])[0]
     bench.target("peak memory, soft_shadow", max(r.megabytes for r in small), 40, "MB")
     bench.target(f"peak memory, {sizes[-1]} triangles", max(r.megabytes for r in largest), 400, "MB")
@@ -216,6 +214,7 @@ def measure(bench, most_triangles):
     whole = [Run(bench.raytrace, SCENE, "-o", bench.out, "--samples", 16) for _ in range(11)]
     bench.target("soft_shadow, 16 samples, process, wall", statistics.median(r.wall for r in whole), 0.05, "s")
     bench.target("the same, CPU", statistics.median(r.cpu for r in whole), 0.05, "s")
+    bench.text += "## Memory and start\n\n" + table(["what", "measured", "goal", ""], bench.targets)
 
 
 def main():

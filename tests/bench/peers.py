@@ -58,7 +58,7 @@ try:
 except ImportError:
     start_again_with_mitsuba()
 
-from figures import machine, ratio_interval, squared_error, three_digits  # noqa: E402
+from figures import machine, ratio_interval, squared_error, table, three_digits  # noqa: E402
 from renderers import Penumbra, newest_llvm, peers, whole_process  # noqa: E402
 
 MOST = 40  # CPU seconds of one render; what needs more to reach a target is given up
@@ -222,6 +222,17 @@ def processes(raytrace, folder, peers, rounds):
     return {name: [statistics.median(u[k] for u in runs[1:]) for k in (0, 1)] for name, runs in used.items()}
 
 
+def time_cells(name, curve, target, times, pairs):
+    """Way, samples, seconds, ratio and interval of one renderer."""
+    if not curve:
+        return ["none", "–", "not reached", "–", "–"]
+    cells = [curve.way, f"{curve.at(target)[0]:.0f}", three_digits(statistics.median(times))]
+    if name == "Penumbra":
+        return [*cells, 1, "–"]
+    ratio, low, high = map(three_digits, ratio_interval(pairs))
+    return [*cells, f"**{ratio}**", f"{low} to {high}"]
+
+
 def write_tables(rows, missing, whole, words, out, seconds):
     d = three_digits
     text = f"""# Side by side with other renderers
@@ -236,11 +247,14 @@ The difference between the two converged pictures: of their means, and root mean
 the noise, both relative to the mean; then its square as a share of the two target errors. Errors are measured against each
 renderer's own picture, so no renderer pays for a difference.
 
-| scene | peer | means | pixels, RMS | of the error of 64 | of 1024 |
-|---|---|---|---|---|---|
 """
-    for scene, family, means, rms, a, b in rows["bias"]:
-        text += f"| {scene} | {family} | {100 * means:+.3f} % | {100 * rms:.2f} % | {d(max(a, 0))} | {d(max(b, 0))} |\n"
+    text += table(
+        ["scene", "peer", "means", "pixels, RMS", "of the error of 64", "of 1024"],
+        [
+            [scene, family, f"{100 * means:+.3f} %", f"{100 * rms:.2f} %", d(max(a, 0)), d(max(b, 0))]
+            for scene, family, means, rms, a, b in rows["bias"]
+        ],
+    )
     text += """
 Mitsuba has no moving shapes: its motion_blur is the mean of 16 time slices. POV-Ray's lamps and lenses differ as
 [povray_scene.py](povray_scene.py) says. On glossy both follow up to 6 diffuse bounces and 16 lobes, since Mitsuba cannot
@@ -250,39 +264,32 @@ limit them apart.
 
 Each with the fastest of its ways. The ratio is a peer's time over Penumbra's, with its 95 % interval from the rounds.
 
-| scene | error of | MSE | renderer | its way | samples | CPU s | ratio | interval |
-|---|---|---|---|---|---|---|---|---|
 """
-    for scene, level, target, name, curve, times, pairs, _ in rows["time"]:
-        text += f"| {scene} | {level} | {target:.2e} | {name} | "
-        if not curve:
-            text += "none | – | not reached | – | – |\n"
-            continue
-        ratio = ratio_interval(pairs)
-        text += f"{curve.way} | {curve.at(target)[0]:.0f} | {d(statistics.median(times))} | "
-        text += "1 | – |\n" if name == "Penumbra" else f"**{d(ratio[0])}** | {d(ratio[1])} to {d(ratio[2])} |\n"
+    heads = ["scene", "error of", "MSE", "renderer", "its way", "samples", "CPU s", "ratio", "interval"]
+    text += table(heads, [[scene, level, f"{target:.2e}", name, *time_cells(name, curve, target, times, pairs)]
+                          for scene, level, target, name, curve, times, pairs, _ in rows["time"]])
     text += """
 ## The pattern alone
 
 Mean squared error with 64 samples a pixel, or the nearest number that the pattern has.
 
-| scene | renderer | way | samples | MSE |
-|---|---|---|---|---|
 """
-    for scene, level, _, name, curve, _, _, at_64 in rows["time"]:
-        if level == 64 and at_64:
-            text += f"| {scene} | {name} | {curve.way} | {at_64[0]} | {at_64[1]:.2e} |\n"
+    text += table(
+        ["scene", "renderer", "way", "samples", "MSE"],
+        [
+            [scene, name, curve.way, at_64[0], f"{at_64[1]:.2e}"]
+            for scene, level, _, name, curve, _, _, at_64 in rows["time"]
+            if level == 64 and at_64
+        ],
+    )
     text += """
 ## The whole process
 
 soft_shadow, 256 × 256, 16 samples a pixel, as many threads as each takes by itself, from the program's start to its end with the picture
 written; Mitsuba's kernels compiled before.
 
-| renderer | wall s | CPU s |
-|---|---|---|
 """
-    for name, (wall, cpu) in whole.items():
-        text += f"| {name} | {d(wall)} | {d(cpu)} |\n"
+    text += table(["renderer", "wall s", "CPU s"], [[name, d(wall), d(cpu)] for name, (wall, cpu) in whole.items()])
     if missing:
         text += "\nSkipped: " + "; ".join(missing) + ".\n"
     out.write_text(text)

@@ -15,10 +15,11 @@ import json
 import math
 import os
 import pathlib
-import re
 import statistics
 import subprocess
 import tempfile
+
+from figures import machine, table
 
 here = pathlib.Path(__file__).resolve().parent
 root = here.parent.parent
@@ -95,36 +96,32 @@ def render_million(raytrace):
 
 
 def report(results, linked, memory, cpu, rounds):
-    processor = re.search(r"model name\s*: (.*)", pathlib.Path("/proc/cpuinfo").read_text())
     lines = [
         "# Rays through a mesh",
         "",
-        f"Written by `tests/bench/rays.py BUILD --rounds {rounds} --write` on one thread of {os.cpu_count()} of "
-        f"{processor.group(1) if processor else 'an unknown processor'}, which did other work as well.",
+        f"Written by `tests/bench/rays.py BUILD --rounds {rounds} --write` on one thread of {machine()}, "
+        "which did other work as well.",
         "Millions of rays per CPU second, the medians of the rounds. The mesh is a knot with bumps on a floor; both",
         "sides get the same rays, ours in batches of 64 and in double precision, Embree's one by one and in single.",
         "Embree's two columns are its tree of medium quality and its best.",
         "",
-        "| triangles | rays | | ours | Embree | Embree, best tree | ratio (least to greatest round) |",
-        "|---|---|---|---|---|---|---|",
+        table(
+            ["triangles", "rays", "", "ours", "Embree", "Embree, best tree", "ratio (least to greatest round)"],
+            [
+                [f"{n:,}", name, what, *(speed(result[name], who) for who in ("ours", "embree", "embree_high")), ratio(result[name])]
+                for n, result in results.items()
+                for name, what in kinds.items()
+            ],
+        ),
+        table(
+            ["triangles", "nodes", "tree [MB]", "building it [CPU s]", "Embree's", "Embree's best"],
+            [
+                [f"{n:,}", f"{r['nodes']:,}", f"{r['bytes'] / 1e6:.1f}", f"{median(r['build']):.3f}"]
+                + [f"{r[k]:.3f}" if k in r else "–" for k in ("embree_build", "embree_high_build")]
+                for n, r in results.items()
+            ],
+        ).rstrip(),
     ]
-    for n, result in results.items():
-        for name, what in kinds.items():
-            kind = result[name]
-            lines.append(
-                f"| {n:,} | {name} | {what} | {speed(kind, 'ours')} | {speed(kind, 'embree')} | "
-                f"{speed(kind, 'embree_high')} | {ratio(kind)} |"
-            )
-    lines += [
-        "",
-        "| triangles | nodes | tree [MB] | building it [CPU s] | Embree's | Embree's best |",
-        "|---|---|---|---|---|---|",
-    ]
-    for n, r in results.items():
-        theirs = [f"{r[k]:.3f}" if k in r else "–" for k in ("embree_build", "embree_high_build")]
-        lines.append(
-            f"| {n:,} | {r['nodes']:,} | {r['bytes'] / 1e6:.1f} | {median(r['build']):.3f} | {' | '.join(theirs)} |"
-        )
     slower = ", ".join(f"{name} {speed(linked[name], 'ours')}" for name in kinds)
     lines += [
         "",
