@@ -93,6 +93,12 @@ TEST_CASE("what is no submission is an error that names it") {
     CHECK_THROWS_AS(read_submission(folder.path() / "x.zip", names), SubmissionError);
 }
 
+TEST_CASE("a disk without room is an error") {
+    const TemporaryFolder folder;
+    CHECK_NOTHROW(require_room(folder.path(), 1));
+    CHECK_THROWS_WITH(require_room(folder.path(), std::uintmax_t(-1)), Catch::Matchers::Contains("the disk is full"));
+}
+
 TEST_CASE("comments, white space, line ends and byte order marks are not code") {
     CHECK(code_only("a = 1; // one\n/* two\n*/ b") == "a=1;b");
     CHECK(code_only("\xef\xbb\xbf" "a\r\n= b") == "a=b");

@@ -32,12 +32,15 @@ std::string first_errors(const std::string& output, const std::string& path, con
     return text;
 }
 
+/// The largest file that compiler and linker may write.
+constexpr std::uint64_t most_object_bytes = 32u << 20;
+
 Limits compiler_limits() {
     Limits limits;
     limits.cpu_seconds = limits.most_cpu_seconds = 30;
     limits.wall_seconds = 600;  // on a busy machine a second of work takes many
     limits.memory = 3ull << 30;
-    limits.file_size = 32u << 20;
+    limits.file_size = most_object_bytes;
     return limits;
 }
 
@@ -80,7 +83,10 @@ Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const 
     command.insert(command.end(), {"-c", source.string(), "-o", object.string()});
 
     const Ending compiler = run(inside(sandbox, command, readable, work), compiler_limits(), work.string());
-    if (!compiler.good()) return {false, {}, why_not_built(compiler, source.string(), shown)};
+    if (!compiler.good()) {
+        require_room(work, most_object_bytes);  // else no fault of the submission
+        return {false, {}, why_not_built(compiler, source.string(), shown)};
+    }
 
     const auto symbol = chain.symbols.find(fragment);
     if (symbol == chain.symbols.end()) return {false, {}, "the framework calls no fragment of this name"};
@@ -99,8 +105,10 @@ Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const 
                           {"/usr/bin/objcopy", "--keep-global-symbol=" + symbol->second, merged.string(), own.string()},
                           {}, work),
                    compiler_limits(), work.string());
-    if (!step.good())
+    if (!step.good()) {
+        require_room(work, most_object_bytes);
         return {false, {}, fmt::format("the object cannot be prepared for the link: {}", step.err.substr(0, 300))};
+    }
     return {true, own, {}};
 }
 
@@ -114,6 +122,7 @@ std::string link_child(const Toolchain& chain, const std::vector<fs::path>& obje
 
     const Ending linker = run(command, compiler_limits(), program.parent_path().string());
     if (linker.good()) return {};
+    require_room(program.parent_path(), most_object_bytes);
 
     std::istringstream lines(linker.err);
     std::string text;

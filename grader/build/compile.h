@@ -17,6 +17,8 @@ struct Compiled {
 /// Compiles one fragment as the project compiles its own. What else the file defines, helpers, overrides of library
 /// functions, stays private to the object.
 ///
+/// Throws std::runtime_error where the disk is full.
+///
 /// text   the source
 /// shown  its path in messages
 /// work   an empty folder of its own
@@ -24,6 +26,7 @@ Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const 
                           const std::string& text, const std::string& shown, const fs::path& work);
 
 /// Links a program that renders and answers probes with these objects. Empty: it worked; else the first errors.
+/// Throws std::runtime_error where the disk is full.
 std::string link_child(const Toolchain& chain, const std::vector<fs::path>& objects, const fs::path& program);
 
 }  // namespace grade

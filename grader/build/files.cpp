@@ -54,6 +54,14 @@ void write_text(const fs::path& path, std::string_view text) {
     if (close(file) != 0 || rename(draft.c_str(), path.c_str()) != 0) fail("cannot be written");
 }
 
+void require_room(const fs::path& folder, std::uintmax_t bytes) {
+    std::error_code error;
+    const fs::space_info space = fs::space(folder, error);
+    if (error || space.available >= bytes) return;
+    throw std::runtime_error(fmt::format("{}: the disk is full: {} bytes are free; expected at least {}", folder.string(),
+                                         space.available, bytes));
+}
+
 TemporaryFolder::TemporaryFolder() {
     std::string pattern = (fs::temp_directory_path() / "grade-XXXXXX").string();
     if (!mkdtemp(pattern.data()))

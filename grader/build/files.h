@@ -18,6 +18,9 @@ std::optional<std::string> read_text(const fs::path& path, std::uint64_t most = 
 /// the path and the cause.
 void write_text(const fs::path& path, std::string_view text);
 
+/// Throws std::runtime_error where the disk of a folder has less room than so many bytes.
+void require_room(const fs::path& folder, std::uintmax_t bytes);
+
 /// A new folder that goes, with all that is in it, when this object does.
 class TemporaryFolder {
 public:

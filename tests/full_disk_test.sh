@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# On a full disk: an error that names it, exit code 3, nothing half written, and no verdict on the submission.
+#
+#     tests/full_disk_test.sh BUILD
+#
+# In a mount namespace of its own; skipped (exit code 77) where there is none.
+set -u
+build=$1
+if [ -z "${PENUMBRA_FULL_DISK:-}" ]; then
+    unshare --user --map-root-user --mount true 2>/dev/null || { echo "skipped: no mount namespaces here"; exit 77; }
+    PENUMBRA_FULL_DISK=1 exec unshare --user --map-root-user --mount "$0" "$@"
+fi
+# shellcheck source=tests/expect.sh
+. "$(dirname "$0")/expect.sh"
+disk=$work/disk
+mkdir "$disk"
+mount -t tmpfs -o size=64k tmpfs "$disk" || { echo "skipped: no tmpfs here"; exit 77; }
+trap 'umount "$disk"; rm -rf "$work"' EXIT
+raytrace=$build/raytrace grade=$build/grader/grade
+
+expect 3 "No space left on device" "$raytrace" scenes/whitted.toml -o "$disk/a.exr"
+dd if=/dev/zero of="$disk/filler" bs=1k count=60 2>/dev/null
+expect 3 "a.json: cannot be written" "$grade" solution --only moved --json "$disk/a.json"
+expect 3 "index.html: cannot be written" "$grade" solution --only moved --html "$disk/page"
+expect 3 "s.json: cannot be written" "$grade" stress solution --only hit_sphere --trusted --json "$disk/s.json"
+expect 3 "cannot be written" "$grade" converge solution scenes/whitted.toml --samples 1,4 --replicates 2 --folder "$disk/kept"
+expect 3 "the disk is full" env TMPDIR="$disk" "$grade" solution --only moved
+rmdir "$disk"/page 2>/dev/null
+expect 0 "filler" ls "$disk"
+left=$(find "$disk" -type f ! -name filler)
+[ -z "$left" ] || { echo "left behind: $left"; failures=$((failures + 1)); }
+
+[ $failures = 0 ] && echo "all as expected"
+exit $((failures > 0))
