@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 """How fast the renderer and the grader are on this machine: medians of some runs.
 
-    tests/bench/speed.py BUILD [--runs N]
+    tests/bench/speed.py BUILD [--runs N] [--builds]
 
 Samples per CPU second of each benchmark scene on one thread, rendering alone; then the wall seconds from one edited
 fragment to its verdict, and of the solution from its sources to all verdicts. Nothing is kept between gradings.
+With --builds, once: the wall seconds of clean builds, on all cores and without a compiler cache.
 """
 
 import argparse
+import os
 import pathlib
 import re
 import statistics
@@ -33,6 +35,15 @@ def seconds(command):
     return time.monotonic() - start
 
 
+def clean_build(source, folder, *options):
+    environment = os.environ | {"CCACHE_DISABLE": "1"}
+    configure = ["cmake", "-S", source, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", *options]
+    subprocess.run(configure, stdout=subprocess.DEVNULL, check=True, env=environment)
+    start = time.monotonic()
+    subprocess.run(["cmake", "--build", folder], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=True, env=environment)
+    return time.monotonic() - start
+
+
 def report(what, values, unit):
     print(f"{what:40} {statistics.median(values):8.2f} {unit}  ({min(values):.2f} to {max(values):.2f})", flush=True)
 
@@ -41,6 +52,7 @@ def main():
     words = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     words.add_argument("build", type=pathlib.Path, help="the build folder")
     words.add_argument("--runs", type=int, default=5)
+    words.add_argument("--builds", action="store_true", help="clean builds too: some minutes")
     words = words.parse_args()
     processor = re.search(r"model name\s*: (.*)", pathlib.Path("/proc/cpuinfo").read_text())
     print(f"{processor.group(1) if processor else 'unknown processor'}, {words.runs} runs: median (least to greatest)")
@@ -54,6 +66,11 @@ def main():
     for name in edited:
         report(f"{name} edited, to its verdict", [seconds([*grade, "--only", name]) for _ in range(words.runs)], "s")
     report("the whole solution, all verdicts", [seconds(grade) for _ in range(words.runs)], "s")
+    if words.builds:
+        with tempfile.TemporaryDirectory() as work:
+            report("clean build, the student's part", [clean_build(root / "starter", f"{work}/starter")], "s")
+            report("clean build, what ./grade builds", [clean_build(root, f"{work}/grade")], "s")
+            report("clean build, with all tests", [clean_build(root, f"{work}/check", "-DBUILD_TESTING=ON")], "s")
 
 
 if __name__ == "__main__":
