@@ -23,10 +23,12 @@ endforeach()
 target_compile_options(rt_speed INTERFACE $<$<CONFIG:Release>:-O3> -fno-math-errno -fno-trapping-math)
 
 # A stage is one loop, and as fast as all that it calls is part of it.
+# -fno-tree-sink: loads that sink into conditions are masked, and the lanes that a mask leaves out keep what was in the register;
+# where that is denormal, each sum over it takes a hundred times as long.
 add_library(rt_inlining INTERFACE)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(rt_inlining INTERFACE
-        -finline-limit=100000 --param=inline-unit-growth=10000 --param=large-function-growth=10000
+        -fno-tree-sink -finline-limit=100000 --param=inline-unit-growth=10000 --param=large-function-growth=10000
         --param=large-stack-frame-growth=10000 --param=max-inline-insns-single=100000 --param=max-inline-insns-auto=100000)
 else()
     target_compile_options(rt_inlining INTERFACE "SHELL:-mllvm -inline-threshold=100000")

@@ -75,6 +75,18 @@ struct alignas(64) Colors {
     void set(int i, Color c) { r[i] = c.x, g[i] = c.y, b[i] = c.z; }
 };
 
+/// A sampling pattern for n samples of each pixel.
+struct Pattern {
+    Sampler sampler;
+    int n;
+};
+
+/// Random numbers of each lane in one dimension of the pattern; of a 1D one, x.
+struct alignas(64) Numbers {
+    Real x[lanes], y[lanes];
+    vec2 at(int i) const { return {x[i], y[i]}; }
+};
+
 /// Paths that wait for the next wave, packed into full batches.
 struct Queue {
     std::vector<Batch> batches;

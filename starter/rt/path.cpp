@@ -14,7 +14,8 @@ constexpr int longest_path = 1 << 20;
 
 }  // namespace
 
-void Worker::first_wave(const std::vector<PixelWork>& pixels, int n, Sampler sampler) {
+void Worker::first_wave(const std::vector<PixelWork>& pixels, Pattern pattern) {
+    const int n = pattern.n;
     Extent extents[lanes];
     Bits keys[lanes]{};
     int samples[lanes]{};
@@ -29,36 +30,36 @@ void Worker::first_wave(const std::vector<PixelWork>& pixels, int n, Sampler sam
             samples[i] = sample;
             if (++sample == n) sample = 0, ++pixel;
         }
-        camera_stage(world, {extents, keys, samples, slot, count, n, sampler}, first, chunk);
+        camera_stage(world, {extents, keys, samples, slot, count, pattern}, first, chunk);
         first.count = count;
-        follow(first, n, 0, sampler);
+        follow(first, pattern, 0);
     }
 }
 
-void Worker::follow(Batch& batch, int n, int wave, Sampler sampler) {
+void Worker::follow(Batch& batch, Pattern pattern, int wave) {
     nearest_stage(world, batch);
-    medium_stage(world, sampler, n, wave, batch, next, chunk);
+    medium_stage(world, pattern, wave, batch, next, chunk);
     surface_stage(world, batch, surfaces);
     if (trace) *trace += describe_wave(world, wave, batch, surfaces);
     found = Colors{};
     emission_stage(world, batch, surfaces, found);
-    direct_stage(world, sampler, n, wave, batch, surfaces, shadow, found, chunk);
+    direct_stage(world, pattern, wave, batch, surfaces, shadow, found, chunk);
     for (int i = 0; i < batch.count; ++i) chunk.radiance[std::size_t(batch.slot[i])] += found.at(i);
     if (trace) *trace += describe_light(batch, chunk);
-    scatter_stage(world, sampler, n, wave, batch, surfaces, next, chunk);
+    scatter_stage(world, pattern, wave, batch, surfaces, next, chunk);
 }
 
-void Worker::render(const std::vector<PixelWork>& pixels, int n, Sampler asked, Color* means) {
-    const Sampler sampler = pattern_of(asked, n);
+void Worker::render(const std::vector<PixelWork>& pixels, int n, Sampler sampler, Color* means) {
+    const Pattern pattern{pattern_of(sampler, n), n};
     const std::size_t all = pixels.size() * std::size_t(n);
     chunk.radiance.assign(all, Color(0));
     chunk.weight.resize(all);
     next.clear();
-    first_wave(pixels, n, sampler);
+    first_wave(pixels, pattern);
     for (int wave = 1; next.used > 0 && wave < longest_path; ++wave) {
         std::swap(now, next);
         next.clear();
-        for (std::size_t k = 0; k < now.used; ++k) follow(now.batches[k], n, wave, sampler);
+        for (std::size_t k = 0; k < now.used; ++k) follow(now.batches[k], pattern, wave);
     }
     for (std::size_t k = 0; k < pixels.size(); ++k) {
         means[k] = film_stage(&chunk.radiance[k * std::size_t(n)], &chunk.weight[k * std::size_t(n)], n);

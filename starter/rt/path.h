@@ -38,8 +38,8 @@ private:
     Surfaces surfaces;
     Colors found;  // what each lane of a batch adds to its sample
 
-    void first_wave(const std::vector<PixelWork>& pixels, int n, Sampler sampler);
-    void follow(Batch& batch, int n, int wave, Sampler sampler);
+    void first_wave(const std::vector<PixelWork>& pixels, Pattern pattern);
+    void follow(Batch& batch, Pattern pattern, int wave);
     void find_fault(const std::vector<PixelWork>& pixels, int n);
 };
 

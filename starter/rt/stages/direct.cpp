@@ -67,8 +67,8 @@ void point_light(const World& world, const PointLight& light_in_memory, const Ba
 }
 
 /// One sample of a light with extent for each lane.
-template <Sampler sampler, bool highlights, Emitter::Kind kind>
-[[gnu::noinline]] void area_light(const Emitter& emitter, Dimension dimension, int n, const Batch& b, const Surfaces& s,
+template <bool highlights, Emitter::Kind kind>
+[[gnu::noinline]] void area_light(const Emitter& emitter, const Numbers& u, const Batch& b, const Surfaces& s,
                 const Reflectances& reflectances, Batch& shadow, Colors& light) {
     Emitter lamp = emitter;
     lamp.kind = kind;
@@ -77,8 +77,7 @@ template <Sampler sampler, bool highlights, Emitter::Kind kind>
     for (int i = 0; i < lanes; ++i) {
         const Hit hit = s.hit(i);
         const vec3 normal = s.normal(i), to_viewer = -vec3(b.dx[i], b.dy[i], b.dz[i]);
-        const vec2 u = pattern_2d<sampler>(b.key[i], int(b.sample[i]), n, dimension);
-        const LightSample sample = light_sample(lamp, hit.point, u);
+        const LightSample sample = light_sample(lamp, hit.point, u.at(i));
         Material material;
         material.albedo = reflectances.albedo(i);
         if constexpr (highlights) {
@@ -96,8 +95,8 @@ struct alignas(64) Lobes {
 };
 
 /// One sample of a light with extent for each lane with a glossy lobe, weighed against the rays of the lobe.
-template <Sampler sampler, Emitter::Kind kind>
-[[gnu::noinline]] void weighed_light(const Emitter& emitter, Dimension dimension, int n, const Batch& b, const Surfaces& s,
+template <Emitter::Kind kind>
+[[gnu::noinline]] void weighed_light(const Emitter& emitter, const Numbers& u, const Batch& b, const Surfaces& s,
                                      const Lobes& lobes, Batch& shadow, Colors& light) {
     Emitter lamp = emitter;
     lamp.kind = kind;
@@ -106,8 +105,7 @@ template <Sampler sampler, Emitter::Kind kind>
     for (int i = 0; i < lanes; ++i) {
         const Hit hit = s.hit(i);
         const vec3 normal = s.normal(i), to_viewer = -vec3(b.dx[i], b.dy[i], b.dz[i]);
-        const vec2 u = pattern_2d<sampler>(b.key[i], int(b.sample[i]), n, dimension);
-        const LightSample sample = light_sample(lamp, hit.point, u);
+        const LightSample sample = light_sample(lamp, hit.point, u.at(i));
         const Real exponent = lobes.exponent[i], cosine = dot(normal, sample.direction);
         const Real of_lobe = lobe_density(exponent, sample.direction, normal, to_viewer);
         // BRDF x cosine, from the density of the lobe, over the density of the lamp's point.
@@ -121,13 +119,12 @@ template <Sampler sampler, Emitter::Kind kind>
 }
 
 /// One direction of the environment for each lane.
-template <Sampler sampler>
-void environment_light(const World& world, Dimension dimension, int n, const Batch& b, const Surfaces& s,
+void environment_light(const World& world, const Numbers& u, const Batch& b, const Surfaces& s,
                        const Reflectances& reflectances, Batch& shadow, Colors& light) {
     const Color radiance = world.scene.environment;
 #pragma GCC ivdep
     for (int i = 0; i < lanes; ++i) {
-        const DirectionSample sample = cosine_hemisphere(pattern_2d<sampler>(b.key[i], int(b.sample[i]), n, dimension));
+        const DirectionSample sample = cosine_hemisphere(u.at(i));
         const vec3 direction = frame_about(s.normal(i)).to_world(sample.direction);
         const Real over = sample.direction.z / (pi * sample.density);
         light.set(i, over * reflectances.albedo(i) * radiance);
@@ -198,7 +195,7 @@ void ambient_light(const World& world, const Batch& b, const Surfaces& s, Colors
 
 }  // namespace
 
-void direct_stage(const World& world, Sampler sampler_in_use, int n, int wave, const Batch& b, const Surfaces& s,
+void direct_stage(const World& world, Pattern pattern, int wave, const Batch& b, const Surfaces& s,
                   Batch& shadow, Colors& found, Chunk& chunk) {
     if (world.scene.ambient != Color(0)) ambient_light(world, b, s, found);
     Reflectances reflectances;
@@ -208,38 +205,32 @@ void direct_stage(const World& world, Sampler sampler_in_use, int n, int wave, c
     if (!reflects && !weighs) return;
     Colors light;
     for (int i = 0; i < lanes; ++i) shadow.time[i] = b.time[i];
-    if (weighs)
-        with_sampler(sampler_in_use, [&](auto sampler) {
-            for (std::size_t l = 0; l < world.emitters.size(); ++l) {
-                const Dimension dimension = wave_dimension(world, wave, light_dimension + int(l), n);
-                with_kind(world.emitters[l].kind, [&](auto kind) {
-                    weighed_light<sampler(), kind()>(world.emitters[l], dimension, n, b, s, lobes, shadow, light);
-                });
-                gather(world, b, light, shadow, found, chunk);
-            }
-        });
-    if (!reflects) return;
-    for (const PointLight& lamp : world.scene.lights) {
-        point_light(world, lamp, b, s, shadow, light);
-        gather(world, b, light, shadow, found, chunk);
-    }
-    with_sampler(sampler_in_use, [&](auto sampler) {
-        with_flag(world.plan.phong, [&](auto highlights) {
-            for (std::size_t l = 0; l < world.emitters.size(); ++l) {
-                const Dimension dimension = wave_dimension(world, wave, light_dimension + int(l), n);
-                with_kind(world.emitters[l].kind, [&](auto kind) {
-                    area_light<sampler(), highlights(), kind()>(world.emitters[l], dimension, n, b, s,
-                                                                reflectances, shadow, light);
-                });
-                gather(world, b, light, shadow, found, chunk);
-            }
-        });
-        if (world.plan.environment_lit) {
-            environment_light<sampler()>(world, wave_dimension(world, wave, environment_dimension, n), n, b, s,
-                                         reflectances, shadow, light);
+    if (reflects)
+        for (const PointLight& lamp : world.scene.lights) {
+            point_light(world, lamp, b, s, shadow, light);
             gather(world, b, light, shadow, found, chunk);
         }
-    });
+    Numbers u;
+    for (std::size_t l = 0; l < world.emitters.size(); ++l) {
+        const Emitter& lamp = world.emitters[l];
+        draw_2d(pattern, wave_dimension(world, wave, light_dimension + int(l), pattern.n), b.key, b.sample, lanes, u);
+        with_kind(lamp.kind, [&](auto kind) {
+            if (weighs) {
+                weighed_light<kind()>(lamp, u, b, s, lobes, shadow, light);
+                gather(world, b, light, shadow, found, chunk);
+            }
+            if (!reflects) return;
+            with_flag(world.plan.phong, [&](auto highlights) {
+                area_light<highlights(), kind()>(lamp, u, b, s, reflectances, shadow, light);
+            });
+            gather(world, b, light, shadow, found, chunk);
+        });
+    }
+    if (reflects && world.plan.environment_lit) {
+        draw_2d(pattern, wave_dimension(world, wave, environment_dimension, pattern.n), b.key, b.sample, lanes, u);
+        environment_light(world, u, b, s, reflectances, shadow, light);
+        gather(world, b, light, shadow, found, chunk);
+    }
 }
 
 }  // namespace rt

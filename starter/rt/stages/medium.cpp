@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "rt/stages/stages.h"
 
 namespace rt {
@@ -13,40 +15,38 @@ Real phase(vec3 d, vec3 w, Real g) {
 
 }  // namespace
 
-void medium_stage(const World& world, Sampler sampler_in_use, int n, int wave, Batch& b, Queue& next, Chunk& chunk) {
+void medium_stage(const World& world, Pattern pattern, int wave, Batch& b, Queue& next, Chunk& chunk) {
     if (!world.plan.medium) return;
-    with_sampler(sampler_in_use, [&](auto sampler) {
-        const Dimension flight = wave_dimension(world, wave, flight_dimension, n),
-                        turn = wave_dimension(world, wave, phase_dimension, n);
-        for (int i = 0; i < b.count; ++i) {
-            if (b.medium[i] == nothing) continue;
-            const Medium& medium = world.scene.materials[std::size_t(b.medium[i])].medium;
-            const int sample = int(b.sample[i]);
-            const Real t = free_flight(medium.extinction, pattern_1d<sampler()>(b.key[i], sample, n, flight));
-            if (!(t < b.far[i])) continue;
+    if (std::all_of(b.medium, b.medium + b.count, [](Index medium) { return medium == nothing; })) return;
+    Numbers flight, turn;
+    draw_1d(pattern, wave_dimension(world, wave, flight_dimension, pattern.n), b.key, b.sample, b.count, flight);
+    draw_2d(pattern, wave_dimension(world, wave, phase_dimension, pattern.n), b.key, b.sample, b.count, turn);
+    for (int i = 0; i < b.count; ++i) {
+        if (b.medium[i] == nothing) continue;
+        const Medium& medium = world.scene.materials[std::size_t(b.medium[i])].medium;
+        const Real t = free_flight(medium.extinction, flight.x[i]);
+        if (!(t < b.far[i])) continue;
 
-            // The path goes on from here; what the ray would have met further on no longer matters.
-            const Ray ray = b.ray(i);
-            const DirectionSample way =
-                scatter_direction(ray.direction, medium.g, pattern_2d<sampler()>(b.key[i], sample, n, turn));
-            const Color weight =
-                b.weight(i) * medium.albedo * (phase(ray.direction, way.direction, medium.g) / way.density);
-            b.shape[i] = ended;
-            if (weight == Color(0)) continue;
-            const auto [to, j] = next.push();
-            to.set_ray(j, {ray.origin + t * ray.direction, way.direction, 0, inf});
-            to.time[j] = b.time[i];
-            to.set_weight(j, weight);
-            to.key[j] = b.key[i];
-            to.sample[j] = b.sample[i];
-            to.slot[j] = b.slot[i];
-            to.event[j] = Index(Event::medium);
-            to.depth[j] = b.depth[i];
-            to.bounce[j] = b.bounce[i];
-            to.medium[j] = b.medium[i];
-            ++chunk.rays[int(RayKind::medium)];
-        }
-    });
+        // The path goes on from here; what the ray would have met further on no longer matters.
+        const Ray ray = b.ray(i);
+        const DirectionSample way = scatter_direction(ray.direction, medium.g, turn.at(i));
+        const Color weight =
+            b.weight(i) * medium.albedo * (phase(ray.direction, way.direction, medium.g) / way.density);
+        b.shape[i] = ended;
+        if (weight == Color(0)) continue;
+        const auto [to, j] = next.push();
+        to.set_ray(j, {ray.origin + t * ray.direction, way.direction, 0, inf});
+        to.time[j] = b.time[i];
+        to.set_weight(j, weight);
+        to.key[j] = b.key[i];
+        to.sample[j] = b.sample[i];
+        to.slot[j] = b.slot[i];
+        to.event[j] = Index(Event::medium);
+        to.depth[j] = b.depth[i];
+        to.bounce[j] = b.bounce[i];
+        to.medium[j] = b.medium[i];
+        ++chunk.rays[int(RayKind::medium)];
+    }
 }
 
 }  // namespace rt

@@ -23,10 +23,11 @@ Leaving& of(AllLeaving& all, Way way) { return all[std::size_t(way)]; }
 
 /// Decides how lanes from `begin` to `end` go on. Where there are several ways, one is chosen with a probability in proportion to what
 /// it carries; or, if the plan says so, mirror and glass are both followed.
-template <Sampler sampler>
-void choose(const World& world, int n, Dimension choice, const Batch& b, const Surfaces& s, int begin, int end,
+void choose(const World& world, Pattern pattern, Dimension choice, const Batch& b, const Surfaces& s, int begin, int end,
             AllLeaving& leaving) {
     const RenderPlan& plan = world.plan;
+    Numbers numbers;
+    bool drawn = false;
     for (Leaving& way : leaving) way.count = 0;
     for (int i = begin; i < end; ++i) {
         if (s.material[i] == nothing) continue;
@@ -52,7 +53,8 @@ void choose(const World& world, int n, Dimension choice, const Batch& b, const S
             continue;
         }
         const bool alone = mirror_share == sum || glass_share == sum || bounce_share == sum;
-        const Real u = alone ? 0 : sum * pattern_1d<sampler>(b.key[i], int(b.sample[i]), n, choice);
+        if (!alone && !drawn) draw_1d(pattern, choice, b.key, b.sample, b.count, numbers), drawn = true;
+        const Real u = alone ? 0 : sum * numbers.x[i];
         if (u < mirror_share)
             of(leaving, mirror).add(i, weight * out.mirror * (sum / mirror_share));
         else if (u < mirror_share + glass_share)
@@ -136,14 +138,12 @@ Scattered direction_of(const Crossing& c, int k, vec2 u) {
 }
 
 /// Writes the rays that leave in one way, and their weights, into lanes of a batch, from `first` on.
-template <Sampler sampler, Way way>
-void send(int n, Dimension dimension, const Crossing& c, const Leaving& leaving, int begin, int count, Batch& to,
+template <Way way>
+void send(const Numbers& u, const Crossing& c, const Leaving& leaving, int begin, int count, Batch& to,
           int first) {
-    constexpr bool specular = way == Way::mirror || way == Way::glass;
 #pragma GCC ivdep
     for (int k = 0; k < count; ++k) {
-        const vec2 u = specular ? vec2(0) : pattern_2d<sampler>(c.key[k], c.sample[k], n, dimension);
-        const Scattered scattered = direction_of<way>(c, k, u);
+        const Scattered scattered = direction_of<way>(c, k, u.at(k));
         to.set_ray(first + k, spawn_ray(c.hit(k), scattered.direction));
         to.set_weight(first + k, leaving.weight.at(begin + k) * scattered.weight);
     }
@@ -170,19 +170,22 @@ void close_ranks(Batch& b, int first) {
     b.count = kept;
 }
 
-template <Sampler sampler, Way way>
-void follow(const World& world, int n, Dimension dimension, const Batch& b, const Surfaces& s, const Leaving& leaving,
+template <Way way>
+[[gnu::noinline]] void follow(const World& world, Pattern pattern, Dimension dimension, const Batch& b, const Surfaces& s, const Leaving& leaving,
             Queue& next, Chunk& chunk) {
     constexpr RayKind kind = way == Way::mirror  ? RayKind::mirror
                              : way == Way::glass ? RayKind::glass
                              : way == Way::bounce ? RayKind::bounce
                                                   : RayKind::lobe;
+    constexpr bool specular = way == Way::mirror || way == Way::glass;
     Crossing crossing;
+    Numbers u;
     for (int k = 0; k < leaving.count;) {
         Batch& to = next.open();
         const int first = to.count, taken = std::min(leaving.count - k, lanes - first);
         collect<way>(world, b, s, leaving.lane + k, taken, crossing, to, first);
-        send<sampler, way>(n, dimension, crossing, leaving, k, taken, to, first);
+        if constexpr (!specular) draw_2d(pattern, dimension, crossing.key, crossing.sample, taken, u);
+        send<way>(u, crossing, leaving, k, taken, to, first);
         if (way == Way::glossy && world.plan.weigh) note_densities(crossing, taken, to, first);
         to.count = first + taken;
         close_ranks(to, first);
@@ -193,40 +196,38 @@ void follow(const World& world, int n, Dimension dimension, const Batch& b, cons
 
 }  // namespace
 
-void scatter_stage(const World& world, Sampler sampler_in_use, int n, int wave, const Batch& b, const Surfaces& s,
+void scatter_stage(const World& world, Pattern pattern, int wave, const Batch& b, const Surfaces& s,
                    Queue& next, Chunk& chunk) {
     const RenderPlan& plan = world.plan;
     if (!plan.specular && !plan.lobe && !plan.bounce) return;
-    const Dimension choice = wave_dimension(world, wave, choice_dimension, n),
-                    lobe = wave_dimension(world, wave, lobe_dimension, n);
+    const Dimension choice = wave_dimension(world, wave, choice_dimension, pattern.n),
+                    lobe = wave_dimension(world, wave, lobe_dimension, pattern.n);
     AllLeaving leaving;
-    with_sampler(sampler_in_use, [&](auto sampler) {
-        const auto follow_way = [&](auto way) {
-            follow<sampler(), way()>(world, n, lobe, b, s, of(leaving, way()), next, chunk);
-        };
-        const std::integral_constant<Way, Way::mirror> mirror;
-        const std::integral_constant<Way, Way::glass> glass;
-        const std::integral_constant<Way, Way::bounce> bounce;
-        if (plan.split) {
-            // Two paths may add to one sample: lane by lane, so that the order of the sum does not depend on what else
-            // is in the batch.
-            for (int i = 0; i < b.count; ++i) {
-                choose<sampler()>(world, n, choice, b, s, i, i + 1, leaving);
-                follow_way(mirror);
-                follow_way(glass);
-            }
-        } else if (!plan.specular && !plan.lobe) {
-            bounce_all(world, b, s, of(leaving, Way::bounce));
-            follow_way(bounce);
-        } else {
-            choose<sampler()>(world, n, choice, b, s, 0, b.count, leaving);
+    const auto follow_way = [&](auto way) {
+        follow<way()>(world, pattern, lobe, b, s, of(leaving, way()), next, chunk);
+    };
+    const std::integral_constant<Way, Way::mirror> mirror;
+    const std::integral_constant<Way, Way::glass> glass;
+    const std::integral_constant<Way, Way::bounce> bounce;
+    if (plan.split) {
+        // Two paths may add to one sample: lane by lane, so that the order of the sum does not depend on what else is in
+        // the batch.
+        for (int i = 0; i < b.count; ++i) {
+            choose(world, pattern, choice, b, s, i, i + 1, leaving);
             follow_way(mirror);
-            follow_way(std::integral_constant<Way, Way::glossy>{});
             follow_way(glass);
-            follow_way(std::integral_constant<Way, Way::translucent>{});
-            follow_way(bounce);
         }
-    });
+    } else if (!plan.specular && !plan.lobe) {
+        bounce_all(world, b, s, of(leaving, Way::bounce));
+        follow_way(bounce);
+    } else {
+        choose(world, pattern, choice, b, s, 0, b.count, leaving);
+        follow_way(mirror);
+        follow_way(std::integral_constant<Way, Way::glossy>{});
+        follow_way(glass);
+        follow_way(std::integral_constant<Way, Way::translucent>{});
+        follow_way(bounce);
+    }
 }
 
 }  // namespace rt

@@ -16,12 +16,15 @@ struct CameraWork {
     const int* samples;     // index of each lane's sample
     int slot;               // of lane 0
     int count;              // lanes
-    int n;                  // samples of a pixel in all
-    Sampler sampler;
+    Pattern pattern;
 };
 
 /// Fills a batch with the first rays, and the samples' weights.
 void camera_stage(const World& world, const CameraWork& work, Batch& batch, Chunk& chunk);
+
+/// The numbers of lanes up to `count` in one dimension, from the keys of their paths and the indices of their samples.
+void draw_2d(Pattern pattern, Dimension dimension, const Bits* keys, const int* samples, int count, Numbers& numbers);
+void draw_1d(Pattern pattern, Dimension dimension, const Bits* keys, const int* samples, int count, Numbers& numbers);
 
 /// Finds the nearest shape along each ray: its number and distance. Rays with far <= near meet nothing.
 void nearest_stage(const World& world, Batch& batch);
@@ -30,7 +33,7 @@ void nearest_stage(const World& world, Batch& batch);
 void any_hit_stage(const World& world, Batch& batch);
 
 /// Ends the lanes that are scattered inside a medium before they meet a surface; their new rays go to next.
-void medium_stage(const World& world, Sampler sampler, int n, int wave, Batch& batch, Queue& next, Chunk& chunk);
+void medium_stage(const World& world, Pattern pattern, int wave, Batch& batch, Queue& next, Chunk& chunk);
 
 /// Points, normals and materials of the hits.
 void surface_stage(const World& world, const Batch& batch, Surfaces& surfaces);
@@ -41,11 +44,11 @@ void emission_stage(const World& world, const Batch& batch, const Surfaces& surf
 
 /// Adds the light that the surfaces reflect straight from the lights, as it arrives at the film. shadow is a scratch
 /// batch.
-void direct_stage(const World& world, Sampler sampler, int n, int wave, const Batch& batch, const Surfaces& surfaces,
+void direct_stage(const World& world, Pattern pattern, int wave, const Batch& batch, const Surfaces& surfaces,
                   Batch& shadow, Colors& found, Chunk& chunk);
 
 /// Sends on the paths that mirrors, glass, lobes and diffuse surfaces continue; their new rays go to next.
-void scatter_stage(const World& world, Sampler sampler, int n, int wave, const Batch& batch, const Surfaces& surfaces,
+void scatter_stage(const World& world, Pattern pattern, int wave, const Batch& batch, const Surfaces& surfaces,
                    Queue& next, Chunk& chunk);
 
 /// The mean of one pixel's samples.
@@ -59,18 +62,6 @@ inline Outgoing outgoing(const Material& m, const Batch& b, const Surfaces& s, i
         fresnel = s.behind[i] ? fresnel_dielectric(cosine, m.ior, 1) : fresnel_dielectric(cosine, 1, m.ior);
     }
     return whitted(m, fresnel);
-}
-
-/// Calls f with the sampler as a compile-time constant.
-template <class F>
-auto with_sampler(Sampler sampler, F f) {
-    switch (sampler) {
-        case Sampler::uniform: return f(std::integral_constant<Sampler, Sampler::uniform>{});
-        case Sampler::random: return f(std::integral_constant<Sampler, Sampler::random>{});
-        case Sampler::stratified: return f(std::integral_constant<Sampler, Sampler::stratified>{});
-        case Sampler::orthogonal: return f(std::integral_constant<Sampler, Sampler::orthogonal>{});
-        default: return f(std::integral_constant<Sampler, Sampler::sobol>{});
-    }
 }
 
 /// Calls f with a flag as a compile-time constant.

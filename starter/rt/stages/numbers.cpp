@@ -1,0 +1,48 @@
+#include "rt/stages/stages.h"
+
+namespace rt {
+namespace {
+
+/// Calls f with the sampler as a compile-time constant.
+template <class F>
+auto with_sampler(Sampler sampler, F f) {
+    switch (sampler) {
+        case Sampler::uniform: return f(std::integral_constant<Sampler, Sampler::uniform>{});
+        case Sampler::random: return f(std::integral_constant<Sampler, Sampler::random>{});
+        case Sampler::stratified: return f(std::integral_constant<Sampler, Sampler::stratified>{});
+        case Sampler::orthogonal: return f(std::integral_constant<Sampler, Sampler::orthogonal>{});
+        default: return f(std::integral_constant<Sampler, Sampler::sobol>{});
+    }
+}
+
+template <Sampler sampler>
+[[gnu::noinline]] void draw_pairs(int n, Dimension dimension, const Bits* keys, const int* samples, int count, Numbers& u) {
+#pragma GCC ivdep
+    for (int i = 0; i < count; ++i) {
+        const vec2 point = pattern_2d<sampler>(keys[i], samples[i], n, dimension);
+        u.x[i] = point.x, u.y[i] = point.y;
+    }
+}
+
+template <Sampler sampler>
+[[gnu::noinline]] void draw_singles(int n, Dimension dimension, const Bits* keys, const int* samples, int count,
+                                    Numbers& u) {
+#pragma GCC ivdep
+    for (int i = 0; i < count; ++i) u.x[i] = pattern_1d<sampler>(keys[i], samples[i], n, dimension);
+}
+
+}  // namespace
+
+void draw_2d(Pattern pattern, Dimension dimension, const Bits* keys, const int* samples, int count, Numbers& u) {
+    with_sampler(pattern.sampler, [&](auto sampler) {
+        draw_pairs<sampler()>(pattern.n, dimension, keys, samples, count, u);
+    });
+}
+
+void draw_1d(Pattern pattern, Dimension dimension, const Bits* keys, const int* samples, int count, Numbers& u) {
+    with_sampler(pattern.sampler, [&](auto sampler) {
+        draw_singles<sampler()>(pattern.n, dimension, keys, samples, count, u);
+    });
+}
+
+}  // namespace rt
