@@ -5,7 +5,7 @@
 
 One loop becomes several: for each sampling pattern, kind of light, way on. The table says how many of them are
 vectorised, and how many GCC gives up; the test fails where none is, or where more are given up than is known. Skipped
-(exit code 77) where the build's compiler is not GCC, or the processor has no AVX-512.
+(exit code 77) where the build's compiler is not GCC or has sanitizers on, or the processor has no AVX-512.
 """
 
 import json
@@ -60,6 +60,8 @@ def report(build):
     version = subprocess.run([words[0], "--version"], capture_output=True, text=True).stdout
     if "Free Software Foundation" not in version:
         skip("the compiler is not GCC")
+    if any("-fsanitize" in word for word in words):
+        skip("sanitizers stand in the way")
     if "avx512dq" not in pathlib.Path("/proc/cpuinfo").read_text():
         skip("no AVX-512 here")
     with tempfile.TemporaryDirectory() as folder:

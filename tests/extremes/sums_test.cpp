@@ -51,7 +51,6 @@ TEST_CASE("40 the whole film of 8192 x 8192 with 64 samples", "[extremes]") {
     RenderSettings settings;
     settings.samples = 64;
     settings.estimate_error = false;
-    settings.threads = 1;
     scene.camera.size = {8192, 8192};
     const Rendering whole = render(scene, settings);
     figure(40, "camera rays of 8192 x 8192 x 64 that are missing", double((std::uint64_t(1) << 32) - whole.rays[0]), 0);

@@ -47,6 +47,7 @@ ABSENT = [
     "environment",
     "emission",
     "choice",
+    "weigh",
     "environment_lit",
     "bvh",
     "triangles",
@@ -154,6 +155,7 @@ def compile_whitted(chain, shadow, program):
     options = [o for o in chain["options"] if not o.startswith("-m")]
     limits = (
         [
+            "-fno-tree-sink",
             "-finline-limit=100000",
             "--param=inline-unit-growth=10000",
             "--param=large-function-growth=10000",
@@ -205,6 +207,9 @@ def pure_whitted(chain, work):
     )
     if not shutil.which("valgrind"):
         print("valgrind is missing: instructions are not counted")
+        return
+    if any("-fsanitize" in flag for flag in chain["compile"]):
+        print("a sanitizer's instructions are not counted")
         return
     a, b = instructions(full, work), instructions(pure, work)
     print(f"a Whitted scene: {a} instructions, {b} by a tracer with nothing else: {100 * (a / b - 1):+.2f} %")

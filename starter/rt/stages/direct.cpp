@@ -19,7 +19,7 @@ Real left_by_medium(const World& world, Index medium, Real distance) {
 }
 
 /// Adds reflected light where the shadow ray met nothing, and counts the shadow rays.
-void gather(const World& world, const Batch& b, Colors& light, Batch& shadow, Colors& found, Chunk& chunk) {
+[[gnu::noinline]] void gather(const World& world, const Batch& b, Colors& light, Batch& shadow, Colors& found, Chunk& chunk) {
     Index sent = 0;
     for (Index i = 0; i < lanes; ++i) {
         const bool wanted = bool(light.r[i] != 0) | bool(light.g[i] != 0) | bool(light.b[i] != 0);
