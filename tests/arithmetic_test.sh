@@ -39,8 +39,9 @@ expect 3 "refuses to grade, since the missing -ffp-contract=off" "$grade" soluti
 if grep -q '\bsse\b' /proc/cpuinfo; then
     echo '__attribute__((constructor)) static void flush() { __builtin_ia32_ldmxcsr(__builtin_ia32_stmxcsr() | 0x8040); }' >"$work/flush.c"
     g++ -x c++ -shared -fPIC -w "$work/flush.c" -o "$work/flush.so"
-    expect 3 "denormal numbers are flushed" env LD_PRELOAD="$work/flush.so" "$grade" solution --only moved
-    expect 3 "denormal numbers are flushed" env LD_PRELOAD="$work/flush.so" "$grade" stress solution --only moved
+    asan=$(ldd "$grade" | awk '/libasan/ { print $3 }')  # where the build has it, it wants to be the first
+    expect 3 "denormal numbers are flushed" env LD_PRELOAD="$asan $work/flush.so" "$grade" solution --only moved
+    expect 3 "denormal numbers are flushed" env LD_PRELOAD="$asan $work/flush.so" "$grade" stress solution --only moved
 
     cp -r solution "$work/mine"
     sed -i 's|^namespace rt {|&\nstatic const int flushed = (__builtin_ia32_ldmxcsr(__builtin_ia32_stmxcsr() \| 0x8040), 0);|' "$work/mine/moved.cpp"

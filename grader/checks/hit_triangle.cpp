@@ -84,7 +84,7 @@ Checks check_hit_triangle(Generator& random) {
     const std::vector<Circumstance> circumstances =
         flat_circumstances<Triangle>([](const Triangle& t) { return glm::length(t.b - t.a) + glm::length(t.c - t.a); });
     const auto unclipped = rows_of(96, [](Generator& draw) { return ordinary(draw, false); });
-    const auto clipped = rows_of(96, [](Generator& draw) { return ordinary(draw, true); });
+    const auto clipped = rows_of(160, [](Generator& draw) { return ordinary(draw, true); });
     const auto nothing = rows_of(24, [](Generator& draw) {
         const vec3 a = box(draw, -1, 1), b = box(draw, -1, 1), origin = box(draw, 3, 4);
         const Triangle thin = chance(draw, 0.5) ? Triangle{a, a, b} : Triangle{a, b, a};
