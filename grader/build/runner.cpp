@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "build/bytes.h"
 #include "child/protocol.h"
 #include "rt/scene.h"
 #include "rt/scene_reader.h"
@@ -25,7 +26,7 @@ Clock::time_point in_seconds(double seconds) {
 
 std::vector<double> numbers_of(const std::string& payload) {
     std::vector<double> numbers(payload.size() / sizeof(double));
-    std::memcpy(numbers.data(), payload.data(), numbers.size() * sizeof(double));
+    copy_bytes(numbers.data(), payload.data(), numbers.size() * sizeof(double));
     return numbers;
 }
 

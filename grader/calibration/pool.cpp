@@ -1,9 +1,9 @@
 #include "calibration/pool.h"
 
-#include <cstring>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "build/bytes.h"
 #include "build/files.h"
 #include "judging/judge_check.h"
 
@@ -77,7 +77,7 @@ std::optional<Pool> read_pool(const fs::path& path) try {
     pool.cpu_seconds = head.at("cpu_seconds");
     pool.scalars.resize(head.at("replicates").get<std::size_t>() * std::size_t(pool.statistics));
     if (text->size() != end + 1 + pool.scalars.size() * sizeof(double)) return std::nullopt;
-    std::memcpy(pool.scalars.data(), text->data() + end + 1, pool.scalars.size() * sizeof(double));
+    copy_bytes(pool.scalars.data(), text->data() + end + 1, pool.scalars.size() * sizeof(double));
     return pool;
 } catch (const nlohmann::json::exception&) {
     return std::nullopt;

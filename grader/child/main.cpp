@@ -9,6 +9,7 @@
 #include <exception>
 #include <optional>
 
+#include "build/bytes.h"
 #include "child/probes.h"
 #include "child/protocol.h"
 #include "child/self_test.h"
@@ -82,7 +83,7 @@ std::string render(rt::Scene scene, const std::string& payload) {
 
 std::string call(const std::string& fragment, const std::string& payload) {
     std::vector<double> flat(payload.size() / sizeof(double));
-    std::memcpy(flat.data(), payload.data(), flat.size() * sizeof(double));
+    copy_bytes(flat.data(), payload.data(), flat.size() * sizeof(double));
     std::vector<std::vector<double>> rows;
     if (!unflatten(flat, rows)) throw std::runtime_error("rows that are none");
 

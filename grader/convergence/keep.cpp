@@ -1,6 +1,6 @@
 #include "convergence/keep.h"
 
-#include <cstring>
+#include "build/bytes.h"
 
 namespace grade {
 
@@ -30,7 +30,7 @@ std::optional<Kept> read_kept(const fs::path& path) try {
         rt::Image image(size.at(0), size.at(1));
         const std::size_t bytes = image.pixels.size() * sizeof(rt::Color);
         if (text->size() < at + bytes) return std::nullopt;
-        std::memcpy(static_cast<void*>(image.pixels.data()), text->data() + at, bytes);
+        copy_bytes(image.pixels.data(), text->data() + at, bytes);
         at += bytes;
         kept.images.push_back(std::move(image));
     }

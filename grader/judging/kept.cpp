@@ -4,9 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <vector>
+
+#include "build/bytes.h"
 
 namespace grade {
 
@@ -50,7 +51,7 @@ std::optional<double> number(const Json& x) { return x.is_null() ? std::nullopt 
 
 Json to_json(const rt::Image& image) {
     std::vector<std::uint8_t> bytes(image.pixels.size() * sizeof(rt::Color));
-    if (!bytes.empty()) std::memcpy(bytes.data(), image.pixels.data(), bytes.size());
+    copy_bytes(bytes.data(), image.pixels.data(), bytes.size());
     return {{"width", image.width}, {"height", image.height}, {"pixels", Json::binary(std::move(bytes))}};
 }
 
@@ -58,7 +59,7 @@ rt::Image image(const Json& json) {
     rt::Image result(json.at("width"), json.at("height"));
     const auto& bytes = json.at("pixels").get_binary();
     if (bytes.size() != result.pixels.size() * sizeof(rt::Color)) throw std::runtime_error("another size of image");
-    if (!bytes.empty()) std::memcpy(result.pixels.data(), bytes.data(), bytes.size());
+    copy_bytes(result.pixels.data(), bytes.data(), bytes.size());
     return result;
 }
 
