@@ -165,7 +165,7 @@ void search_tree(const World& world, Batch& b) {
 }
 
 template <bool any>
-void search(const World& world, Batch& b) {
+[[gnu::noinline]] void search(const World& world, Batch& b) {
     if (world.plan.bvh) return search_tree<any>(world, b);
     const Shaft shaft = shaft_of(b);
     if (shaft.empty()) return;
