@@ -88,7 +88,7 @@ Check attenuation(Generator& random) {
     };
     return render_check("attenuation", "free_flight",
                         {"hit_sphere", "refracted_direction", "fresnel_dielectric", "whitted", "scatter_direction", "emission_counts"},
-                        {scene, 32, "sobol"},
+                        {scene, 16, "sobol"},
                         {of_picture("B1", "light left after a short way, over exp(-s l)", over_truth(0.7, 1.3), 1, 0.05,
                                     hint("the light left after a short way", 1)),
                          of_picture("B1", "light left after a long way, over exp(-s l)", over_truth(1.8, 2), 1, 0.06,

@@ -54,7 +54,7 @@ Check ball(Generator& random) {
     };
     auto needs = scene_needs;
     needs.push_back("hit_sphere");
-    return render_check("ball", "glossy_reflection", needs, {scene, 32, "sobol"},
+    return render_check("ball", "glossy_reflection", needs, {scene, 16, "sobol"},
                         {of_picture("P2", "light that it reflects where it is seen head on, over what must be",
                                     over_truth(0, 25), 1, 0.05, hint("where it is seen head on", 0)),
                          of_picture("P3", "light that it reflects where it is seen at 60 degrees, over what must be",

@@ -234,7 +234,7 @@ Check depths(Generator& random) {
                                            {std::sqrt(2.0), "do all rays start on the rim of the lens?"},
                                            {0, "is the lens used?"}};
     return render_check(
-        "depths", "lens_ray", {"uniform_disk", "emission_counts"}, {scene, 64, "sobol"},
+        "depths", "lens_ray", {"uniform_disk", "emission_counts"}, {scene, 16, "sobol"},
         {of_picture("D1", "radius of the blur disc before the plane in focus, over what must be",
                     radius(left[0], before), 1, 0.08,
                     by_ratio("the blur disc of a lamp before the plane in focus", known)),
@@ -269,7 +269,7 @@ Check corner(Generator& random) {
     const std::string scene = lens_scene(view) + lamp(camera, {right ? 40 : 8, low ? 40 : 8}, view.focus, size);
     const Region region{right ? 32 : 0, low ? 32 : 0, 16, 16};
     return render_check(
-        "corner", "lens_ray", {"uniform_disk", "emission_counts"}, {scene, 64, "sobol"},
+        "corner", "lens_ray", {"uniform_disk", "emission_counts"}, {scene, 16, "sobol"},
         {sharp("blur in the corner of the plane in focus [pixel^2]", region, size, [](double value, double) {
             return fmt::format(
                 "in the corner of the picture, what is in focus is blurred to a disc of radius {:.3g} pixels: is the "

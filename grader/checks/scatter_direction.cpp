@@ -156,7 +156,7 @@ Check ahead_and_behind(Generator& random) {
     return render_check(
         "ahead_and_behind", "scatter_direction",
         {"hit_sphere", "refracted_direction", "fresnel_dielectric", "whitted", "free_flight", "emission_counts"},
-        {scene, 48, "sobol"}, {share, sum});
+        {scene, 16, "sobol"}, {share, sum});
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ Check times(Generator& random) {
                                        {1, "does the shutter open only when it closes?"}},
                                       0.05, "expected times that are uniform between opening and closing"));
     Statistic spread = uniform_in_square("V3", "chi squared of the times per degree of freedom",
-        [](const Row& in, const Row& out) { return vec2(share(in, out), 0.5); }, 16, 1,
+        [](const Row& in, const Row& out) { return vec2(share(in, out), 0.5); }, 64, 1,
         by_ratio("the chi squared of the times", {}, "they must be uniform between opening and closing"));
     Statistic inside = property(
         "M1", "times outside the exposure",

@@ -78,7 +78,7 @@ Check sky(Generator& random) {
              {1 / due, "does the weight have the cosine at the surface, and is it 0 where the ray does not cross?"}},
             "expected (n + 2)/(2 pi) cos(alpha)^n x |cosine at the surface| / density, 0 where the ray does not cross");
     };
-    return render_check("sky", "translucency", scene_needs, {scene, 32, "sobol"},
+    return render_check("sky", "translucency", scene_needs, {scene, 8, "sobol"},
                         {of_picture("P2", "light let through where it is seen steeply, over what must be",
                                     over_truth(0, 30), 1, 0.05, hint("where it is seen steeply", 24)),
                          of_picture("P3", "light let through where it is seen at 65 degrees, over what must be",

@@ -10,6 +10,9 @@ namespace {
 /// With fewer, a loop over the rays for each shape is faster: see the lamps of tests/bench/growth.md.
 constexpr std::size_t shapes_without_tree = 100;
 
+/// Both ways on at each surface may be 2^depth rays.
+constexpr int deepest_split = 16;
+
 std::vector<char> materials_in_use(const Scene& scene) {
     std::vector<char> used(scene.materials.size(), 0);
     for (const Shape& shape : scene.shapes) used[std::size_t(shape.material)] = 1;
@@ -96,7 +99,8 @@ RenderPlan make_plan(const Scene& scene) {
     plan.environment_lit = plan.environment && diffuse;
     plan.bounce = diffuse && scene.bounces > 0;
     plan.specular = mirrors || glass;
-    plan.split = plan.specular && !plan.lobe && !plan.bounce && !plan.medium && !plan.light && !plan.environment_lit;
+    plan.split = plan.specular && scene.depth <= deepest_split && !plan.lobe && !plan.bounce && !plan.medium &&
+                 !plan.light && !plan.environment_lit;
     plan.choice = plan.choice && !plan.split;
     plan.camera_dimensions = camera_dimensions;
     plan.wave_dimensions = light_dimension + emitters(scene);
