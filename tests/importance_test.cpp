@@ -138,16 +138,17 @@ TEST_CASE("the density of a lamp is that of light_sample") {
     REQUIRE(world.emitters.size() == 3);
     const vec3 p{0.3, 0.2, -0.1};
     for (const Emitter& emitter : world.emitters) {
-        const auto lamp = std::find_if(world.surfaces.begin(), world.surfaces.end(), [&](const SurfaceRecord& r) {
+        const auto found = std::find_if(world.surfaces.begin(), world.surfaces.end(), [&](const SurfaceRecord& r) {
             if (!r.sampled) return false;
             if (emitter.kind == Emitter::Kind::sphere) return r.center == emitter.sphere.center && r.radius > 0;
             return r.center == (emitter.kind == Emitter::Kind::quad ? emitter.quad.center : emitter.disc.center);
         });
-        REQUIRE(lamp != world.surfaces.end());
+        REQUIRE(found != world.surfaces.end());
+        const Index lamp = found - world.surfaces.begin();
         for (int i = 0; i < 200; ++i) {
             const LightSample sample = light_sample(emitter, p, numbers(i));
             CAPTURE(int(emitter.kind), i);
-            CHECK(light_density(*lamp, {p, sample.direction, 0, inf}, sample.distance) == Approx(sample.density));
+            CHECK(light_density(world, lamp, {p, sample.direction, 0, inf}, sample.distance) == Approx(sample.density));
         }
     }
 }

@@ -6,8 +6,8 @@
 
 #include "rt/math.h"
 
-/// Exponential and logarithm without library calls: loops over them vectorise, and every machine and compiler gets the
-/// same bits. Errors below 2 units in the last place.
+/// Exponential, logarithm and arc tangent without library calls: loops over them vectorise, and every machine and compiler
+/// gets the same bits. Errors below 2 units in the last place, of the arc tangent below 3.
 ///
 /// Source: Muller, "Elementary Functions: Algorithms and Implementation", 3rd ed., 2016, chapters 3 and 11.
 namespace rt {
@@ -99,6 +99,43 @@ struct Reduced {
     const Real value = log(sum) + lost / sum;
     const Real above = sum > 0 && sum < inf ? value : log(sum);
     return sum == 1 ? x : above;
+}
+
+/// The angle of a vector from the x axis, -pi to pi [rad].
+[[gnu::always_inline]] inline Real angle_of(vec2 v) {
+    const Real ax = std::abs(v.x), ay = std::abs(v.y);
+    const bool steep = ay > ax;
+    const Real ratio = steep ? ax / ay : ay / ax;  // 0 to 1
+    // from the diagonal, where that is nearer: tan(a - pi/4) = (tan a - 1) / (tan a + 1)
+    const bool diagonal = ratio > 0x1.a827999fcef32p-2;  // tan(pi/8)
+    const Real t = diagonal ? (ratio - 1) / (ratio + 1) : ratio, t2 = t * t;
+    Real sum = 1.0 / 45;
+    sum = 1.0 / 43 - sum * t2;
+    sum = 1.0 / 41 - sum * t2;
+    sum = 1.0 / 39 - sum * t2;
+    sum = 1.0 / 37 - sum * t2;
+    sum = 1.0 / 35 - sum * t2;
+    sum = 1.0 / 33 - sum * t2;
+    sum = 1.0 / 31 - sum * t2;
+    sum = 1.0 / 29 - sum * t2;
+    sum = 1.0 / 27 - sum * t2;
+    sum = 1.0 / 25 - sum * t2;
+    sum = 1.0 / 23 - sum * t2;
+    sum = 1.0 / 21 - sum * t2;
+    sum = 1.0 / 19 - sum * t2;
+    sum = 1.0 / 17 - sum * t2;
+    sum = 1.0 / 15 - sum * t2;
+    sum = 1.0 / 13 - sum * t2;
+    sum = 1.0 / 11 - sum * t2;
+    sum = 1.0 / 9 - sum * t2;
+    sum = 1.0 / 7 - sum * t2;
+    sum = 1.0 / 5 - sum * t2;
+    sum = 1.0 / 3 - sum * t2;
+    const Real octant = t - t * t2 * sum;
+    const Real acute = diagonal ? pi / 4 + octant : octant;
+    const Real upper = steep ? pi / 2 - acute : acute;
+    const Real left = v.x < 0 ? pi - upper : upper;
+    return v.y < 0 ? -left : left;
 }
 
 }  // namespace rt

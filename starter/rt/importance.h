@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rt/solid_angle.h"
 #include "rt/world.h"
 
 /// Multiple importance sampling of lamps that glossy lobes reflect: points of the lamp and rays of the lobe both find them, and each
@@ -23,13 +24,20 @@ namespace rt {
     return off < 1 ? (exponent + 1) / (2 * pi) * to_the_n : 0;
 }
 
-/// The density with which light_sample takes the point of an emitter that a ray hits [1/sr].
+/// The density with which the point of an emitter that a ray hits would have been taken [1/sr].
 ///
-/// lamp      what the surface stage knows of the emitter
+/// shape     the emitter's number
 /// ray       unit direction, from the surface [world]
 /// distance  along the ray to the emitter [m]
-inline Real light_density(const SurfaceRecord& lamp, const Ray& ray, Real distance) {
-    if (lamp.radius == 0) return sqr(distance) / (std::abs(dot(ray.direction, lamp.normal)) * lamp.area);
+inline Real light_density(const World& world, Index shape, const Ray& ray, Real distance) {
+    const SurfaceRecord& lamp = world.surfaces[std::size_t(shape)];
+    if (lamp.radius == 0) {
+        if (world.plan.solid_angle && shape >= world.first_quad && shape < world.first_disc) {
+            const SeenQuad seen = seen_from(world.quads[std::size_t(shape - world.first_quad)], ray.origin);
+            if (seen.is_wide()) return 1 / seen.solid_angle;
+        }
+        return sqr(distance) / (std::abs(dot(ray.direction, lamp.normal)) * lamp.area);
+    }
     const vec3 to_center = lamp.center - ray.origin;
     const Real sine2 = sqr(lamp.radius) / dot(to_center, to_center);
     return (1 + safe_sqrt(1 - sine2)) / (2 * pi * sine2);  // 1 - cos = sine^2 / (1 + cos)

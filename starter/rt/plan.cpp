@@ -33,6 +33,12 @@ int emitters(const Scene& scene) {
     return n;
 }
 
+bool has_quad_emitter(const Scene& scene) {
+    return std::ranges::any_of(scene.shapes, [&](const Shape& shape) {
+        return std::holds_alternative<Quad>(shape.geometry) && is_sampled(scene, shape);
+    });
+}
+
 /// Numbers the dimensions that are drawn, without gaps.
 void number_pairs(RenderPlan& plan) {
     plan.pairs.assign(std::size_t(plan.camera_dimensions + plan.wave_dimensions), -1);
@@ -95,6 +101,7 @@ RenderPlan make_plan(const Scene& scene) {
     plan.point_lights = !scene.lights.empty();
     plan.weigh = scene.multiple_importance && glossy && emitters(scene) > 0;
     plan.light = (diffuse || plan.phong || plan.weigh) && emitters(scene) > 0;
+    plan.solid_angle = scene.solid_angle && plan.light && has_quad_emitter(scene);
     plan.environment = scene.environment != Color(0);
     plan.environment_lit = plan.environment && diffuse;
     plan.bounce = diffuse && scene.bounces > 0;
@@ -121,7 +128,9 @@ std::string describe(const RenderPlan& plan, const Scene& scene) {
     row("lens", plan.lens, fmt::format("radius {:g} m", scene.camera.lens_radius), "a pinhole");
     row("time", plan.time, fmt::format("{:g} s to {:g} s", scene.shutter.open, scene.shutter.close),
         "nothing moves while the shutter is open");
-    row("light", plan.light, fmt::format("{} emitters", emitters(scene)), "no emitter that lights a diffuse surface");
+    row("light", plan.light,
+        fmt::format("{} emitters{}", emitters(scene), plan.solid_angle ? ", quads by solid angle" : ""),
+        "no emitter that lights a diffuse surface");
     row("environment", plan.environment_lit, "lights the diffuse surfaces",
         "no environment that lights a diffuse surface");
     row("weigh", plan.weigh, "lamps against glossy lobes",

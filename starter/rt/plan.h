@@ -26,6 +26,7 @@ struct RenderPlan {
     bool choice = false;        // a surface has several ways on, and one is chosen at random
     bool phong = false;         // a highlight
     bool weigh = false;         // lamps are sampled for glossy lobes too: multiple importance sampling
+    bool solid_angle = false;   // quads that shine are sampled by solid angle
     bool environment_lit = false;  // diffuse surfaces gather light from the environment
     bool bvh = false;
     bool spheres = false, triangles = false, quads = false, discs = false;

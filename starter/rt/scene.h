@@ -147,6 +147,7 @@ struct Scene {
     int depth = 16;        // mirrors, glass and lobes on one path
     Sampler sampler = Sampler::orthogonal;
     bool multiple_importance = false;  // lamps are sampled for glossy lobes too, and both ways are weighed
+    bool solid_angle = false;          // quads are sampled by solid angle, not by area
     Real exposure = 1;     // factor for previews only
 };
 

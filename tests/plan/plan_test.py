@@ -48,6 +48,7 @@ ABSENT = [
     "emission",
     "choice",
     "weigh",
+    "solid_angle",
     "environment_lit",
     "bvh",
     "triangles",

@@ -1,4 +1,5 @@
 #include "rt/importance.h"
+#include "rt/solid_angle.h"
 #include "rt/stages/stages.h"
 
 namespace rt {
@@ -66,8 +67,25 @@ void point_light(const World& world, const PointLight& light_in_memory, const Ba
     }
 }
 
+/// How points of a light are found.
+enum class By { fragment, solid_angle };
+
+template <By by>
+[[gnu::always_inline]] inline LightSample sample_light(const Emitter& lamp, vec3 p, vec2 u) {
+    if constexpr (by == By::fragment) {
+        return light_sample(lamp, p, u);  // straight away: the compiler does not vectorise a copy
+    } else {
+        const SeenQuad seen = seen_from(lamp.quad, p);
+        const LightSample narrow = light_sample(lamp, p, u), wide = sample_by_angle(seen, u);
+        const bool w = seen.is_wide();
+        return {{w ? wide.direction.x : narrow.direction.x, w ? wide.direction.y : narrow.direction.y,
+                 w ? wide.direction.z : narrow.direction.z},
+                w ? wide.distance : narrow.distance, w ? wide.density : narrow.density};
+    }
+}
+
 /// One sample of a light with extent for each lane.
-template <bool highlights, Emitter::Kind kind>
+template <bool highlights, Emitter::Kind kind, By by>
 [[gnu::noinline]] void area_light(const Emitter& emitter, const Numbers& u, const Batch& b, const Surfaces& s,
                 const Reflectances& reflectances, Batch& shadow, Colors& light) {
     Emitter lamp = emitter;
@@ -77,7 +95,7 @@ template <bool highlights, Emitter::Kind kind>
     for (int i = 0; i < lanes; ++i) {
         const Hit hit = s.hit(i);
         const vec3 normal = s.normal(i), to_viewer = -vec3(b.dx[i], b.dy[i], b.dz[i]);
-        const LightSample sample = light_sample(lamp, hit.point, u.at(i));
+        const LightSample sample = sample_light<by>(lamp, hit.point, u.at(i));
         Material material;
         material.albedo = reflectances.albedo(i);
         if constexpr (highlights) {
@@ -95,7 +113,7 @@ struct alignas(64) Lobes {
 };
 
 /// One sample of a light with extent for each lane with a glossy lobe, weighed against the rays of the lobe.
-template <Emitter::Kind kind>
+template <Emitter::Kind kind, By by>
 [[gnu::noinline]] void weighed_light(const Emitter& emitter, const Numbers& u, const Batch& b, const Surfaces& s,
                                      const Lobes& lobes, Batch& shadow, Colors& light) {
     Emitter lamp = emitter;
@@ -105,7 +123,7 @@ template <Emitter::Kind kind>
     for (int i = 0; i < lanes; ++i) {
         const Hit hit = s.hit(i);
         const vec3 normal = s.normal(i), to_viewer = -vec3(b.dx[i], b.dy[i], b.dz[i]);
-        const LightSample sample = light_sample(lamp, hit.point, u.at(i));
+        const LightSample sample = sample_light<by>(lamp, hit.point, u.at(i));
         const Real exponent = lobes.exponent[i], cosine = dot(normal, sample.direction);
         const Real of_lobe = lobe_density(exponent, sample.direction, normal, to_viewer);
         // BRDF x cosine, from the density of the lobe, over the density of the lamp's point.
@@ -172,15 +190,17 @@ bool gather_lobes(const World& world, const Batch& b, const Surfaces& s, Lobes& 
     return true;
 }
 
-/// Calls f with the kind of an emitter as a compile-time constant.
+/// Calls f with the kind of an emitter, and with how its points are found, as compile-time constants.
 template <class F>
-void with_kind(Emitter::Kind kind, F f) {
+void with_kind(const World& world, Emitter::Kind kind, F f) {
     using Kind = Emitter::Kind;
-    switch (kind) {
-        case Kind::quad: return f(std::integral_constant<Kind, Kind::quad>{});
-        case Kind::disc: return f(std::integral_constant<Kind, Kind::disc>{});
-        case Kind::sphere: return f(std::integral_constant<Kind, Kind::sphere>{});
-    }
+    constexpr std::integral_constant<By, By::fragment> by_fragment;
+    constexpr std::integral_constant<By, By::solid_angle> by_solid_angle;
+    constexpr std::integral_constant<Kind, Kind::quad> quad;
+    if (kind == Kind::quad && world.plan.solid_angle) f(quad, by_solid_angle);
+    else if (kind == Kind::quad) f(quad, by_fragment);
+    else if (kind == Kind::disc) f(std::integral_constant<Kind, Kind::disc>{}, by_fragment);
+    else f(std::integral_constant<Kind, Kind::sphere>{}, by_fragment);
 }
 
 void ambient_light(const World& world, const Batch& b, const Surfaces& s, Colors& found) {
@@ -214,14 +234,14 @@ void direct_stage(const World& world, Pattern pattern, int wave, const Batch& b,
     for (std::size_t l = 0; l < world.emitters.size(); ++l) {
         const Emitter& lamp = world.emitters[l];
         draw_2d(pattern, wave_dimension(world, wave, light_dimension + int(l), pattern.n), b.key, b.sample, lanes, u);
-        with_kind(lamp.kind, [&](auto kind) {
+        with_kind(world, lamp.kind, [&](auto kind, auto by) {
             if (weighs) {
-                weighed_light<kind()>(lamp, u, b, s, lobes, shadow, light);
+                weighed_light<kind(), by()>(lamp, u, b, s, lobes, shadow, light);
                 gather(world, b, light, shadow, found, chunk);
             }
             if (!reflects) return;
             with_flag(world.plan.phong, [&](auto highlights) {
-                area_light<highlights(), kind()>(lamp, u, b, s, reflectances, shadow, light);
+                area_light<highlights(), kind(), by()>(lamp, u, b, s, reflectances, shadow, light);
             });
             gather(world, b, light, shadow, found, chunk);
         });

@@ -31,7 +31,7 @@ void see_emitters(const World& world, const Batch& b, const Surfaces& s, Colors&
         const SurfaceRecord& lamp = world.surfaces[std::size_t(b.shape[i])];
         if (!emission_counts(Event(b.event[i]), lamp.sampled)) continue;
         const bool weighed = world.plan.weigh && Event(b.event[i]) == Event::lobe && b.density[i] > 0 && lamp.sampled;
-        const Real share = weighed ? power_heuristic(b.density[i], light_density(lamp, b.ray(i), b.far[i])) : 1;
+        const Real share = weighed ? power_heuristic(b.density[i], light_density(world, b.shape[i], b.ray(i), b.far[i])) : 1;
         found.set(i, found.at(i) + share * b.weight(i) * world.scene.materials[std::size_t(s.material[i])].emission);
     }
 }
