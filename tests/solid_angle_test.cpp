@@ -199,7 +199,7 @@ TEST_CASE("solid angle: the density with which multiple importance sampling weig
             const vec2 u = sobol_2d(5, std::uint32_t(i), 2);
             const LightSample s = seen.is_wide() ? sample_by_angle(seen, u) : light_sample(world.emitters[0], p, u);
             CAPTURE(p.y, i);
-            CHECK(light_density(world, lamp, {p, s.direction, 0, inf}, s.distance) == Approx(s.density));
+            CHECK(light_density(world, world.surfaces[std::size_t(lamp)], {p, s.direction, 0, inf}, s.distance) == Approx(s.density));
         }
     }
 }

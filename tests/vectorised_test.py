@@ -19,12 +19,10 @@ import tempfile
 root = pathlib.Path(__file__).resolve().parent.parent
 
 # Loops that stay scalar, at most so many: strata are shuffled by a loop of unknown length, for any number of samples;
-# cones towards sphere lights keep a vector in memory; translucency returns early.
+# translucency returns early.
 known = {
     "draw_pairs": 2,  # stratified and uniform
     "draw_singles": 2,
-    "area_light": 2,  # spheres, with and without highlights
-    "weighed_light": 1,  # spheres
     "send": 1,  # translucency
     "try_shape": 2,  # triangles in scenes without a tree
 }

@@ -26,21 +26,20 @@ namespace rt {
 
 /// The density with which the point of an emitter that a ray hits would have been taken [1/sr].
 ///
-/// shape     the emitter's number
+/// lamp      what the surface stage knows of the emitter
 /// ray       unit direction, from the surface [world]
 /// distance  along the ray to the emitter [m]
-inline Real light_density(const World& world, Index shape, const Ray& ray, Real distance) {
-    const SurfaceRecord& lamp = world.surfaces[std::size_t(shape)];
-    if (lamp.radius == 0) {
-        if (world.plan.solid_angle && shape >= world.first_quad && shape < world.first_disc) {
-            const SeenQuad seen = seen_from(world.quads[std::size_t(shape - world.first_quad)], ray.origin);
-            if (seen.is_wide()) return 1 / seen.solid_angle;
-        }
-        return sqr(distance) / (std::abs(dot(ray.direction, lamp.normal)) * lamp.area);
+inline Real light_density(const World& world, const SurfaceRecord& lamp, const Ray& ray, Real distance) {
+    const Emitter& emitter = world.emitters[std::size_t(lamp.emitter)];
+    const Real chosen = world.plan.one_lamp ? world.lamp_tree.probability(std::size_t(lamp.emitter), ray.origin) : 1;
+    if (emitter.kind == Emitter::Kind::sphere) {
+        const vec3 to_center = lamp.center - ray.origin;
+        const Real sine2 = sqr(lamp.radius) / dot(to_center, to_center);
+        return chosen * (1 + safe_sqrt(1 - sine2)) / (2 * pi * sine2);  // 1 - cos = sine^2 / (1 + cos)
     }
-    const vec3 to_center = lamp.center - ray.origin;
-    const Real sine2 = sqr(lamp.radius) / dot(to_center, to_center);
-    return (1 + safe_sqrt(1 - sine2)) / (2 * pi * sine2);  // 1 - cos = sine^2 / (1 + cos)
+    if (world.plan.solid_angle && emitter.kind == Emitter::Kind::quad)
+        if (const SeenQuad seen = seen_from(emitter.quad, ray.origin); seen.is_wide()) return chosen / seen.solid_angle;
+    return chosen * sqr(distance) / (std::abs(dot(ray.direction, lamp.normal)) * lamp.area);
 }
 
 }  // namespace rt

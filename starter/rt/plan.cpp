@@ -102,6 +102,7 @@ RenderPlan make_plan(const Scene& scene) {
     plan.weigh = scene.multiple_importance && glossy && emitters(scene) > 0;
     plan.light = (diffuse || plan.phong || plan.weigh) && emitters(scene) > 0;
     plan.solid_angle = scene.solid_angle && plan.light && has_quad_emitter(scene);
+    plan.one_lamp = scene.one_lamp && plan.light && emitters(scene) > 1;
     plan.environment = scene.environment != Color(0);
     plan.environment_lit = plan.environment && diffuse;
     plan.bounce = diffuse && scene.bounces > 0;
@@ -110,7 +111,7 @@ RenderPlan make_plan(const Scene& scene) {
                  !plan.light && !plan.environment_lit;
     plan.choice = plan.choice && !plan.split;
     plan.camera_dimensions = camera_dimensions;
-    plan.wave_dimensions = light_dimension + emitters(scene);
+    plan.wave_dimensions = light_dimension + (plan.one_lamp ? 2 : emitters(scene));
     number_pairs(plan);
     return plan;
 }
@@ -129,7 +130,8 @@ std::string describe(const RenderPlan& plan, const Scene& scene) {
     row("time", plan.time, fmt::format("{:g} s to {:g} s", scene.shutter.open, scene.shutter.close),
         "nothing moves while the shutter is open");
     row("light", plan.light,
-        fmt::format("{} emitters{}", emitters(scene), plan.solid_angle ? ", quads by solid angle" : ""),
+        fmt::format("{} emitters{}{}", emitters(scene), plan.solid_angle ? ", quads by solid angle" : "",
+                    plan.one_lamp ? ", one of them chosen" : ""),
         "no emitter that lights a diffuse surface");
     row("environment", plan.environment_lit, "lights the diffuse surfaces",
         "no environment that lights a diffuse surface");
@@ -159,10 +161,11 @@ std::string describe(const RenderPlan& plan, const Scene& scene) {
 
     // Of one sample: the dimensions that are drawn.
     const int camera = 2 * plan.pixel + 2 * plan.lens + plan.time;
-    const int wave = 2 * plan.light * emitters(scene) + 2 * plan.environment_lit + 2 * (plan.lobe || plan.bounce) +
+    const int lamps = plan.light ? plan.one_lamp ? 1 : emitters(scene) : 0;
+    const int wave = 2 * lamps + plan.one_lamp + 2 * plan.environment_lit + 2 * (plan.lobe || plan.bounce) +
                      plan.choice + 3 * plan.medium;
     text += fmt::format("dimensions       {} for the camera, {} for each wave\n", camera, wave);
-    const std::size_t shadow = scene.lights.size() + std::size_t(plan.light * emitters(scene)) + plan.environment_lit;
+    const std::size_t shadow = scene.lights.size() + std::size_t(lamps) + plan.environment_lit;
     const int waves = 1 + (plan.bounce ? scene.bounces : 0);
     text += fmt::format("rays per pixel   {} camera, at most {} shadow where no path meets mirrors, glass or media\n",
                         scene.samples, std::size_t(scene.samples) * shadow * std::size_t(waves));

@@ -27,6 +27,7 @@ struct RenderPlan {
     bool phong = false;         // a highlight
     bool weigh = false;         // lamps are sampled for glossy lobes too: multiple importance sampling
     bool solid_angle = false;   // quads that shine are sampled by solid angle
+    bool one_lamp = false;      // one of many lamps is chosen at each point
     bool environment_lit = false;  // diffuse surfaces gather light from the environment
     bool bvh = false;
     bool spheres = false, triangles = false, quads = false, discs = false;

@@ -148,6 +148,7 @@ struct Scene {
     Sampler sampler = Sampler::orthogonal;
     bool multiple_importance = false;  // lamps are sampled for glossy lobes too, and both ways are weighed
     bool solid_angle = false;          // quads are sampled by solid angle, not by area
+    bool one_lamp = false;             // of many lamps one is chosen at each point, at random
     Real exposure = 1;     // factor for previews only
 };
 

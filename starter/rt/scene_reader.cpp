@@ -27,13 +27,15 @@ std::string read_text(const std::string& path) {
 }
 
 void read_settings(const Table& settings, Scene& scene) {
-    settings.only({"samples", "bounces", "depth", "sampler", "multiple_importance", "solid_angle", "exposure"});
+    settings.only({"samples", "bounces", "depth", "sampler", "multiple_importance", "solid_angle", "one_lamp",
+                   "exposure"});
     scene.samples = settings.integer("samples", 1, 1 << 30, scene.samples);
     scene.bounces = settings.integer("bounces", 0, 1 << 24, scene.bounces);
     scene.depth = settings.integer("depth", 0, 1 << 24, scene.depth);
     scene.sampler = Sampler(settings.choice("sampler", sampler_names, int(scene.sampler)));
     scene.multiple_importance = settings.flag("multiple_importance", scene.multiple_importance);
     scene.solid_angle = settings.flag("solid_angle", scene.solid_angle);
+    scene.one_lamp = settings.flag("one_lamp", scene.one_lamp);
     scene.exposure = settings.number("exposure", positive, scene.exposure);
 }
 

@@ -61,7 +61,7 @@ struct Layout {
         r.smooth = smooth;
         if constexpr (!std::is_same_v<S, Triangle>) {
             if (m.emission != Color(0) && m.sampled && velocity == vec3(0)) {
-                r.sampled = true;
+                r.emitter = Index(world.emitters.size());
                 r.area = area(shape);
                 world.emitters.push_back(emitter(shape));
                 world.emitters.back().radiance = m.emission;
@@ -149,6 +149,7 @@ World make_world(const Scene& scene) {
     layout.add_kind(scene, world.quads);
     world.first_disc = Index(world.surfaces.size());
     layout.add_kind(scene, world.discs);
+    if (world.plan.one_lamp) world.lamp_tree = LampTree(world.emitters);
     if (world.plan.bvh)
         world.bvh = build_bvh(world.surfaces.size(), [&](std::size_t id) { return layout.box_of(id); });
     else

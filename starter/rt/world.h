@@ -4,6 +4,7 @@
 
 #include "rt/batch.h"
 #include "rt/bvh.h"
+#include "rt/lamp_tree.h"
 #include "rt/plan.h"
 
 namespace rt {
@@ -17,7 +18,7 @@ struct SurfaceRecord {
     vec3 velocity{0};
     Index material = 0;
     Real area = 0;         // of a flat emitter that shadow rays look for [m2]
-    bool sampled = false;  // an emitter that shadow rays look for
+    Index emitter = nothing;  // its number where shadow rays look for it
     Index shines = 0;      // 1: its front side sends out light
     Index smooth = nothing;  // which of World::corners has its normals
 };
@@ -40,6 +41,7 @@ struct World {
     std::vector<Disc> discs;
     Index first_triangle = 0, first_quad = 0, first_disc = 0;
     std::vector<Emitter> emitters;
+    LampTree lamp_tree;  // of the emitters, where one is chosen
     std::vector<SurfaceRecord> surfaces;  // by number
     std::vector<vec3> normals;            // of meshes
     std::vector<glm::ivec3> corners;      // which normals the corners of smooth triangles have

@@ -164,13 +164,14 @@ def measure(bench, most_triangles):
         file = bench.folder / f"lamps-{n}.toml"
         file.write_text(lamps(n))
         jobs.append((file, plain))
-    bench.growth(
-        "Lamps",
-        "lamps",
-        sizes,
-        bench.runs(jobs),
-        "each of them sampled from each point is 1, to be below it is the goal",
-    )
+    bench.growth("Lamps", "lamps", sizes, bench.runs(jobs), "each of them sampled from each point is 1")
+
+    sizes, jobs = [4, 16, 64, 256, 1024], []
+    for n in sizes:
+        file = bench.folder / f"one-of-{n}.toml"
+        file.write_text(lamps(n).replace("[render]", "[render]\none_lamp = true"))
+        jobs.append((file, plain))
+    bench.growth("One of many lamps", "lamps", sizes, bench.runs(jobs), "to be below 1 is the goal")
 
     sizes, jobs = [], []
     for n in [10**k * f for k in range(2, 7) for f in (1, 3)]:

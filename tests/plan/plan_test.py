@@ -49,6 +49,7 @@ ABSENT = [
     "choice",
     "weigh",
     "solid_angle",
+    "one_lamp",
     "environment_lit",
     "bvh",
     "triangles",

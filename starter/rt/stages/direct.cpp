@@ -1,6 +1,5 @@
 #include "rt/importance.h"
-#include "rt/solid_angle.h"
-#include "rt/stages/stages.h"
+#include "rt/stages/lamps.h"
 
 namespace rt {
 namespace {
@@ -67,42 +66,24 @@ void point_light(const World& world, const PointLight& light_in_memory, const Ba
     }
 }
 
-/// How points of a light are found.
-enum class By { fragment, solid_angle };
-
-template <By by>
-[[gnu::always_inline]] inline LightSample sample_light(const Emitter& lamp, vec3 p, vec2 u) {
-    if constexpr (by == By::fragment) {
-        return light_sample(lamp, p, u);  // straight away: the compiler does not vectorise a copy
-    } else {
-        const SeenQuad seen = seen_from(lamp.quad, p);
-        const LightSample narrow = light_sample(lamp, p, u), wide = sample_by_angle(seen, u);
-        const bool w = seen.is_wide();
-        return {{w ? wide.direction.x : narrow.direction.x, w ? wide.direction.y : narrow.direction.y,
-                 w ? wide.direction.z : narrow.direction.z},
-                w ? wide.distance : narrow.distance, w ? wide.density : narrow.density};
-    }
-}
-
 /// One sample of a light with extent for each lane.
-template <bool highlights, Emitter::Kind kind, By by>
-[[gnu::noinline]] void area_light(const Emitter& emitter, const Numbers& u, const Batch& b, const Surfaces& s,
+template <bool highlights, By by, class L>
+[[gnu::noinline]] void area_light(const L& lamps_in_memory, const Numbers& u, const Batch& b, const Surfaces& s,
                 const Reflectances& reflectances, Batch& shadow, Colors& light) {
-    Emitter lamp = emitter;
-    lamp.kind = kind;
-    const Color radiance = lamp.radiance;
+    const L lamps = lamps_in_memory;
 #pragma GCC ivdep
     for (int i = 0; i < lanes; ++i) {
         const Hit hit = s.hit(i);
         const vec3 normal = s.normal(i), to_viewer = -vec3(b.dx[i], b.dy[i], b.dz[i]);
-        const LightSample sample = sample_light<by>(lamp, hit.point, u.at(i));
+        LightSample sample = sample_light<by>(lamps.at(i), hit.point, u.at(i));
+        sample.density *= lamps.chosen(i);
         Material material;
         material.albedo = reflectances.albedo(i);
         if constexpr (highlights) {
             material.specular = reflectances.specular(i);
             material.shininess = reflectances.shininess[i];
         }
-        light.set(i, direct_light(material, radiance, sample, normal, to_viewer));
+        light.set(i, direct_light(material, lamps.radiance(i), sample, normal, to_viewer));
         shadow.set_ray(i, shadow_ray(hit, sample.direction, sample.distance));
     }
 }
@@ -113,23 +94,23 @@ struct alignas(64) Lobes {
 };
 
 /// One sample of a light with extent for each lane with a glossy lobe, weighed against the rays of the lobe.
-template <Emitter::Kind kind, By by>
-[[gnu::noinline]] void weighed_light(const Emitter& emitter, const Numbers& u, const Batch& b, const Surfaces& s,
+template <By by, class L>
+[[gnu::noinline]] void weighed_light(const L& lamps_in_memory, const Numbers& u, const Batch& b, const Surfaces& s,
                                      const Lobes& lobes, Batch& shadow, Colors& light) {
-    Emitter lamp = emitter;
-    lamp.kind = kind;
-    const Color radiance = lamp.radiance;
+    const L lamps = lamps_in_memory;
 #pragma GCC ivdep
     for (int i = 0; i < lanes; ++i) {
         const Hit hit = s.hit(i);
         const vec3 normal = s.normal(i), to_viewer = -vec3(b.dx[i], b.dy[i], b.dz[i]);
-        const LightSample sample = sample_light<by>(lamp, hit.point, u.at(i));
+        LightSample sample = sample_light<by>(lamps.at(i), hit.point, u.at(i));
+        sample.density *= lamps.chosen(i);
         const Real exponent = lobes.exponent[i], cosine = dot(normal, sample.direction);
         const Real of_lobe = lobe_density(exponent, sample.direction, normal, to_viewer);
         // BRDF x cosine, from the density of the lobe, over the density of the lamp's point.
         const Real reflected = (exponent + 2) / (exponent + 1) * of_lobe * cosine / sample.density;
         const Real share = reflected * power_heuristic(sample.density, of_lobe);
         const Real seen = bool(sample.density > 0) & bool(cosine > 0) ? share : 0;
+        const Color radiance = lamps.radiance(i);
         light.r[i] = seen * lobes.r[i] * radiance.x, light.g[i] = seen * lobes.g[i] * radiance.y,
         light.b[i] = seen * lobes.b[i] * radiance.z;
         shadow.set_ray(i, shadow_ray(hit, sample.direction, sample.distance));
@@ -137,8 +118,8 @@ template <Emitter::Kind kind, By by>
 }
 
 /// One direction of the environment for each lane.
-void environment_light(const World& world, const Numbers& u, const Batch& b, const Surfaces& s,
-                       const Reflectances& reflectances, Batch& shadow, Colors& light) {
+void environment_light(const World& world, const Numbers& u, const Surfaces& s, const Reflectances& reflectances,
+                       Batch& shadow, Colors& light) {
     const Color radiance = world.scene.environment;
 #pragma GCC ivdep
     for (int i = 0; i < lanes; ++i) {
@@ -190,19 +171,6 @@ bool gather_lobes(const World& world, const Batch& b, const Surfaces& s, Lobes& 
     return true;
 }
 
-/// Calls f with the kind of an emitter, and with how its points are found, as compile-time constants.
-template <class F>
-void with_kind(const World& world, Emitter::Kind kind, F f) {
-    using Kind = Emitter::Kind;
-    constexpr std::integral_constant<By, By::fragment> by_fragment;
-    constexpr std::integral_constant<By, By::solid_angle> by_solid_angle;
-    constexpr std::integral_constant<Kind, Kind::quad> quad;
-    if (kind == Kind::quad && world.plan.solid_angle) f(quad, by_solid_angle);
-    else if (kind == Kind::quad) f(quad, by_fragment);
-    else if (kind == Kind::disc) f(std::integral_constant<Kind, Kind::disc>{}, by_fragment);
-    else f(std::integral_constant<Kind, Kind::sphere>{}, by_fragment);
-}
-
 void ambient_light(const World& world, const Batch& b, const Surfaces& s, Colors& found) {
     for (int i = 0; i < b.count; ++i) {
         if (s.material[i] == nothing) continue;
@@ -230,25 +198,34 @@ void direct_stage(const World& world, Pattern pattern, int wave, const Batch& b,
             point_light(world, lamp, b, s, shadow, light);
             gather(world, b, light, shadow, found, chunk);
         }
-    Numbers u;
-    for (std::size_t l = 0; l < world.emitters.size(); ++l) {
-        const Emitter& lamp = world.emitters[l];
-        draw_2d(pattern, wave_dimension(world, wave, light_dimension + int(l), pattern.n), b.key, b.sample, lanes, u);
-        with_kind(world, lamp.kind, [&](auto kind, auto by) {
-            if (weighs) {
-                weighed_light<kind(), by()>(lamp, u, b, s, lobes, shadow, light);
-                gather(world, b, light, shadow, found, chunk);
-            }
-            if (!reflects) return;
-            with_flag(world.plan.phong, [&](auto highlights) {
-                area_light<highlights(), kind(), by()>(lamp, u, b, s, reflectances, shadow, light);
-            });
+    Numbers u, choice;
+    const auto shine = [&](const auto& lamps, auto by) {
+        if (weighs) {
+            weighed_light<by()>(lamps, u, b, s, lobes, shadow, light);
             gather(world, b, light, shadow, found, chunk);
+        }
+        if (!reflects) return;
+        with_flag(world.plan.phong, [&](auto highlights) {
+            area_light<highlights(), by()>(lamps, u, b, s, reflectances, shadow, light);
         });
+        gather(world, b, light, shadow, found, chunk);
+    };
+    const auto draw_point = [&](int l) {
+        draw_2d(pattern, wave_dimension(world, wave, light_dimension + l, pattern.n), b.key, b.sample, lanes, u);
+    };
+    if (world.plan.one_lamp) {
+        draw_point(0);
+        draw_1d(pattern, wave_dimension(world, wave, light_dimension + 1, pattern.n), b.key, b.sample, lanes, choice);
+        with_chosen_lamps(world, s, b.count, choice, shine);
+    } else {
+        for (std::size_t l = 0; l < world.emitters.size(); ++l) {
+            draw_point(int(l));
+            with_lamp(world, world.emitters[l], shine);
+        }
     }
     if (reflects && world.plan.environment_lit) {
         draw_2d(pattern, wave_dimension(world, wave, environment_dimension, pattern.n), b.key, b.sample, lanes, u);
-        environment_light(world, u, b, s, reflectances, shadow, light);
+        environment_light(world, u, s, reflectances, shadow, light);
         gather(world, b, light, shadow, found, chunk);
     }
 }

@@ -29,9 +29,10 @@ void see_emitters(const World& world, const Batch& b, const Surfaces& s, Colors&
     for (int i = 0; i < b.count; ++i) {
         if (!s.shines[i]) continue;
         const SurfaceRecord& lamp = world.surfaces[std::size_t(b.shape[i])];
-        if (!emission_counts(Event(b.event[i]), lamp.sampled)) continue;
-        const bool weighed = world.plan.weigh && Event(b.event[i]) == Event::lobe && b.density[i] > 0 && lamp.sampled;
-        const Real share = weighed ? power_heuristic(b.density[i], light_density(world, b.shape[i], b.ray(i), b.far[i])) : 1;
+        const bool sampled = lamp.emitter != nothing;
+        if (!emission_counts(Event(b.event[i]), sampled)) continue;
+        const bool weighed = world.plan.weigh && Event(b.event[i]) == Event::lobe && b.density[i] > 0 && sampled;
+        const Real share = weighed ? power_heuristic(b.density[i], light_density(world, lamp, b.ray(i), b.far[i])) : 1;
         found.set(i, found.at(i) + share * b.weight(i) * world.scene.materials[std::size_t(s.material[i])].emission);
     }
 }
