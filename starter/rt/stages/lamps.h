@@ -10,7 +10,7 @@ using Kind = Emitter::Kind;
 
 /// A lamp for each lane, chosen with its probability, 0 where it is of another kind; or one for all lanes.
 ///
-/// In arrays of numbers, for loops that copy structures do not vectorise.
+/// In arrays of numbers, for loops that copy structures do not vectorise. What a kind lacks is finite, and of no meaning.
 template <Kind kind, int count>
 struct alignas(64) Lamps {
     Real x[count]{}, y[count]{}, z[count]{};     // centre
@@ -29,7 +29,7 @@ struct alignas(64) Lamps {
     Emitter at(int lane) const {
         const int i = index(lane);
         const vec3 c(x[i], y[i], z[i]), u(ux[i], uy[i], uz[i]), v(vx[i], vy[i], vz[i]);
-        return {kind, {c, u, v}, {c, u, radius[i]}, {c, radius[i]}, {}};
+        return {kind, {c, u, v}, {c, u, radius[i]}, {c, radius[i]}, radiance(lane)};
     }
     Color radiance(int lane) const { return {r[index(lane)], g[index(lane)], b[index(lane)]}; }
     Real chosen(int lane) const { return probability[index(lane)]; }
