@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "catch.h"
-#include "rt/render.h"
+#include "estimate.h"
 #include "rt/sampler.h"
 #include "rt/scene_reader.h"
 
@@ -76,36 +76,6 @@ center = [2, 0.9, 0]
 radius = 0.9
 material = "rough"
 )";
-
-struct Estimate {
-    Color mean{0}, variance{0};  // of the picture's mean
-    Real noise = 0;              // mean variance of a pixel
-};
-
-/// From so many pictures of different seeds.
-Estimate estimate(const Scene& scene, Sampler sampler, int pictures) {
-    Estimate e;
-    std::vector<Image> all;
-    for (int k = 0; k < pictures; ++k)
-        all.push_back(render(scene, {.samples = scene.samples, .seed = std::uint64_t(k), .sampler = sampler, .estimate_error = false}).image);
-    std::vector<Color> means;
-    for (const Image& image : all) {
-        Color mean{0};
-        for (const Color c : image.pixels) mean += c / Real(image.pixels.size());
-        means.push_back(mean);
-        e.mean += mean / Real(pictures);
-    }
-    for (const Color m : means) e.variance += (m - e.mean) * (m - e.mean) / Real(pictures * (pictures - 1));
-    for (std::size_t p = 0; p < all[0].pixels.size(); ++p) {
-        Color mean{0};
-        for (const Image& image : all) mean += image.pixels[p] / Real(pictures);
-        for (const Image& image : all) {
-            const Color d = image.pixels[p] - mean;
-            e.noise += dot(d, d) / Real(3 * (pictures - 1)) / Real(all[0].pixels.size());
-        }
-    }
-    return e;
-}
 
 vec2 numbers(int i) { return sobol_2d(11, std::uint32_t(i), 4); }
 

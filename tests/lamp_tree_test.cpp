@@ -4,7 +4,7 @@
 #include <random>
 
 #include "catch.h"
-#include "rt/render.h"
+#include "estimate.h"
 #include "rt/scene_reader.h"
 #include "rt/world.h"
 
@@ -54,25 +54,6 @@ material = "glossy"
         scene.shapes.push_back(shape);
     }
     return scene;
-}
-
-struct Mean {
-    Real value = 0, variance = 0;
-};
-
-Mean mean_of(const Scene& scene, int pictures) {
-    std::vector<Real> means;
-    for (int k = 0; k < pictures; ++k) {
-        const Image image = render(scene, {.samples = scene.samples, .seed = std::uint64_t(k), .sampler = scene.sampler,
-                                           .estimate_error = false}).image;
-        Sum sum;
-        for (const Color c : image.pixels) sum.add((c.x + c.y + c.z) / 3 / Real(image.pixels.size()));
-        means.push_back(sum.value());
-    }
-    Mean m;
-    for (const Real x : means) m.value += x / pictures;
-    for (const Real x : means) m.variance += sqr(x - m.value) / Real(pictures * (pictures - 1));
-    return m;
 }
 
 }  // namespace
@@ -135,13 +116,14 @@ TEST_CASE("one lamp: the same picture with fewer shadow rays, also by solid angl
     for (const bool weighed : {false, true})
         for (const Sampler sampler : {Sampler::random, Sampler::orthogonal}) {
             scene.multiple_importance = scene.solid_angle = weighed;
-            scene.sampler = sampler;
             scene.one_lamp = false;
-            const Mean all = mean_of(scene, 12);
+            const Estimate all = estimate(scene, sampler, 12);
             scene.one_lamp = true;
-            const Mean one = mean_of(scene, 48);
-            CAPTURE(weighed, int(sampler), all.value, one.value, std::sqrt(one.variance));
-            CHECK(std::abs(all.value - one.value) < 4.5 * std::sqrt(all.variance + one.variance));
+            const Estimate one = estimate(scene, sampler, 48);
+            for (int c = 0; c < 3; ++c) {
+                CAPTURE(weighed, int(sampler), c, all.mean[c], one.mean[c]);
+                CHECK(std::abs(all.mean[c] - one.mean[c]) < 4.5 * std::sqrt(all.variance[c] + one.variance[c]));
+            }
         }
     scene.multiple_importance = false;
     const Rendering one = render(scene, {.samples = 16, .estimate_error = false});
