@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t shapes_without_tree = 100;
 
 /// Both ways on at each surface may be 2^depth rays.
-constexpr int deepest_split = 16;
+constexpr int deepest_split = 24;
 
 std::vector<char> materials_in_use(const Scene& scene) {
     std::vector<char> used(scene.materials.size(), 0);

@@ -22,7 +22,7 @@ struct RenderPlan {
     // what is traced
     bool point_lights = false, environment = false, emission = false;
     bool specular = false;      // mirrors or glass: more than one wave of rays
-    bool split = false;         // mirror and glass rays are both followed, as Whitted does, to a depth of 16; else one is chosen
+    bool split = false;         // mirror and glass rays are both followed, as Whitted does, to a depth of 24; else one is chosen
     bool choice = false;        // a surface has several ways on, and one is chosen at random
     bool phong = false;         // a highlight
     bool weigh = false;         // lamps are sampled for glossy lobes too: multiple importance sampling

@@ -76,7 +76,7 @@ TEST_CASE("52 a glass ball in a furnace: invisible up to what is left at the gre
     scene.samples = 1;
     scene.sampler = Sampler::uniform;  // the middle of each pixel
     Greatest off;
-    for (const int depth : {1, 4, 8, 12, 16}) {
+    for (const int depth : {1, 4, 8, 16, 24}) {
         scene.depth = depth;
         const Image image = picture(scene);
         for (int y = 0; y < 32; ++y)
