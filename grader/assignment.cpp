@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "build/files.h"
-#include "rt/scene_reader.h"
-#include "rt/toml_table.h"
+#include "rt/files/scene_reader.h"
+#include "rt/files/toml_table.h"
 
 namespace grade {
 

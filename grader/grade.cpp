@@ -14,7 +14,7 @@
 #include "build/submission.h"
 #include "build/toolchain.h"
 #include "calibration/command.h"
-#include "checks/check.h"
+#include "checks/kit/check.h"
 #include "convergence/command.h"
 #include "judging/grading.h"
 #include "judging/judge_check.h"
@@ -22,7 +22,7 @@
 #include "report/describe.h"
 #include "report/page.h"
 #include "report/terminal.h"
-#include "rt/scene_reader.h"
+#include "rt/files/scene_reader.h"
 #include "stress/command.h"
 
 /// grade SUBMISSION: the command line. Each subcommand is a function that returns the exit code.

@@ -15,11 +15,11 @@
 #include <new>
 #include <optional>
 
-#include "rt/image.h"
-#include "rt/mitsuba.h"
+#include "rt/files/image.h"
+#include "rt/files/mitsuba.h"
 #include "rt/plan.h"
 #include "rt/render.h"
-#include "rt/scene_reader.h"
+#include "rt/files/scene_reader.h"
 
 namespace {
 

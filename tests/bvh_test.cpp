@@ -7,7 +7,7 @@
 
 #include "extremes/meshes.h"
 #include "rt/fragments.h"
-#include "rt/traverse.h"
+#include "rt/tree/traverse.h"
 
 using namespace rt;
 

@@ -12,7 +12,7 @@
 #include "calibration/workshop.h"
 #include "catch.h"
 #include "report/plot.h"
-#include "rt/scene_reader.h"
+#include "rt/files/scene_reader.h"
 
 using namespace grade;
 using Catch::Matchers::Contains;

@@ -3,13 +3,13 @@
 
 #include "assignment.h"
 #include "catch.h"
-#include "checks/check.h"
-#include "checks/estimate.h"
-#include "checks/formula.h"
-#include "checks/render_check.h"
+#include "checks/kit/check.h"
+#include "checks/kit/estimate.h"
+#include "checks/kit/formula.h"
+#include "checks/kit/render_check.h"
 #include "judging/experiment.h"
 #include "rt/render.h"
-#include "rt/scene_reader.h"
+#include "rt/files/scene_reader.h"
 #include "statistics/moments.h"
 
 using namespace grade;

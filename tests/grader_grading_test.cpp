@@ -4,7 +4,7 @@
 #include "catch.h"
 #include "child/rows.h"
 #include "judging/grading.h"
-#include "rt/scene_reader.h"
+#include "rt/files/scene_reader.h"
 
 using namespace grade;
 

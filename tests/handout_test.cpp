@@ -6,7 +6,7 @@
 #include "assignment.h"
 #include "build/strip.h"
 #include "catch.h"
-#include "checks/check.h"
+#include "checks/kit/check.h"
 #include "report/describe.h"
 #include "report/diagnosis.h"
 

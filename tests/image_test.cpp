@@ -1,4 +1,4 @@
-#include "rt/image.h"
+#include "rt/files/image.h"
 
 #include <png.h>
 #include <unistd.h>

@@ -1,11 +1,11 @@
-#include "rt/importance.h"
+#include "rt/lamps/importance.h"
 
 #include <cmath>
 
 #include "catch.h"
 #include "estimate.h"
 #include "rt/sampler.h"
-#include "rt/scene_reader.h"
+#include "rt/files/scene_reader.h"
 
 using namespace rt;
 

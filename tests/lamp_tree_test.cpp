@@ -1,11 +1,11 @@
-#include "rt/lamp_tree.h"
+#include "rt/lamps/lamp_tree.h"
 
 #include <cmath>
 #include <random>
 
 #include "catch.h"
 #include "estimate.h"
-#include "rt/scene_reader.h"
+#include "rt/files/scene_reader.h"
 #include "rt/world.h"
 
 using namespace rt;

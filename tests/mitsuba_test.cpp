@@ -1,7 +1,7 @@
-#include "rt/mitsuba.h"
+#include "rt/files/mitsuba.h"
 
 #include "catch.h"
-#include "rt/scene_reader.h"
+#include "rt/files/scene_reader.h"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include "build/process.h"
 #include "build/runner.h"
 #include "catch.h"
-#include "checks/check.h"
+#include "checks/kit/check.h"
 #include "judging/experiment.h"
 #include "judging/mentions.h"
 

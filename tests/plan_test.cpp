@@ -5,7 +5,7 @@
 #include "build/files.h"
 #include "catch.h"
 #include "rt/render.h"
-#include "rt/scene_reader.h"
+#include "rt/files/scene_reader.h"
 
 using namespace rt;
 

@@ -1,4 +1,4 @@
-#include "rt/scene_reader.h"
+#include "rt/files/scene_reader.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -9,7 +9,7 @@
 #include <random>
 
 #include "catch.h"
-#include "rt/obj_reader.h"
+#include "rt/files/obj_reader.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "rt/shaft.h"
+#include "rt/tree/shaft.h"
 
 #include <random>
 

@@ -1,13 +1,13 @@
-#include "rt/solid_angle.h"
+#include "rt/lamps/solid_angle.h"
 
 #include <cmath>
 #include <random>
 
 #include "catch.h"
 #include "estimate.h"
-#include "rt/importance.h"
+#include "rt/lamps/importance.h"
 #include "rt/sampler.h"
-#include "rt/scene_reader.h"
+#include "rt/files/scene_reader.h"
 
 using namespace rt;
 

@@ -7,7 +7,7 @@
 
 #include "assignment.h"
 #include "catch.h"
-#include "rt/scene_reader.h"
+#include "rt/files/scene_reader.h"
 
 using namespace grade;
 namespace fs = std::filesystem;

@@ -7,7 +7,7 @@
 #include "build/bytes.h"
 #include "child/protocol.h"
 #include "rt/scene.h"
-#include "rt/scene_reader.h"
+#include "rt/files/scene_reader.h"
 
 namespace grade {
 

@@ -9,7 +9,7 @@
 #include "build/process.h"
 #include "build/sandbox.h"
 #include "child/swarm.h"
-#include "checks/check.h"
+#include "checks/kit/check.h"
 #include "statistics/verdict.h"
 
 namespace grade {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "build/files.h"
-#include "rt/scene_reader.h"
+#include "rt/files/scene_reader.h"
 
 namespace grade {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rt/image.h"
+#include "rt/files/image.h"
 
 namespace grade {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "checks/check.h"
+#include "checks/kit/check.h"
 #include "judging/reference.h"
 
 namespace grade {

@@ -9,7 +9,7 @@
 
 #include "build/files.h"
 #include "build/process.h"
-#include "rt/scene_reader.h"
+#include "rt/files/scene_reader.h"
 
 namespace grade {
 

@@ -11,7 +11,7 @@
 #include "build/sandbox.h"
 #include "build/toolchain.h"
 #include "calibration/variant.h"
-#include "checks/check.h"
+#include "checks/kit/check.h"
 
 namespace grade {
 

@@ -1,6 +1,6 @@
 #include <utility>
 
-#include "checks/draw.h"
+#include "checks/kit/draw.h"
 #include "checks/fragment_checks.h"
 
 namespace grade {

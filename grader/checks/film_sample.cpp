@@ -2,11 +2,11 @@
 
 #include <array>
 
-#include "checks/convergence.h"
+#include "checks/kit/convergence.h"
 #include "checks/fragment_checks.h"
-#include "checks/pictures.h"
-#include "checks/probe_check.h"
-#include "checks/warp.h"
+#include "checks/kit/pictures.h"
+#include "checks/kit/probe_check.h"
+#include "checks/kit/warp.h"
 #include "statistics/moments.h"
 
 namespace grade {

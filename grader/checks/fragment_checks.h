@@ -1,6 +1,6 @@
 #pragma once
 
-#include "checks/check.h"
+#include "checks/kit/check.h"
 
 /// The checks of each fragment, in files of their own. The generator draws their parameters.
 namespace grade {

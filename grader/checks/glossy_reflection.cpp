@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include "checks/draw.h"
+#include "checks/kit/draw.h"
 #include "checks/fragment_checks.h"
-#include "checks/lobe_check.h"
-#include "checks/lobe_picture.h"
-#include "rt/scene_reader.h"
+#include "checks/kit/lobe_check.h"
+#include "checks/kit/lobe_picture.h"
+#include "rt/files/scene_reader.h"
 
 namespace grade {
 

@@ -1,10 +1,10 @@
 #include <array>
 
-#include "checks/draw.h"
-#include "checks/figures.h"
-#include "checks/formula.h"
+#include "checks/kit/draw.h"
+#include "checks/kit/figures.h"
+#include "checks/kit/formula.h"
 #include "checks/fragment_checks.h"
-#include "checks/probe_check.h"
+#include "checks/kit/probe_check.h"
 
 namespace grade {
 

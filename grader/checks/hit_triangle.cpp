@@ -2,10 +2,10 @@
 #include <array>
 #include <utility>
 
-#include "checks/figures.h"
+#include "checks/kit/figures.h"
 #include "checks/fragment_checks.h"
-#include "checks/hit_flat.h"
-#include "checks/probe_check.h"
+#include "checks/kit/hit_flat.h"
+#include "checks/kit/probe_check.h"
 
 namespace grade {
 

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include "checks/convergence.h"
-#include "checks/draw.h"
-#include "checks/formula.h"
+#include "checks/kit/convergence.h"
+#include "checks/kit/draw.h"
+#include "checks/kit/formula.h"
 #include "checks/fragment_checks.h"
-#include "checks/probe_check.h"
+#include "checks/kit/probe_check.h"
 #include "statistics/convergence.h"
 
 namespace grade {

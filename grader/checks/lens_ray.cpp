@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 
-#include "checks/draw.h"
-#include "checks/formula.h"
+#include "checks/kit/draw.h"
+#include "checks/kit/formula.h"
 #include "checks/fragment_checks.h"
-#include "checks/pictures.h"
-#include "checks/probe_check.h"
-#include "checks/render_check.h"
-#include "rt/scene_reader.h"
+#include "checks/kit/pictures.h"
+#include "checks/kit/probe_check.h"
+#include "checks/kit/render_check.h"
+#include "rt/files/scene_reader.h"
 #include "statistics/blob.h"
 #include "statistics/projection.h"
 

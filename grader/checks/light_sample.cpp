@@ -1,9 +1,9 @@
 #include <array>
 
 #include "checks/fragment_checks.h"
-#include "checks/probe_check.h"
-#include "checks/shadow_scene.h"
-#include "checks/warp.h"
+#include "checks/kit/probe_check.h"
+#include "checks/kit/shadow_scene.h"
+#include "checks/kit/warp.h"
 #include "statistics/irradiance.h"
 #include "statistics/regression.h"
 

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include "checks/draw.h"
-#include "checks/formula.h"
+#include "checks/kit/draw.h"
+#include "checks/kit/formula.h"
 #include "checks/fragment_checks.h"
-#include "checks/probe_check.h"
-#include "checks/render_check.h"
+#include "checks/kit/probe_check.h"
+#include "checks/kit/render_check.h"
 #include "statistics/blob.h"
 
 namespace grade {

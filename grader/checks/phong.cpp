@@ -1,9 +1,9 @@
-#include "checks/draw.h"
-#include "checks/formula.h"
+#include "checks/kit/draw.h"
+#include "checks/kit/formula.h"
 #include "checks/fragment_checks.h"
-#include "checks/probe_check.h"
-#include "checks/reflection_model.h"
-#include "checks/shadow_scene.h"
+#include "checks/kit/probe_check.h"
+#include "checks/kit/reflection_model.h"
+#include "checks/kit/shadow_scene.h"
 
 namespace grade {
 

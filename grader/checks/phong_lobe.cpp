@@ -1,6 +1,6 @@
 #include "checks/fragment_checks.h"
-#include "checks/probe_check.h"
-#include "checks/warp.h"
+#include "checks/kit/probe_check.h"
+#include "checks/kit/warp.h"
 #include "statistics/lobe.h"
 #include "statistics/moments.h"
 

@@ -1,8 +1,8 @@
-#include "checks/draw.h"
-#include "checks/formula.h"
+#include "checks/kit/draw.h"
+#include "checks/kit/formula.h"
 #include "checks/fragment_checks.h"
-#include "checks/pictures.h"
-#include "checks/probe_check.h"
+#include "checks/kit/pictures.h"
+#include "checks/kit/probe_check.h"
 
 namespace grade {
 

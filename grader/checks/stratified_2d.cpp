@@ -1,10 +1,10 @@
 #include <array>
 
-#include "checks/convergence.h"
-#include "checks/figures.h"
+#include "checks/kit/convergence.h"
+#include "checks/kit/figures.h"
 #include "checks/fragment_checks.h"
-#include "checks/probe_check.h"
-#include "checks/warp.h"
+#include "checks/kit/probe_check.h"
+#include "checks/kit/warp.h"
 
 namespace grade {
 

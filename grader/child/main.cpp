@@ -15,7 +15,7 @@
 #include "child/self_test.h"
 #include "child/swarm.h"
 #include "rt/render.h"
-#include "rt/scene_reader.h"
+#include "rt/files/scene_reader.h"
 
 /// child SECONDS: renders scenes and calls fragments as the grader asks. It only ever answers with data; each answer
 /// may take SECONDS of CPU time.

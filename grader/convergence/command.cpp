@@ -10,7 +10,7 @@
 #include "build/stamp.h"
 #include "convergence/report.h"
 #include "report/terminal.h"
-#include "rt/scene_reader.h"
+#include "rt/files/scene_reader.h"
 #include "stress/family_programs.h"
 
 namespace grade {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rt/image.h"
+#include "rt/files/image.h"
 
 /// Errors of pictures, where the truth itself is known from noisy pictures only: two that do not depend on each other.
 namespace grade {

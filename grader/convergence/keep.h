@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "build/files.h"
-#include "rt/image.h"
+#include "rt/files/image.h"
 
 namespace grade {
 

@@ -10,7 +10,7 @@
 #include "build/stamp.h"
 #include "convergence/reference.h"
 #include "convergence/gathered.h"
-#include "rt/scene_reader.h"
+#include "rt/files/scene_reader.h"
 
 namespace grade {
 

@@ -6,7 +6,7 @@
 
 #include "build/stamp.h"
 #include "convergence/keep.h"
-#include "rt/scene_reader.h"
+#include "rt/files/scene_reader.h"
 #include "statistics/image_fault.h"
 
 namespace grade {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "checks/check.h"
+#include "checks/kit/check.h"
 #include "statistics/engine.h"
 
 namespace grade {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "build/runner.h"
-#include "checks/check.h"
+#include "checks/kit/check.h"
 
 namespace grade {
 

@@ -11,7 +11,7 @@
 #include "judging/judge_check.h"
 #include "judging/mentions.h"
 #include "judging/parallel.h"
-#include "rt/scene_reader.h"
+#include "rt/files/scene_reader.h"
 
 namespace grade {
 

@@ -8,7 +8,7 @@
 #include "assignment.h"
 #include "build/submission.h"
 #include "build/toolchain.h"
-#include "checks/check.h"
+#include "checks/kit/check.h"
 #include "judging/programs.h"
 #include "judging/reference.h"
 #include "report/record.h"

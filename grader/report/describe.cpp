@@ -7,8 +7,8 @@
 #include <cmath>
 #include <set>
 
-#include "checks/check.h"
-#include "rt/scene_reader.h"
+#include "checks/kit/check.h"
+#include "rt/files/scene_reader.h"
 
 namespace grade {
 

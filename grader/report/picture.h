@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "rt/image.h"
+#include "rt/files/image.h"
 
 namespace grade {
 

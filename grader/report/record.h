@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "rt/image.h"
+#include "rt/files/image.h"
 #include "statistics/verdict.h"
 
 /// The record of a grading: the one source of every report.

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "rt/image.h"
+#include "rt/files/image.h"
 
 namespace grade {
 

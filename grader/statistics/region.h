@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "rt/image.h"
+#include "rt/files/image.h"
 
 namespace grade {
 

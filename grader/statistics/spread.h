@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "rt/image.h"
+#include "rt/files/image.h"
 #include "statistics/region.h"
 
 namespace grade {

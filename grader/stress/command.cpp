@@ -9,7 +9,7 @@
 #include "assignment.h"
 #include "build/files.h"
 #include "report/terminal.h"
-#include "rt/scene_reader.h"
+#include "rt/files/scene_reader.h"
 #include "stress/page.h"
 #include "stress/run.h"
 #include "stress/table.h"

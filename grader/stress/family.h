@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "checks/draw.h"
+#include "checks/kit/draw.h"
 #include "child/rows.h"
-#include "rt/image.h"
+#include "rt/files/image.h"
 
 /// Families of extreme cases, as data. A family is one quantity that is swept over decades, and one error that is
 /// measured in what fragments answer.

@@ -53,7 +53,7 @@ function(add_inlined_stages name fragments)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../rt/fragments.h)
 
     file(GLOB stages CONFIGURE_DEPENDS ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../rt/stages/*.cpp)
-    file(GLOB headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../rt/*.h)
+    file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../rt/*.h)
     set(includes ${fragments} ${stages})
     list(TRANSFORM includes REPLACE "(.+)" "#include \"\\1\"")
     list(JOIN includes "\n" includes)

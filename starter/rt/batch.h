@@ -1,11 +1,9 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "rt/fragments.h"
-#include "rt/render.h"
 #include "rt/sampler.h"
 
 /// Rays in arrays: the state that flows from stage to stage.

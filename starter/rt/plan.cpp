@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "rt/stages/stages.h"
-
 namespace rt {
 namespace {
 

@@ -7,6 +7,17 @@
 
 namespace rt {
 
+/// The pattern's dimensions: first those of the camera, then as many for each wave.
+enum CameraDimension : int { pixel_dimension, lens_dimension, time_dimension, camera_dimensions };
+enum WaveDimension : int {
+    choice_dimension,
+    lobe_dimension,
+    flight_dimension,
+    phase_dimension,
+    environment_dimension,
+    light_dimension
+};
+
 /// What a scene needs, decided before the first ray; nothing else decides. An integral that is off draws no random
 /// number, casts no ray and has no dimension in the sampling pattern.
 struct RenderPlan {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
+
 #include "rt/math.h"
 
 namespace rt {
@@ -17,6 +20,12 @@ struct Hit {
     vec3 normal;    // unit, on the side that the ray came from [world]
     Real error = 0; // bound of the rounding error of the point, along the normal [world]
 };
+
+/// Rays by what sent them.
+enum class RayKind { camera, shadow, mirror, glass, lobe, bounce, medium };
+constexpr std::array<const char*, 7> ray_kind_names = {"camera", "shadow", "mirror", "glass",
+                                                       "lobe",   "bounce", "medium"};
+using RayCounts = std::array<std::uint64_t, 7>;
 
 /// A ray towards a light ends at this share of its distance, so that it never meets the light itself.
 constexpr Real short_of_light = 1 - 0x1p-30;

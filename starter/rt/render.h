@@ -1,22 +1,16 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
 
-#include "rt/image.h"
+#include "rt/files/image.h"
 #include "rt/plan.h"
+#include "rt/ray.h"
 #include "rt/scene.h"
 
 namespace rt {
-
-/// Rays by what sent them.
-enum class RayKind { camera, shadow, mirror, glass, lobe, bounce, medium };
-constexpr std::array<const char*, 7> ray_kind_names = {"camera", "shadow", "mirror", "glass",
-                                                       "lobe",   "bounce", "medium"};
-using RayCounts = std::array<std::uint64_t, 7>;
 
 /// A rectangle of pixels: x, y of its top left corner, width, height.
 struct Crop {

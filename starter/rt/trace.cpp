@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "rt/path.h"
+#include "rt/render.h"
 
 namespace rt {
 namespace {

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "rt/batch.h"
-#include "rt/bvh.h"
-#include "rt/lamp_tree.h"
+#include "rt/tree/bvh.h"
+#include "rt/lamps/lamp_tree.h"
 #include "rt/plan.h"
 
 namespace rt {

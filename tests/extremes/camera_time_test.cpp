@@ -2,7 +2,7 @@
 
 #include "extremes/extremes.h"
 #include "rt/sampler.h"
-#include "rt/scene_reader.h"
+#include "rt/files/scene_reader.h"
 
 using namespace rt;
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "extremes/transform.h"
-#include "rt/image.h"
+#include "rt/files/image.h"
 
 using namespace rt;
 

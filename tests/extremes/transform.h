@@ -2,7 +2,7 @@
 
 #include "extremes/extremes.h"
 #include "rt/render.h"
-#include "rt/scene_reader.h"
+#include "rt/files/scene_reader.h"
 
 /// Scenes as a whole: moved, scaled, drawn in small.
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "rt/plan.h"
-#include "rt/scene_reader.h"
+#include "rt/files/scene_reader.h"
 
 /// A scene file is a scene of finite numbers, or a located error.
 namespace {

@@ -149,7 +149,7 @@ def compile_whitted(chain, shadow, program):
     stages.write_text('#include "rt/fragments.h"\nnamespace rt {\n' + "\n".join(declared) + "\n}\n" + includes(files))
     rest.write_text(
         includes(
-            [ROOT / "starter/rt" / f"{name}.cpp" for name in ("bvh", "lamp_tree", "path", "plan", "trace", "world")]
+            [ROOT / "starter/rt" / f"{name}.cpp" for name in ("tree/bvh", "lamps/lamp_tree", "path", "plan", "trace", "world")]
             + [ROOT / "tests/plan/whitted.cpp"]
         )
     )

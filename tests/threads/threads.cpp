@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "rt/path.h"
-#include "rt/scene_reader.h"
+#include "rt/files/scene_reader.h"
 
 namespace {
 

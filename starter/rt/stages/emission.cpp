@@ -1,4 +1,4 @@
-#include "rt/importance.h"
+#include "rt/lamps/importance.h"
 #include "rt/stages/stages.h"
 
 namespace rt {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rt/solid_angle.h"
+#include "rt/lamps/solid_angle.h"
 #include "rt/stages/stages.h"
 
 /// The lamps with extent of the direct stage: which one each lane is lit by, and how points of it are found.

@@ -1,7 +1,7 @@
-#include "rt/meetings.h"
-#include "rt/shaft.h"
+#include "rt/tree/meetings.h"
+#include "rt/tree/shaft.h"
 #include "rt/stages/stages.h"
-#include "rt/traverse.h"
+#include "rt/tree/traverse.h"
 
 namespace rt {
 namespace {

@@ -70,17 +70,7 @@ auto with_flag(bool flag, F f) {
     return flag ? f(std::true_type{}) : f(std::false_type{});
 }
 
-/// The pattern's dimensions: first those of the camera, then as many for each wave.
-enum CameraDimension : int { pixel_dimension, lens_dimension, time_dimension, camera_dimensions };
-enum WaveDimension : int {
-    choice_dimension,
-    lobe_dimension,
-    flight_dimension,
-    phase_dimension,
-    environment_dimension,
-    light_dimension
-};
-
+/// A dimension of the pattern, by its place in the plan.
 inline Dimension camera_dimension(const World& world, int dimension, int n) {
     return {Bits(dimension), world.plan.pairs[std::size_t(dimension)], n};
 }

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "checks/kit/check.h"
+#include "rt/math.h"
+
+/// Parameters and arguments drawn at random.
+namespace grade {
+
+inline double between(Generator& random, double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+/// Uniform in the logarithm.
+inline double log_between(Generator& random, double low, double high) {
+    return std::exp(between(random, std::log(low), std::log(high)));
+}
+
+/// Of either sign, uniform in the logarithm of its size, from `closest` to a twentieth.
+inline double close_to_zero(Generator& random, double closest) {
+    const double sign = between(random, 0, 1) < 0.5 ? -1 : 1;
+    return sign * log_between(random, closest, 0.05);
+}
+
+inline int whole_between(Generator& random, int low, int high) {
+    return std::uniform_int_distribution<int>(low, high)(random);
+}
+
+inline bool chance(Generator& random, double probability) { return between(random, 0, 1) < probability; }
+
+/// A point of the unit square.
+inline rt::vec2 square(Generator& random) {
+    const double x = between(random, 0, 1), y = between(random, 0, 1);
+    return {x, y};
+}
+
+/// Each coordinate between low and high.
+inline rt::vec3 box(Generator& random, double low, double high) {
+    const double x = between(random, low, high), y = between(random, low, high), z = between(random, low, high);
+    return {x, y, z};
+}
+
+/// A unit vector, uniform on the sphere.
+inline rt::vec3 direction(Generator& random) {
+    const double z = between(random, -1, 1), turn = between(random, 0, 2 * rt::pi), r = rt::safe_sqrt(1 - z * z);
+    return {r * std::cos(turn), r * std::sin(turn), z};
+}
+
+/// A unit vector at the given angle from a unit vector.
+inline rt::vec3 tilted(Generator& random, rt::vec3 axis, double angle) {
+    const double turn = between(random, 0, 2 * rt::pi), s = std::sin(angle);
+    return rt::frame_about(axis).to_world({s * std::cos(turn), s * std::sin(turn), std::cos(angle)});
+}
+
+/// A stream of random numbers of a check's own, so that other checks do not move it.
+inline Generator stream(std::uint64_t seed, const std::string& name) {
+    std::uint64_t hash = 14695981039346656037u ^ seed;  // FNV-1a
+    for (const char c : name) hash = (hash ^ std::uint64_t(static_cast<unsigned char>(c))) * 1099511628211u;
+    return Generator(hash);
+}
+
+}  // namespace grade

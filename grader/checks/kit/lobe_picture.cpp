@@ -1,0 +1,93 @@
+#include "checks/kit/lobe_picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "statistics/blob.h"
+#include "statistics/lobe.h"
+
+namespace grade {
+
+double lobe_light(const Lobe& lobe, const rt::Sphere& lamp, rt::vec3 p) {
+    constexpr int rings = 8, turns = 16;
+    const rt::vec3 to_lamp = lamp.center - p;
+    const double sine2 = rt::sqr(lamp.radius) / rt::dot(to_lamp, to_lamp),
+                 cap = 1 - std::sqrt(1 - sine2);  // 1 - cos of the cone
+    const rt::Frame frame = rt::frame_about(rt::unit(to_lamp));
+    double sum = 0;
+    for (int i = 0; i < rings; ++i)
+        for (int k = 0; k < turns; ++k) {
+            const double c = 1 - cap * (i + 0.5) / rings, s = std::sqrt(1 - c * c), turn = 2 * rt::pi * k / turns;
+            const rt::vec3 w = frame.to_world({s * std::cos(turn), s * std::sin(turn), c});
+            const double along = rt::dot(w, lobe.axis), cosine = rt::dot(w, lobe.outward);
+            if (along > 0 && cosine > 0) sum += std::pow(along, lobe.exponent) * cosine;
+        }
+    return lobe.share * (lobe.exponent + 2) / (2 * rt::pi) * sum * 2 * rt::pi * cap / (rings * turns);
+}
+
+namespace {
+
+Blob due_moments(const LobeSurface& surface, const rt::Sphere& lamp, double exponent) {
+    rt::Image image(surface.camera.size.x, surface.camera.size.y);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const rt::vec2 film(x + 0.5, y + 0.5);
+            const Lobe lobe = surface.lobe(view_direction(surface.camera, film), exponent);
+            image.at(x, y) =
+                rt::Color(lobe_light(lobe, lamp, seen_on_plane(surface.camera, film, surface.point, surface.normal)));
+        }
+    Blob blob = blob_moments(image, whole(image));
+    blob.radial_square += 1.0 / 6;  // a pixel is the mean over its area, not its centre's value
+    return blob;
+}
+
+}  // namespace
+
+std::vector<Statistic> blurred_lamp(const LobeSurface& surface, const rt::Sphere& lamp, double exponent,
+                                    const std::string& lobe_about) {
+    const auto moments = [](const rt::Image& image) { return blob_moments(image, whole(image)); };
+    const Blob due = due_moments(surface, lamp, exponent);
+    const auto width_of = [&](double wrong) {
+        return due_moments(surface, lamp, wrong).radial_square / due.radial_square;
+    };
+    const double n = exponent;
+
+    Statistic light = of_picture(
+        "P2", "light of the blurred lamp, over what must be",
+        [=](const rt::Image& image) { return moments(image).mass / due.mass; }, 1, 0.06,
+        by_ratio("the light of the blurred lamp",
+                 {{(n + 1) / (n + 2), "does n + 1 stand for n + 2 in the BRDF?"},
+                  {(n + 2) / (n + 1), "is the cosine at the surface missing, or does (n + 2)/(n + 1) count twice?"},
+                  {0, "does a ray of the lobe ever meet it?"}},
+                 fmt::format("is the lobe about {}, and the weight BRDF x cosine / density?", lobe_about)));
+    const auto off = [=](const rt::Image& image) { return moments(image).centroid - due.centroid; };
+    const auto place = [&](const std::string& what, std::function<double(const rt::Image&)> measure) {
+        return of_picture("P1", what, std::move(measure), 0, 0.8, [=](double value, double) {
+            return fmt::format("the blurred lamp is {:.3g} pixels from where it must be: is the lobe about {}?",
+                               std::abs(value), lobe_about);
+        });
+    };
+    Statistic width = of_picture(
+        "P1", "mean square width of the blurred lamp, over what must be",
+        [=](const rt::Image& image) { return moments(image).radial_square / due.radial_square; }, 1, 0.06,
+        by_ratio("the mean square width of the blurred lamp", {{width_of(2 * n), "is the exponent 2n?"},
+                                                               {width_of(n / 2), "is the exponent n/2?"},
+                                                               {width_of(n + 1), "is the exponent n + 1?"},
+                                                               {width_of(n - 1), "is the exponent n - 1?"}}));
+    return {light,
+            place("blurred lamp, right of where it must be [pixel]", [=](const rt::Image& i) { return off(i).x; }),
+            place("blurred lamp, below where it must be [pixel]", [=](const rt::Image& i) { return off(i).y; }), width};
+}
+
+std::function<double(double)> tabulated_albedo(double exponent) {
+    constexpr int steps = 45;
+    std::vector<double> table;
+    for (int i = 0; i <= steps; ++i) table.push_back(phong_albedo(exponent, rt::pi / 2 * i / steps));
+    return [table](double angle) {
+        const double at = std::clamp(angle / (rt::pi / 2) * steps, 0.0, steps - 1e-9), share = at - std::floor(at);
+        return (1 - share) * table[std::size_t(at)] + share * table[std::size_t(at) + 1];
+    };
+}
+
+}  // namespace grade

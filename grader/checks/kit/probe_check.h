@@ -1,0 +1,42 @@
+#pragma once
+
+#include <algorithm>
+
+#include "checks/kit/check.h"
+#include "checks/kit/draw.h"
+
+namespace grade {
+
+/// A check that calls its fragment; all.cpp fills in the fragment.
+inline Check probe_check(std::string name, std::string fragment, std::vector<std::string> needs,
+                         std::function<Rows(Generator&)> inputs, std::vector<Statistic> statistics, int share = 1) {
+    return {std::move(name),       fragment, std::move(needs), Probe{fragment, std::move(inputs)},
+            std::move(statistics), share};
+}
+
+/// So many rows.
+template <class F>
+std::function<Rows(Generator&)> rows_of(int count, F draw) {
+    return [count, draw](Generator& random) {
+        Rows rows;
+        for (int k = 0; k < count; ++k) rows.push_back(draw(random));
+        return rows;
+    };
+}
+
+/// side^2 rows in any order, whose numbers u lie one in each cell of a grid over the unit square: a mean over them has
+/// the same expectation as over independent numbers, and much less noise.
+template <class F>
+std::function<Rows(Generator&)> rows_over_square(int side, F row_at) {
+    return [side, row_at](Generator& random) {
+        Rows rows;
+        for (int k = 0; k < side * side; ++k) {
+            const rt::vec2 cell(k % side, k / side), within = square(random);
+            rows.push_back(row_at((cell + within) / double(side)));
+        }
+        std::ranges::shuffle(rows, random);  // so that a part of them is no part of the square
+        return rows;
+    };
+}
+
+}  // namespace grade

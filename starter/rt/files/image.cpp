@@ -1,0 +1,145 @@
+#include "rt/files/image.h"
+
+#include <OpenEXR/ImfArray.h>
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <fmt/format.h>
+#include <png.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+
+namespace rt {
+namespace {
+
+constexpr const char* channels[] = {"R", "G", "B"};
+
+[[noreturn]] void fail(const std::string& path, const std::string& what, const std::string& cause) {
+    throw std::runtime_error(fmt::format("{}: {}: {}", path, what, cause));
+}
+
+std::string last_error() { return std::generic_category().message(errno); }
+
+/// Lets `write` fill a temporary file beside the path, then puts it in the path's place in one step.
+template <class Write>
+void replace_file(const std::string& path, Write write) {
+    const std::string temporary = fmt::format("{}.{}.tmp", path, getpid());
+    try {
+        write(temporary);
+        if (std::rename(temporary.c_str(), path.c_str()) != 0) throw std::runtime_error(last_error());
+    } catch (const std::exception& error) {
+        std::remove(temporary.c_str());
+        fail(path, "cannot be written", error.what());
+    }
+}
+
+std::uint8_t to_srgb(Real linear) {
+    const Real x = linear > 0 ? std::min(linear, 1.0) : 0;  // a NaN becomes black
+    const Real encoded = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
+    return std::uint8_t(encoded * 255 + 0.5);
+}
+
+/// The nearest float; a finite number stays finite.
+float to_float(Real x) {
+    constexpr Real most = std::numeric_limits<float>::max();
+    return float(std::isfinite(x) ? std::clamp(x, -most, most) : x);
+}
+
+/// The three channels as they lie in an array of floats, R G B after each other.
+Imf::FrameBuffer frame(std::vector<float>& samples, const Imath::Box2i& window) {
+    const std::ptrdiff_t width = std::ptrdiff_t(window.max.x) - window.min.x + 1;
+    const std::size_t pixel = 3 * sizeof(float), row = std::size_t(width) * pixel;
+    char* corner = reinterpret_cast<char*>(samples.data());
+    char* origin = corner - window.min.x * std::ptrdiff_t(pixel) - window.min.y * std::ptrdiff_t(row);
+    Imf::FrameBuffer buffer;
+    for (int i = 0; i < 3; ++i)
+        buffer.insert(channels[i], Imf::Slice(Imf::FLOAT, origin + i * std::ptrdiff_t(sizeof(float)), pixel, row));
+    return buffer;
+}
+
+}  // namespace
+
+void write_exr(const std::string& path, const Image& image) {
+    if (image.width < 1 || image.height < 1) fail(path, "cannot be written", "the image has no pixels");
+    replace_file(path, [&](const std::string& temporary) {
+        std::vector<float> samples;
+        samples.reserve(image.pixels.size() * 3);
+        for (const Color& c : image.pixels)
+            for (int i = 0; i < 3; ++i) samples.push_back(to_float(c[i]));
+        Imf::Header header(image.width, image.height);
+        header.compression() = Imf::ZIP_COMPRESSION;
+        header.zipCompressionLevel() = 1;  // noise hardly shrinks, however long one tries
+        for (const char* name : channels) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+        Imf::OutputFile file(temporary.c_str(), header);
+        file.setFrameBuffer(frame(samples, header.dataWindow()));
+        file.writePixels(image.height);
+    });
+}
+
+Image read_exr(const std::string& path) {
+    try {
+        Imf::InputFile file(path.c_str());
+        const Imath::Box2i window = file.header().dataWindow();
+        const auto width = std::int64_t(window.max.x) - window.min.x + 1;
+        const auto height = std::int64_t(window.max.y) - window.min.y + 1;
+        if (width < 1 || height < 1 || width > 65536 || height > 65536 || width * height > (1 << 28))
+            throw std::runtime_error(fmt::format("an image of {} x {} pixels", width, height));
+        for (const char* name : channels) {
+            const Imf::Channel* channel = file.header().channels().findChannel(name);
+            if (!channel) throw std::runtime_error(fmt::format("there is no channel {}", name));
+            if (channel->xSampling != 1 || channel->ySampling != 1)
+                throw std::runtime_error(fmt::format("channel {} is subsampled", name));
+        }
+        std::vector<float> samples(std::size_t(width * height) * 3);
+        file.setFrameBuffer(frame(samples, window));
+        file.readPixels(window.min.y, window.max.y);
+
+        Image image{int(width), int(height)};
+        for (std::size_t i = 0; i < image.pixels.size(); ++i)
+            image.pixels[i] = {samples[3 * i], samples[3 * i + 1], samples[3 * i + 2]};
+        return image;
+    } catch (const std::exception& error) {
+        fail(path, "cannot be read", error.what());
+    }
+}
+
+std::string png_bytes(const Image& image, Real exposure) {
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(image.pixels.size() * 3);
+    for (const Color& c : image.pixels)
+        for (int i = 0; i < 3; ++i) bytes.push_back(to_srgb(exposure * c[i]));
+
+    png_image png{};
+    png.version = PNG_IMAGE_VERSION;
+    png.width = png_uint_32(image.width);
+    png.height = png_uint_32(image.height);
+    png.format = PNG_FORMAT_RGB;
+    png.flags = PNG_IMAGE_FLAG_FAST;
+    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
+    std::string file(size, '\0');
+    if (!png_image_write_to_memory(&png, file.data(), &size, 0, bytes.data(), 0, nullptr))
+        throw std::runtime_error(fmt::format("a PNG cannot be made: {}", png.message));
+    file.resize(size);
+    return file;
+}
+
+void write_png(const std::string& path, const Image& image, Real exposure) {
+    replace_file(path, [&](const std::string& temporary) {
+        const std::string bytes = png_bytes(image, exposure);
+        std::ofstream file(temporary, std::ios::binary);
+        file.write(bytes.data(), std::streamsize(bytes.size()));
+        file.close();
+        if (!file) throw std::runtime_error(last_error());
+    });
+}
+
+}  // namespace rt

@@ -1,0 +1,126 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <system_error>
+
+#include "rt/files/obj_reader.h"
+#include "rt/files/scene_parts.h"
+
+namespace rt {
+namespace {
+
+int find_material(const Table& table, const Scene& scene) {
+    const std::string name = table.text("material");
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        if (scene.materials[i].name == name) return int(i);
+        names.push_back(scene.materials[i].name);
+    }
+    const auto nearest = nearest_word(name, names);
+    table.fail("material", "there is no material " + in_quotes(name),
+               nearest ? in_quotes(*nearest) + "?" : "a table [materials.NAME] of this file");
+}
+
+Sphere read_sphere(const Table& table) {
+    return {table.vector("center", any_number), table.number("radius", positive)};
+}
+
+Triangle read_triangle(const Table& table) {
+    const Triangle t{table.vector("a", any_number), table.vector("b", any_number), table.vector("c", any_number)};
+    const vec3 normal = cross(direction(t.b - t.a), direction(t.c - t.a));
+    if (largest(normal) < 1e-14) table.fail("a", "the triangle has no area", "three points that are not on one line");
+    return t;
+}
+
+Quad read_quad(const Table& table) {
+    const Quad q{table.vector("center", any_number), table.vector("u", any_number), table.vector("v", any_number)};
+    const vec3 u = direction(q.u), v = direction(q.v);
+    for (const char* key : {"u", "v"})
+        if ((*key == 'u' ? u : v) == vec3(0)) table.fail(key, fmt::format("'{}' is zero", key), "half an edge");
+    if (std::abs(dot(u, v)) > 1e-6)
+        table.fail("v", fmt::format("'u' and 'v' meet at a cosine of {:.3g}", dot(u, v)), "half edges at right angles");
+    return q;
+}
+
+Disc read_disc(const Table& table) {
+    const Disc disc{table.vector("center", any_number), direction(table.vector("normal", any_number)),
+                    table.number("radius", positive)};
+    if (disc.normal == vec3(0)) table.fail("normal", "'normal' is zero", "the direction that the disc faces");
+    return disc;
+}
+
+/// Scales, then moves a mesh. Normals go with the inverse; a mirror image has its triangles turned round.
+void transform(Mesh& mesh, vec3 scale, vec3 translate) {
+    const bool mirrored = (scale.x < 0) != ((scale.y < 0) != (scale.z < 0));
+    for (vec3& v : mesh.vertices) v = v * scale + translate;
+    for (vec3& n : mesh.normals) n = direction(n * vec3(scale.y * scale.z, scale.z * scale.x, scale.x * scale.y));
+    if (mirrored)
+        for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+    if (mirrored)
+        for (vec3& n : mesh.normals) n = -n;
+}
+
+Mesh read_mesh(const Table& table, const std::string& scene_path) {
+    constexpr Limits factor{[](Real x) { return std::abs(x) >= 1e-30 && std::abs(x) <= 1e30; },
+                            "a factor that is not 0 and not beyond 1e30"};
+    const std::string file = table.text("file");
+    const auto path = std::filesystem::path(scene_path).parent_path() / file;
+    const vec3 scale = table.color("scale", factor, vec3(1));
+    const vec3 translate = table.vector("translate", any_number, vec3(0));
+    Mesh mesh;
+    try {
+        mesh = read_obj(path.string(), table.flag("smooth", false));
+    } catch (const std::system_error& error) {
+        table.fail("file", fmt::format("{} cannot be read: {}", in_quotes(file), error.code().message()),
+                   "an OBJ file, its path relative to this file");
+    }
+    transform(mesh, scale, translate);
+    return mesh;
+}
+
+/// Shadow rays look for lamps which they can aim at: quads, discs and spheres that stand still.
+void check_lamp(const Table& table, const Material& material, bool can_be_sampled, vec3 velocity) {
+    if (material.emission == Color(0) || !material.sampled || (can_be_sampled && velocity == vec3(0))) return;
+    const char* what = can_be_sampled ? "a moving shape" : "a triangle or mesh";
+    table.fail("material", fmt::format("shadow rays cannot look for {} that shines", what),
+               fmt::format("sampled = false in material {}, or a quad, disc or sphere that stands still",
+                           in_quotes(material.name)));
+}
+
+}  // namespace
+
+vec3 direction(vec3 v) {
+    const Real size = largest(v);
+    if (!(size > 0)) return vec3(0);
+    const int exponent = -std::ilogb(size);
+    return unit({std::scalbn(v.x, exponent), std::scalbn(v.y, exponent), std::scalbn(v.z, exponent)});
+}
+
+void read_shape(const Table& table, Scene& scene) {
+    enum { sphere, triangle, quad, disc, mesh };
+    const int type = table.choice("type", {"sphere", "triangle", "quad", "disc", "mesh"});
+    switch (type) {
+        case sphere: table.only({"type", "material", "velocity", "center", "radius"}); break;
+        case triangle: table.only({"type", "material", "velocity", "a", "b", "c"}); break;
+        case quad: table.only({"type", "material", "velocity", "center", "u", "v"}); break;
+        case disc: table.only({"type", "material", "velocity", "center", "normal", "radius"}); break;
+        case mesh: table.only({"type", "material", "velocity", "file", "scale", "translate", "smooth"}); break;
+    }
+    const int material = find_material(table, scene);
+    const vec3 velocity = table.vector("velocity", any_number, vec3(0));
+    check_lamp(table, scene.materials[std::size_t(material)], type != triangle && type != mesh, velocity);
+    if (type == mesh) {
+        scene.meshes.push_back(read_mesh(table, scene.path));
+        scene.meshes.back().material = material;
+        scene.meshes.back().velocity = velocity;
+        return;
+    }
+    Shape shape{{}, material, velocity};
+    if (type == sphere) shape.geometry = read_sphere(table);
+    if (type == triangle) shape.geometry = read_triangle(table);
+    if (type == quad) shape.geometry = read_quad(table);
+    if (type == disc) shape.geometry = read_disc(table);
+    scene.shapes.push_back(shape);
+}
+
+}  // namespace rt

@@ -1,0 +1,272 @@
+#include <stdexcept>
+
+// Some of toml++'s assertions can be reached by a file, and without them its behaviour is undefined: make them throw.
+namespace rt {
+struct ParserFault : std::logic_error {
+    using std::logic_error::logic_error;
+};
+[[noreturn]] static void parser_fault(const char* condition) { throw ParserFault(condition); }
+}  // namespace rt
+#undef NDEBUG
+#define TOML_ASSERT(condition) ((condition) ? void() : rt::parser_fault(#condition))
+
+#include "rt/files/toml_table.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "rt/files/scene_reader.h"
+
+namespace rt {
+namespace {
+
+/// Without line breaks and other control characters.
+std::string one_line(std::string text) {
+    for (char& c : text)
+        if (static_cast<unsigned char>(c) < 32 || c == 127) c = '?';
+    return text;
+}
+
+[[noreturn]] void fail_in(const std::string& path, toml::source_position place, const std::string& wrong,
+                          const std::string& expected) {
+    const auto line = std::max(place.line, 1u), column = std::max(place.column, 1u);
+    throw InputError(fmt::format("{}:{}:{}: {}; expected {}", path, line, column, one_line(wrong), expected));
+}
+
+std::string type_of(const toml::node& node) {
+    switch (node.type()) {
+        case toml::node_type::table: return "a table";
+        case toml::node_type::array: return "an array";
+        case toml::node_type::string: return "a string";
+        case toml::node_type::integer: return "a whole number";
+        case toml::node_type::floating_point: return "a number";
+        case toml::node_type::boolean: return "true or false";
+        default: return "a date or time";
+    }
+}
+
+std::string one_of(const std::vector<std::string>& words) { return fmt::format("one of {}", fmt::join(words, ", ")); }
+
+int edit_distance(std::string_view a, std::string_view b) {
+    std::vector<int> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), 0);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        int diagonal = row[0];
+        row[0] = int(i) + 1;
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const int change = diagonal + (a[i] != b[j]);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({change, row[j] + 1, row[j + 1] + 1});
+        }
+    }
+    return row.back();
+}
+
+/// Dotted keys nest tables without a bound, and the parser frees them by recursion: a long enough key overflows the
+/// stack.
+void check_nesting(std::string_view text, const std::string& path) {
+    constexpr int most = 64;
+    toml::source_position place{1, 0};
+    int dots = 0;
+    bool quotes = false, comment = false;
+    for (const char c : text) {
+        ++place.column;
+        if (c == '\n') place = {place.line + 1, 0}, quotes = comment = false;
+        if (c == '"' || c == '\'') quotes = true;
+        if (c == '#' && !quotes) comment = true;
+        if (std::string_view("=,[]{}\n").find(c) != std::string_view::npos) dots = 0;
+        if (c == '.' && !comment && ++dots > most)
+            fail_in(path, place, "too many dots in one key", fmt::format("at most {}", most));
+    }
+}
+
+/// The first line without which the parser keeps its promises.
+toml::source_index line_of_fault(std::string_view text) {
+    toml::source_index line = 1;
+    for (auto end = text.find('\n'); end != text.npos; end = text.find('\n', end + 1), ++line) try {
+            (void)toml::parse(text.substr(0, end + 1));
+        } catch (const ParserFault&) {
+            return line;
+        } catch (const toml::parse_error&) {
+        }
+    return line;
+}
+
+}  // namespace
+
+std::optional<std::string> nearest_word(std::string_view word, const std::vector<std::string>& words) {
+    std::optional<std::string> nearest;
+    int least = std::max(2, int(std::min<std::size_t>(word.size(), 30)) / 3) + 1;
+    for (const std::string& candidate : words) {
+        const int distance = edit_distance(word.substr(0, 64), candidate);
+        if (distance < least && distance < int(candidate.size())) least = distance, nearest = candidate;
+    }
+    return nearest;
+}
+
+std::string in_quotes(std::string_view word) {
+    return fmt::format("'{}{}'", one_line(std::string(word.substr(0, 60))), word.size() > 60 ? "..." : "");
+}
+
+Table Table::parse(std::string_view text, const std::string& path) {
+    check_nesting(text, path);
+    Table table;
+    try {
+        table.root_ = std::make_shared<const toml::table>(toml::parse(text, path));
+    } catch (const toml::parse_error& error) {
+        const std::string_view what = error.description(), context = "Error while parsing ";
+        const auto colon = what.starts_with(context) ? what.find(": ") : what.npos;
+        fail_in(path, error.source().begin, std::string(colon == what.npos ? what : what.substr(colon + 2)),
+                "valid TOML, every key once, every number within 1e308");
+    } catch (const ParserFault&) {
+        fail_in(path, {line_of_fault(text), 1}, "no TOML", "key = value, [table] or # comment");
+    }
+    table.table_ = table.root_.get();
+    table.path_ = path;
+    table.name_ = "the scene";
+    return table;
+}
+
+void Table::only(std::initializer_list<std::string_view> keys) const {
+    const std::vector<std::string> known(keys.begin(), keys.end());
+    for (const auto& [key, node] : *table_) {
+        if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+        const auto nearest = nearest_word(key.str(), known);
+        const auto wrong = fmt::format("unknown key {} in {}", in_quotes(key.str()), name_);
+        const auto place = key.source().begin;
+        fail_in(path_, place ? place : node.source().begin, wrong,
+                nearest ? fmt::format("'{}'?", *nearest) : one_of(known));
+    }
+}
+
+bool Table::has(std::string_view key) const { return table_->contains(key); }
+
+std::vector<std::string> Table::keys() const {
+    std::vector<std::string> keys;
+    for (const auto& [key, node] : *table_) keys.emplace_back(key.str());
+    return keys;
+}
+
+void Table::fail(std::string_view key, const std::string& wrong, const std::string& expected) const {
+    const toml::node* node = table_->get(key);
+    fail_at(node ? *node : *table_, wrong, expected);
+}
+
+void Table::fail_at(const toml::node& node, const std::string& wrong, const std::string& expected) const {
+    fail_in(path_, node.source().begin, wrong, expected);
+}
+
+const toml::node* Table::find(std::string_view key, bool required) const {
+    const toml::node* node = table_->get(key);
+    if (!node && required) fail(key, fmt::format("'{}' is missing in {}", key, name_), fmt::format("{} = ...", key));
+    return node;
+}
+
+Real Table::checked(const toml::node& node, std::string_view key, Limits limits, const std::string& expected) const {
+    const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+    if (!value) fail_at(node, fmt::format("{} is {}", in_quotes(key), type_of(node)), expected);
+    if (!limits.hold(*value)) fail_at(node, fmt::format("{} is {}", in_quotes(key), *value), expected);
+    return *value;
+}
+
+int Table::whole(const toml::node& node, std::string_view key, int low, int high, const std::string& expected) const {
+    if (!node.is_integer()) fail_at(node, fmt::format("{} is {}", in_quotes(key), type_of(node)), expected);
+    const auto value = **node.as_integer();
+    if (value < low || value > high) fail_at(node, fmt::format("{} is {}", in_quotes(key), value), expected);
+    return int(value);
+}
+
+Real Table::number(std::string_view key, Limits limits, std::optional<Real> otherwise) const {
+    const toml::node* node = find(key, !otherwise);
+    return node ? checked(*node, key, limits, limits.expected) : *otherwise;
+}
+
+int Table::integer(std::string_view key, int low, int high, std::optional<int> otherwise) const {
+    const toml::node* node = find(key, !otherwise);
+    return node ? whole(*node, key, low, high, fmt::format("a whole number from {} to {}", low, high)) : *otherwise;
+}
+
+bool Table::flag(std::string_view key, bool otherwise) const {
+    const toml::node* node = find(key, false);
+    if (node && !node->is_boolean()) fail(key, fmt::format("'{}' is {}", key, type_of(*node)), "true or false");
+    return node ? **node->as_boolean() : otherwise;
+}
+
+std::string Table::text(std::string_view key) const {
+    const toml::node* node = find(key, true);
+    if (!node->is_string()) fail(key, fmt::format("'{}' is {}", key, type_of(*node)), "a string");
+    return **node->as_string();
+}
+
+vec3 Table::vector(std::string_view key, Limits limits, std::optional<vec3> otherwise) const {
+    const toml::node* node = find(key, !otherwise);
+    if (!node) return *otherwise;
+    const toml::array* array = node->as_array();
+    const std::string expected = fmt::format("[x, y, z], each {}", limits.expected);
+    if (!array) fail(key, fmt::format("'{}' is {}", key, type_of(*node)), expected);
+    if (array->size() != 3) fail(key, fmt::format("'{}' has {} numbers", key, array->size()), expected);
+    vec3 v;
+    for (int i = 0; i < 3; ++i) v[i] = checked((*array)[std::size_t(i)], key, limits, limits.expected);
+    return v;
+}
+
+ivec2 Table::pair(std::string_view key, int low, int high, std::optional<ivec2> otherwise) const {
+    const toml::node* node = find(key, !otherwise);
+    if (!node) return *otherwise;
+    const toml::array* array = node->as_array();
+    const auto expected = fmt::format("[width, height], each a whole number from {} to {}", low, high);
+    if (!array || array->size() != 2) fail(key, fmt::format("'{}' is no pair", key), expected);
+    const int x = whole((*array)[0], key, low, high, expected);
+    return {x, whole((*array)[1], key, low, high, expected)};
+}
+
+Color Table::color(std::string_view key, Limits limits, std::optional<Color> otherwise) const {
+    const toml::node* node = find(key, !otherwise);
+    if (node && node->is_number()) return Color(checked(*node, key, limits, limits.expected));
+    if (node && !node->is_array())
+        fail(key, fmt::format("'{}' is {}", key, type_of(*node)), "[red, green, blue], or one number for all three");
+    return vector(key, limits, otherwise);
+}
+
+int Table::choice(std::string_view key, std::span<const std::string_view> words, std::optional<int> otherwise) const {
+    if (!find(key, !otherwise)) return *otherwise;
+    const std::string word = text(key);
+    const auto found = std::find(words.begin(), words.end(), word);
+    if (found == words.end())
+        fail(key, fmt::format("'{}' is {}", key, in_quotes(word)), one_of({words.begin(), words.end()}));
+    return int(found - words.begin());
+}
+
+Table Table::inner(const toml::table& table, const std::string& name) const {
+    Table inner = *this;
+    inner.table_ = &table;
+    inner.name_ = name;
+    return inner;
+}
+
+Table Table::table(std::string_view key) const {
+    static const toml::table empty;
+    const toml::node* node = find(key, false);
+    if (node && !node->is_table()) fail(key, fmt::format("{} is {}", in_quotes(key), type_of(*node)), "a table");
+    const std::string name = name_.starts_with('[') ? fmt::format("{}.{}", name_.substr(1, name_.size() - 2), key)
+                                                    : std::string(key);
+    return inner(node ? *node->as_table() : empty, fmt::format("[{}]", name));
+}
+
+std::vector<Table> Table::tables(std::string_view key) const {
+    const toml::node* node = find(key, false);
+    std::vector<Table> tables;
+    if (!node) return tables;
+    const std::string expected = fmt::format("[[{}]], once for each", key);
+    if (!node->is_array()) fail(key, fmt::format("'{}' is {}", key, type_of(*node)), expected);
+    for (const toml::node& element : *node->as_array()) {
+        if (!element.is_table()) fail_at(element, fmt::format("'{}' holds {}", key, type_of(element)), expected);
+        tables.push_back(inner(*element.as_table(), fmt::format("[[{}]]", key)));
+    }
+    return tables;
+}
+
+}  // namespace rt

@@ -1,0 +1,226 @@
+#include "rt/tree/bvh.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+namespace rt {
+namespace {
+
+constexpr int bins = 32;
+constexpr std::uint32_t piece_size = 1 << 14;  // of items whose tree is built by one thread
+constexpr int halved_below = 18;  // levels at which lists are halved without a look at areas: depth has a bound
+
+/// A box in the tree's space: low corner and minus the high corner, so that to join two is one minimum of 8 numbers.
+/// The fourth number of an item's box is the item, bit by bit.
+struct alignas(32) FloatBox {
+    float v[8] = {1e30f, 1e30f, 1e30f, 0, 1e30f, 1e30f, 1e30f, 0};
+
+    void include(const FloatBox& b) {
+        for (int k = 0; k < 8; ++k) v[k] = b.v[k] < v[k] ? b.v[k] : v[k];
+    }
+    float twice_center(int axis) const { return v[axis] - v[4 + axis]; }
+    float extent(int axis) const { return -v[4 + axis] - v[axis]; }
+    /// The point at twice the centre.
+    FloatBox middle() const {
+        FloatBox point;
+        for (int a = 0; a < 3; ++a) point.v[a] = twice_center(a), point.v[4 + a] = -point.v[a];
+        return point;
+    }
+    float half_area() const {
+        const float x = extent(0), y = extent(1), z = extent(2);
+        return x < 0 ? 0 : x * y + y * z + z * x;
+    }
+    std::uint32_t item() const { return std::bit_cast<std::uint32_t>(v[3]); }
+};
+
+/// Items first to last - 1 of the list, which are to become one child.
+struct Range {
+    std::uint32_t first, last;
+    FloatBox box;
+    std::uint32_t count() const { return last - first; }
+};
+
+/// A subtree that waits for its thread: where it hangs, and what is in it.
+struct Piece {
+    std::size_t node;
+    int child;
+    Range range;
+    int depth;
+    std::vector<Bvh::Node> nodes;
+};
+
+struct Builder {
+    std::vector<FloatBox> items;
+    std::vector<Piece> pieces;
+
+    FloatBox box_of(std::uint32_t first, std::uint32_t last) const {
+        FloatBox box;
+        for (std::uint32_t i = first; i < last; ++i) box.include(items[i]);
+        return box;
+    }
+
+    /// Splits a list in two, at the cheapest of the planes between bins: fewest items times area of their box.
+    std::pair<Range, Range> split(const Range& range, int depth) {
+        FloatBox middles;  // of twice the centres
+        for (std::uint32_t i = range.first; i < range.last; ++i) middles.include(items[i].middle());
+        float low[3], per_unit[3];
+        for (int a = 0; a < 3; ++a) {
+            low[a] = middles.v[a];
+            const float extent = middles.extent(a);
+            per_unit[a] = extent > 0 ? 0.999f * bins / extent : 0;
+            if (!(per_unit[a] < 1e30f)) per_unit[a] = 0;
+        }
+        const auto bin_of = [&](const FloatBox& item, int a) {
+            return int((item.twice_center(a) - low[a]) * per_unit[a]);
+        };
+
+        std::array<std::array<FloatBox, bins>, 3> box;
+        std::uint32_t count[3][bins] = {};
+        for (std::uint32_t i = range.first; i < range.last; ++i)
+            for (int a = 0; a < 3; ++a) {
+                const int b = bin_of(items[i], a);
+                box[std::size_t(a)][std::size_t(b)].include(items[i]);
+                ++count[a][b];
+            }
+        float best = std::numeric_limits<float>::infinity();
+        int axis = 0, bin = 0;
+        for (int a = 0; a < 3; ++a) {
+            float right[bins];
+            FloatBox sum;
+            std::uint32_t n = 0;
+            for (int b = bins - 1; b > 0; --b) {
+                sum.include(box[std::size_t(a)][std::size_t(b)]);
+                right[b] = float(n += count[a][b]) * sum.half_area();
+            }
+            sum = {}, n = 0;
+            for (int b = 1; b < bins; ++b) {
+                sum.include(box[std::size_t(a)][std::size_t(b) - 1]);
+                n += count[a][b - 1];
+                const float cost = float(n) * sum.half_area() + right[b];
+                if (n > 0 && n < range.count() && cost < best) best = cost, axis = a, bin = b;
+            }
+        }
+        std::uint32_t middle = range.first + range.count() / 2;  // all centres in one place, or too deep
+        if (bin > 0 && depth < halved_below)
+            middle = std::uint32_t(std::partition(items.begin() + range.first, items.begin() + range.last,
+                                                  [&](const FloatBox& item) { return bin_of(item, axis) < bin; }) -
+                                   items.begin());
+        return {{range.first, middle, box_of(range.first, middle)}, {middle, range.last, box_of(middle, range.last)}};
+    }
+
+    /// The children of a node: items, or lists of which the largest is split until there are eight.
+    std::vector<Range> children_of(const Range& range, int depth) {
+        std::vector<Range> children{range};
+        if (range.count() <= Bvh::width) {
+            children.clear();
+            for (std::uint32_t i = range.first; i < range.last; ++i) children.push_back({i, i + 1, items[i]});
+            return children;
+        }
+        const auto size = [&](const Range& r) {
+            return std::pair(depth < halved_below ? r.box.half_area() : 0, r.count());
+        };
+        while (children.size() < Bvh::width) {
+            auto largest = children.end();
+            for (auto c = children.begin(); c != children.end(); ++c)
+                if (c->count() > Bvh::width && (largest == children.end() || size(*c) > size(*largest))) largest = c;
+            if (largest == children.end()) break;
+            const auto [left, right] = split(*largest, depth);
+            *largest = left;
+            children.push_back(right);
+        }
+        return children;
+    }
+
+    /// Puts the children in order along the axis along which they are the most apart. Returns the axis.
+    static int sort(std::vector<Range>& children) {
+        FloatBox middles;
+        for (const Range& c : children) middles.include(c.box.middle());
+        int axis = 0;
+        for (int a = 1; a < 3; ++a)
+            if (middles.extent(a) > middles.extent(axis)) axis = a;
+        std::stable_sort(children.begin(), children.end(), [axis](const Range& a, const Range& b) {
+            return a.box.twice_center(axis) < b.box.twice_center(axis);
+        });
+        return axis;
+    }
+
+    /// Appends the nodes over a list; with pieces, leaves the small lists to them. Returns the number of the first.
+    std::uint32_t build(const Range& range, int depth, bool in_pieces, std::vector<Bvh::Node>& nodes) {
+        const std::size_t self = nodes.size();
+        nodes.emplace_back();
+        nodes[self].leaf = range.count() <= Bvh::width;
+        std::vector<Range> children = children_of(range, depth);
+        nodes[self].axis = std::uint32_t(sort(children));
+        for (std::size_t c = 0; c < Bvh::width; ++c) {
+            const FloatBox box = c < children.size() ? children[c].box : FloatBox{};
+            for (int a = 0; a < 3; ++a) {
+                nodes[self].bound[0][a][c] = box.v[a];
+                nodes[self].bound[1][a][c] = -box.v[4 + a];
+            }
+            if (c >= children.size()) continue;
+            if (nodes[self].leaf) {
+                nodes[self].child[c] = items[children[c].first].item();
+            } else if (in_pieces && children[c].count() <= piece_size) {
+                pieces.push_back({self, int(c), children[c], depth + 1, {}});
+            } else {
+                const std::uint32_t child = build(children[c], depth + 1, in_pieces, nodes);
+                nodes[self].child[c] = child;
+            }
+        }
+        return std::uint32_t(self);
+    }
+
+    void build_pieces(std::vector<Bvh::Node>& nodes) {
+        tbb::parallel_for(std::size_t(0), pieces.size(), [&](std::size_t k) {
+            Piece& piece = pieces[k];
+            piece.nodes.reserve(piece.range.count() / 4 + 1);
+            build(piece.range, piece.depth, false, piece.nodes);
+        });
+        items = std::vector<FloatBox>();  // gives the memory back, as = {} does not
+        std::size_t all = nodes.size();
+        for (const Piece& piece : pieces) all += piece.nodes.size();
+        nodes.reserve(all);
+        for (Piece& piece : pieces) {
+            const std::uint32_t offset = std::uint32_t(nodes.size());
+            nodes[piece.node].child[piece.child] = offset;
+            for (Bvh::Node& node : piece.nodes) {
+                for (std::uint32_t& child : node.child) child += node.leaf ? 0 : offset;
+                nodes.push_back(node);
+            }
+            piece.nodes = std::vector<Bvh::Node>();
+        }
+    }
+};
+
+}  // namespace
+
+Bvh build_bvh(std::size_t n, const std::function<Box(std::size_t)>& box) {
+    Bvh bvh;
+    if (n == 0) return bvh;
+    for (std::size_t i = 0; i < n; ++i) bvh.whole.include(box(i));
+    bvh.center = 0.5 * bvh.whole.low + 0.5 * bvh.whole.high;
+    int exponent = 0;
+    std::frexp(largest(bvh.whole.high - bvh.center), &exponent);
+    bvh.scale = std::ldexp(1.0, -exponent);
+
+    Builder builder;
+    builder.items.resize(n);
+    tbb::parallel_for(std::size_t(0), n, [&](std::size_t i) {
+        const Box b = box(i);
+        FloatBox& item = builder.items[i];
+        for (int a = 0; a < 3; ++a) {
+            item.v[a] = float((b.low[a] - bvh.center[a]) * bvh.scale);
+            item.v[4 + a] = float((bvh.center[a] - b.high[a]) * bvh.scale);
+        }
+        item.v[3] = std::bit_cast<float>(std::uint32_t(i));
+    });
+    builder.build({0, std::uint32_t(n), builder.box_of(0, std::uint32_t(n))}, 0, true, bvh.nodes);
+    builder.build_pieces(bvh.nodes);
+    return bvh;
+}
+
+}  // namespace rt
