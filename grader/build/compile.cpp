@@ -4,6 +4,7 @@
 
 #include <sstream>
 
+#include "build/cache.h"
 #include "build/files.h"
 #include "build/process.h"
 
@@ -78,7 +79,7 @@ Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const 
     command.insert(command.end(), chain.compile.begin(), chain.compile.end());
     command.insert(command.end(), {"-w", "-fdiagnostics-color=never", "-fno-lto"});
     std::vector<fs::path> readable = chain.includes;
-    if (!chain.precompiled.empty()) readable.insert(readable.begin(), chain.precompiled);
+    if (const fs::path header = precompiled_header(chain); !header.empty()) readable.insert(readable.begin(), header);
     for (const fs::path& folder : readable) command.insert(command.end(), {"-I", folder.string()});
     command.insert(command.end(), {"-c", source.string(), "-o", object.string()});
 

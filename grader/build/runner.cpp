@@ -117,7 +117,7 @@ Outcome<rt::Image> Runner::render(const Render& experiment, std::uint64_t seed, 
 
     const auto& numbers = std::get<std::vector<double>>(outcome);
     if (numbers.size() != count || numbers[0] != size.x || numbers[1] != size.y)
-        return Fault{Verdict::not_an_image, "a picture of the wrong size came back", {}};
+        return Fault{Verdict::failed, "a picture of the wrong size came back", {}};
     last_seconds_ = numbers[2];
     last_rays_ = 0;
     for (std::size_t i = 3; i < image_head; ++i) last_rays_ += numbers[i];

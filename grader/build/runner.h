@@ -16,7 +16,7 @@ namespace grade {
 
 /// Why there is nothing to measure.
 struct Fault {
-    Verdict verdict;      // crashed, timed_out or not_an_image
+    Verdict verdict;      // crashed, timed_out, not_finite or failed
     std::string message;  // what happened, and what to do
     std::string excerpt;  // of what the program printed; untrusted
 };

@@ -3,6 +3,7 @@
 #include <cxxabi.h>
 #include <fmt/format.h>
 #include <toml++/toml.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <memory>
@@ -16,14 +17,11 @@ namespace grade {
 
 namespace {
 
-template <class Value = std::string>
-std::vector<Value> list(const toml::table& file, const char* key) {
-    std::vector<Value> values;
+std::vector<std::string> list(const toml::table& file, const char* key) {
+    std::vector<std::string> values;
     if (const toml::array* array = file[key].as_array())
-        for (const toml::node& node : *array) {
-            std::string value = node.value_or(std::string());
-            if (!value.empty() && value != "/usr/include") values.emplace_back(std::move(value));
-        }
+        for (const toml::node& node : *array)
+            if (std::string value = node.value_or(std::string()); !value.empty()) values.push_back(std::move(value));
     return values;
 }
 
@@ -48,26 +46,57 @@ std::map<std::string, std::string> fragment_symbols(const fs::path& child) {
     return map;
 }
 
+/// The compiler of this machine, as a shell finds it.
+fs::path find_compiler() {
+    const char* chosen = std::getenv("CXX");
+    const char* path = std::getenv("PATH");
+    for (const std::string name : {chosen ? chosen : "", "g++", "c++", "clang++"}) {
+        if (name.find('/') != name.npos && access(name.c_str(), X_OK) == 0) return name;
+        std::istringstream folders(path ? path : "/usr/bin:/bin");
+        for (std::string folder; !name.empty() && std::getline(folders, folder, ':');)
+            if (const fs::path program = fs::path(folder) / name; access(program.c_str(), X_OK) == 0) return program;
+    }
+    throw std::runtime_error("there is no C++ compiler here; expected g++ or clang++: as root, apt-get install g++");
+}
+
+std::string first_line(const fs::path& compiler) {
+    const Ending said = run({compiler.string(), "--version"}, Limits{}, "/");
+    return said.out.substr(0, said.out.find('\n'));
+}
+
 }  // namespace
 
 Toolchain read_toolchain(const fs::path& path) try {
     const toml::table file = toml::parse_file(path.string());
+    const fs::path folder = fs::absolute(path).parent_path();
     const auto text = [&](const char* key) { return file[key].value_or(std::string()); };
+    const auto place = [&](const std::string& name) { return (folder / name).lexically_normal(); };
+    const auto places = [&](const char* key) {
+        std::vector<fs::path> all;
+        for (const std::string& name : list(file, key))
+            if (name != "/usr/include") all.push_back(place(name));
+        return all;
+    };
 
     Toolchain chain;
-    chain.source = text("source");
-    chain.compiler = text("compiler");
-    chain.description = text("description");
+    chain.source = place(text("source"));
+    chain.is_kit = file["kit"].value_or(false);
+    chain.compiler = text("compiler").empty() ? find_compiler() : fs::path(text("compiler"));
+    chain.description = text("description").empty() ? first_line(chain.compiler) : text("description");
     chain.compile = list(file, "compile");
     for (const std::string& option : list(file, "options")) chain.compile.push_back(option);
-    chain.includes = list<fs::path>(file, "includes");
-    chain.precompiled = text("precompiled");
+    chain.includes = places("includes");
+    chain.cache = place(text("cache"));
     chain.link = list(file, "link");
-    chain.archives = list<fs::path>(file, "archives");
+    chain.archives = places("archives");
     chain.libraries = list(file, "libraries");
-    chain.blanks = text("blanks");
-    chain.blank_objects = by_fragment(list<fs::path>(file, "blank_objects"));
-    chain.solution_objects = by_fragment(list<fs::path>(file, "solution_objects"));
+    for (const fs::path& library : places("kit_libraries")) chain.libraries.push_back(library.string());
+    if (chain.is_kit)
+        for (const std::string& word : {std::string("-rpath"), place("lib").string()})
+            chain.libraries.insert(chain.libraries.end(), {"-Xlinker", word});
+    chain.blanks = place(text("blanks"));
+    chain.blank_objects = by_fragment(places("blank_objects"));
+    chain.solution_objects = by_fragment(places("solution_objects"));
     for (const fs::path& archive : chain.archives)
         if (!fs::exists(archive)) throw std::runtime_error(fmt::format("{}: not built yet", archive.string()));
     if (chain.archives.empty()) throw std::runtime_error(fmt::format("{}: names no archives", path.string()));
@@ -77,6 +106,12 @@ Toolchain read_toolchain(const fs::path& path) try {
 } catch (const toml::parse_error& error) {
     throw std::runtime_error(
         fmt::format("{}: {}; expected the file that the build writes", path.string(), error.description()));
+}
+
+fs::path own_toolchain() {
+    std::error_code error;
+    const fs::path beside = fs::read_symlink("/proc/self/exe", error).parent_path() / "toolchain.toml";
+    return fs::exists(beside, error) ? beside : fs::path(GRADE_TOOLCHAIN);
 }
 
 std::string demangled(const std::string& symbol) {

@@ -9,27 +9,30 @@ namespace grade {
 
 namespace fs = std::filesystem;
 
-/// How a child is compiled and linked: exactly as the project's own programs are. CMake writes it.
+/// How a child is compiled and linked: exactly as the project's own programs are. CMake writes it, and a kit has one of
+/// its own.
 struct Toolchain {
-    fs::path source;                     // the project's folder
+    fs::path source;                     // the folder of the assignment: starter/, scenes/, assignment.toml
     fs::path compiler;
-    std::string description;             // "GNU 12.2.0"
+    std::string description;             // "GNU 12.2.0, Release"
+    bool is_kit = false;                 // handed out: no sources of the solution, and the code that runs is its owner's
     std::vector<std::string> compile;    // flags
-    std::vector<fs::path> includes;      // the framework's headers
-    fs::path precompiled;                // searched before these, for rt/fragments.h.gch; may be empty
+    std::vector<fs::path> includes;      // the framework's headers: starter/ first
+    fs::path cache;                      // where what a run leaves for the next is kept, if it can be written
     std::vector<std::string> link;       // flags, before the objects
     std::vector<fs::path> archives;      // the child and the framework, in the order of the link
     std::vector<std::string> libraries;  // after them
     fs::path blanks;                     // the folder of the blank fragments' sources
     std::map<std::string, fs::path> blank_objects;     // by fragment
-    std::map<std::string, fs::path> solution_objects;  // by fragment; empty where there is no solution
+    std::map<std::string, fs::path> solution_objects;  // by fragment
     std::map<std::string, std::string> symbols;        // by fragment: its name for the linker
-
-    bool has_solution() const { return !solution_objects.empty(); }
 };
 
-/// Throws std::runtime_error where the file or what it names is missing.
+/// Paths in the file are relative to its folder. Throws std::runtime_error where the file or what it names is missing.
 Toolchain read_toolchain(const fs::path& path);
+
+/// The toolchain file of this program: the one beside it, where it is part of a kit, else the build's.
+fs::path own_toolchain();
 
 /// "rt::phong(rt::Material const&, ...)" for a linker's name; the name itself where it is not one of C++.
 std::string demangled(const std::string& symbol);

@@ -94,7 +94,7 @@ bool calibrate(const CalibrateArguments& arguments, const std::string& toolchain
     const fs::path results =
         arguments.results.empty() ? fs::path(toolchain).parent_path() / "calibration" : fs::absolute(arguments.results);
     const Workshop workshop(toolchain, results, arguments.amount, arguments.names);
-    if (!workshop.chain().has_solution())
+    if (!fs::is_directory(workshop.chain().source / "solution"))
         throw std::invalid_argument("calibrate needs the folder solution/, which is not here");
     if (workshop.variants().empty())
         throw std::invalid_argument("no variant and no fragment has such a name; tests/variants holds them");

@@ -75,10 +75,10 @@ std::vector<RealGrading> grade_changed(const Workshop& workshop, const std::map<
         submission.texts[name] = changed.contains(name) ? changed.at(name) : workshop.solution_text(name);
     GradingSettings settings;
     settings.only = only;
-    settings.jobs = jobs;
-    settings.trusted = true;
+    settings.build.jobs = jobs;
+    settings.build.trusted = true;
     Progress silent({});
-    const Programs programs(submission, workshop.assignment(), workshop.chain(), build_settings(settings), silent);
+    Programs programs(submission, workshop.chain(), settings.build, silent);
 
     std::vector<RealGrading> gradings;
     for (const std::uint64_t seed : seeds) {
@@ -121,7 +121,7 @@ std::optional<RealGrading> read_grading(const fs::path& path) {
 }
 
 bool is_found(Verdict verdict) {
-    return verdict == Verdict::failed || verdict == Verdict::not_an_image || verdict == Verdict::crashed ||
+    return verdict == Verdict::failed || verdict == Verdict::not_finite || verdict == Verdict::crashed ||
            verdict == Verdict::timed_out;
 }
 

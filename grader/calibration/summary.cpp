@@ -243,10 +243,11 @@ Summary summarize(const Workshop& workshop, int jobs,
                 if (stores.least > 0) summary.least_replicates = std::min(summary.least_replicates, stores.least);
             });
     Progress progress(listener);
-    progress.expect(int(work.size()));
+    progress.expect(Work::check, int(work.size()));
     in_parallel(int(work.size()), jobs, [&](int i) {
         work[std::size_t(i)].second();
-        progress.tell("replays: " + work[std::size_t(i)].first, 1);
+        progress.tell("replays: " + work[std::size_t(i)].first);
+        progress.done(Work::check);
     });
     return summary;
 }

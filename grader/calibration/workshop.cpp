@@ -134,12 +134,12 @@ void run_steps(const std::vector<Step>& steps, int shard, int shards, int jobs,
     for (std::size_t i = 0; i < steps.size(); ++i)
         if (int(i % std::size_t(shards)) == shard && !steps[i].is_done()) open.push_back(&steps[i]);
     Progress progress(listener);
-    progress.expect(int(open.size()));
+    progress.expect(Work::check, int(open.size()));
     in_parallel(int(open.size()), jobs, [&](int i) {
         const Step& step = *open[std::size_t(i)];
         progress.tell(step.name);
         step.run();
-        progress.tell(step.name, 1);
+        progress.done(Work::check);
     });
 }
 

@@ -7,11 +7,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "build/cache.h"
 #include "build/stamp.h"
 #include "convergence/report.h"
+#include "judging/programs.h"
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
-#include "stress/family_programs.h"
 
 namespace grade {
 
@@ -49,46 +50,39 @@ void check_amounts(const Amounts& amounts) {
                                                     amounts.samples[i - 1]));
 }
 
-/// The submission's program where it has fragments of its own, and the solution's where there is one. The note says
-/// what stands in for what is missing.
-void add_programs(Bench& bench, FamilyPrograms& programs, const Submission& submission, const Assignment& assignment,
-                  const Toolchain& chain, int jobs, std::string& note) {
-    std::set<std::string> own;
+/// Of all that the solution's pictures are made from.
+std::string stamp_of_solution(const Toolchain& chain) {
+    std::vector<fs::path> files = chain.archives;
+    for (const auto& [name, object] : chain.solution_objects) files.push_back(object);
+    return Stamp().add(chain.description).add_files(chain.source, files).text();
+}
+
+/// The solution's program, and the submission's where it has fragments of its own. The note says what stands in for what
+/// is missing.
+void add_programs(Bench& bench, Programs& programs, const Assignment& assignment, const Toolchain& chain,
+                  std::string& note) {
     std::vector<std::string> missing, broken;
     const auto names = assignment.names();
-    programs.compile({names.begin(), names.end()}, jobs);
-    for (const std::string& name : names) {
-        const std::string complaint = programs.complaint(name);
-        if (complaint.empty()) own.insert(name);
-        else (complaint.starts_with("did not build") ? broken : missing).push_back(name);
-    }
-    const std::string other = chain.has_solution() ? "the solution's" : "a blank";
+    programs.compile({names.begin(), names.end()});
+    for (const auto& [name, problem] : programs.problems())
+        (problem.verdict == Verdict::did_not_build ? broken : missing).push_back(name);
     const auto stands_in = [&](const char* why, const std::vector<std::string>& fragments) {
-        if (!fragments.empty()) note += fmt::format("{}; {} stands in: {}. ", why, other, fmt::join(fragments, ", "));
+        if (!fragments.empty())
+            note += fmt::format("{}; the solution's stands in: {}. ", why, fmt::join(fragments, ", "));
     };
+    const std::set<std::string> own = programs.all();
     stands_in("Did not build", broken);
     if (!own.empty()) stands_in("Not started", missing);
-    if (own.empty() && !chain.has_solution())
-        throw SubmissionError(submission.name + ": nothing is filled in yet; expected fragments to render with");
+    else note += "Nothing is filled in yet: the solution alone. ";
 
-    Stamp stamp;
-    const fs::path mine = programs.with(own);
-    if (chain.has_solution()) {
-        bench.solution = programs.with({});
-        bench.solution_stamp = Stamp()
-                                   .add(chain.description)
-                                   .add_sources(chain.source, {"starter/rt", "solution", "grader/child"})
-                                   .text();
-        stamp.add(bench.solution_stamp);
-    } else {
-        stamp.add(chain.description).add_sources(chain.source, {"starter/rt", "grader/child"});
-    }
-    if (mine == bench.solution) {
-        note += own.empty() ? "Nothing is filled in yet: the solution alone. " : "";
-        return;
-    }
-    for (const std::string& name : own) stamp.add(name).add(submission.texts.at(name));
+    bench.solution = programs.with({}).program;
+    bench.solution_stamp = stamp_of_solution(chain);
+    const fs::path mine = programs.must_link(own);
+    if (mine == bench.solution) return;
     bench.submission = mine;
+    Stamp stamp;
+    stamp.add(bench.solution_stamp);
+    for (const std::string& name : own) stamp.add(name).add(programs.text(name));
     bench.submission_stamp = stamp.text();
 }
 
@@ -159,9 +153,8 @@ int converge(const ConvergeArguments& arguments, const std::string& toolchain, c
 
     ConvergenceRecord record;
     Bench bench;
-    bench.sandbox = find_sandbox(arguments.trusted);
-    bench.results =
-        arguments.folder.empty() ? fs::path(toolchain).parent_path() / "convergence" : fs::path(arguments.folder);
+    bench.results = arguments.folder.empty() ? cache_folder(chain).value_or(fs::temp_directory_path()) / "convergence"
+                                             : fs::path(arguments.folder);
     bench.fresh = arguments.fresh;
     ProgressLine line;
     int scenes_done = 0;
@@ -169,8 +162,12 @@ int converge(const ConvergeArguments& arguments, const std::string& toolchain, c
         line.show(int(100 * (scenes_done + done) / double(scenes.size())), 100, doing);
     };
     bench.progress(0, "compiling");
-    FamilyPrograms programs(submission, chain, bench.sandbox, !chain.has_solution());
-    add_programs(bench, programs, submission, assignment, chain, arguments.jobs, record.note);
+    Progress silent({});
+    BuildSettings build;
+    build.jobs = arguments.jobs, build.trusted = arguments.trusted, build.only_changed = true;
+    Programs programs(submission, chain, build, silent);
+    bench.sandbox = programs.sandbox();
+    add_programs(bench, programs, assignment, chain, record.note);
     int copies = 0;
     bench.copy = [&](const fs::path& program) { return programs.copy_for(fmt::to_string(copies++), program); };
 

@@ -66,8 +66,7 @@ Json scene_json(const SceneRecord& scene) {
               {"height", scene.size.y},
               {"reference",
                {{"samples_of_each_half", scene.reference_samples},
-                {"rmse", number(scene.reference_noise)},
-                {"by", scene.own_reference ? "submission" : "solution"}}}};
+                {"rmse", number(scene.reference_noise)}}}};
     for (std::size_t k = 0; k < independent_samples.size(); ++k)
         json[fmt::format("mse_of_{}_independent_samples", independent_samples[k])] =
             scene.errors[k] ? number(*scene.errors[k]) : Json(nullptr);

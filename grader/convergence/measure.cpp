@@ -37,7 +37,7 @@ public:
             if (!run_level(samples)) break;
         for (Gathered& gathered : gathered_) {
             Curve curve{gathered.who, gathered.sampler, std::move(gathered.levels), {}, {}};
-            if (!gathered.means[0].pixels.empty() && !gathered.means[1].pixels.empty() && !record_.own_reference)
+            if (!gathered.means[0].pixels.empty() && !gathered.means[1].pixels.empty())
                 curve.bias = squared_bias(gathered.means[0], gathered.means[1], halves_);
             record_.curves.push_back(std::move(curve));
         }

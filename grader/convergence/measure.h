@@ -23,7 +23,7 @@ struct Amounts {
 
 /// The programs that are compared, and where results are kept.
 struct Bench {
-    fs::path submission, solution;      // programs; either may be empty
+    fs::path submission, solution;      // programs; no submission: the solution alone
     std::string submission_stamp, solution_stamp;
     Sandbox sandbox;
     fs::path results;                   // folder

@@ -65,7 +65,6 @@ struct SceneRecord {
     rt::ivec2 size{0};
     int reference_samples = 0;   // of each half
     double reference_noise = 0;  // RMSE of both together
-    bool own_reference = false;  // made with the submission's fragments: shows no bias
     std::array<std::optional<double>, 2> errors;  // MSE of 64 and of 1024 independent samples
     std::vector<Curve> curves;
     std::vector<Comparison> comparisons;

@@ -32,7 +32,7 @@ Outcome<rt::Image> picture(Runner& runner, const Render& render, std::uint64_t s
     auto outcome = runner.render(render, seed);
     if (const auto* image = std::get_if<rt::Image>(&outcome))
         if (const auto fault = image_fault(*image, render.size.x, render.size.y))
-            return Fault{Verdict::not_an_image, *fault, {}};
+            return Fault{fault->verdict, fault->words, {}};
     return outcome;
 }
 
@@ -53,20 +53,16 @@ std::optional<Halves> reference_of(const fs::path& file, const Bench& bench, con
     const rt::ivec2 size = size_of(rt::read_scene(file.string()), amounts.side);
     const std::string text = read_text(file).value_or("");
     const std::string name = file.stem().string();
-    record.own_reference = bench.solution.empty();
-    const std::string& by = record.own_reference ? bench.submission_stamp : bench.solution_stamp;
-    const std::string stamp = Stamp().add(text + fmt::format("{}x{}", size.x, size.y)).add(by).text();
+    const std::string stamp = Stamp().add(text + fmt::format("{}x{}", size.x, size.y)).add(bench.solution_stamp).text();
     const fs::path path = bench.results / fmt::format("{}-{}", name, stamp) / "reference";
-    Runner runner(bench.copy(record.own_reference ? bench.submission : bench.solution), bench.sandbox,
+    Runner runner(bench.copy(bench.solution), bench.sandbox,
                   fs::absolute(file).parent_path(), time_limit);
     // level 0: seeds that no level has
     const auto made = [&](int samples, int which) {
         auto outcome = picture(runner, {text, samples, "sobol", size}, seed_of(0, which));
         if (const Fault* fault = std::get_if<Fault>(&outcome)) {
             record.fault = fmt::format("reference of {} samples: {}", samples, fault->message);
-            if (!record.own_reference)
-                throw std::runtime_error(fmt::format("{}: the solution itself: {}", file.string(), record.fault));
-            return rt::Image();
+            throw std::runtime_error(fmt::format("{}: the solution itself: {}", file.string(), record.fault));
         }
         return std::move(std::get<rt::Image>(outcome));
     };
@@ -77,7 +73,7 @@ std::optional<Halves> reference_of(const fs::path& file, const Bench& bench, con
         made(samples, 2);
         if (!record.fault.empty()) return std::nullopt;
     }
-    const int programs = int(!bench.solution.empty()) + int(!bench.submission.empty());
+    const int programs = bench.submission.empty() ? 1 : 2;
     const int wanted =
         4 * last_level(amounts, budget, runner.seconds() / few, programs * int(amounts.samplers.size()));
 

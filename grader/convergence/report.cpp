@@ -88,8 +88,7 @@ std::string warning(const SceneRecord& scene) {
 }
 
 std::string about_reference(const SceneRecord& scene) {
-    return fmt::format("{} x {} pixels; reference by {}: 2 x {} samples, RMSE {:.2g}", scene.size.x, scene.size.y,
-                       scene.own_reference ? "the submission itself, which shows no bias" : "the solution",
+    return fmt::format("{} x {} pixels; reference by the solution: 2 x {} samples, RMSE {:.2g}", scene.size.x, scene.size.y,
                        scene.reference_samples, scene.reference_noise);
 }
 

@@ -39,11 +39,6 @@ void CheckJudge::add_reference(const Scalars& scalars) {
     }
 }
 
-void CheckJudge::end_reference() {
-    for (std::size_t i = 0; i < judges_.size(); ++i)
-        if (is_open(i) && !check_.statistics[i].truth) judgements_[i] = Judgement{};
-}
-
 int CheckJudge::wanted() const {
     int most = 0;
     for (std::size_t i = 0; i < judges_.size(); ++i)

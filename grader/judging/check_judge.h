@@ -28,9 +28,6 @@ public:
     /// The solution's next replicate, for statistics without closed form.
     void add_reference(const Scalars& scalars);
 
-    /// There are no more of the solution's: statistics that still wait for them stay inconclusive, without replicates.
-    void end_reference();
-
     /// How many replicates there must be in all before more can be said; 0: everything is decided.
     int wanted() const;
 

@@ -56,14 +56,14 @@ Outcome<Observation> observe(Runner& runner, const Check& check, std::uint64_t s
         if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
         observation.outputs = std::move(std::get<Rows>(outcome));
         if (const auto fault = probe_fault(probe->fragment, observation.inputs, observation.outputs))
-            return Fault{Verdict::not_an_image, *fault, {}};
+            return Fault{Verdict::not_finite, *fault, {}};
         return observation;
     }
     auto outcome = runner.render(std::get<Render>(check.experiment), seed);
     if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
     observation.image = std::move(std::get<rt::Image>(outcome));
     if (const auto fault = image_fault(observation.image, observation.image.width, observation.image.height))
-        return Fault{Verdict::not_an_image, *fault, {}};
+        return Fault{fault->verdict, fault->words, {}};
     return observation;
 }
 

@@ -34,10 +34,7 @@ StatisticRecord record_of(const Statistic& statistic, const Judgement& judgement
     if (judgement.verdict == Verdict::passed) return record;
     if (judgement.verdict == Verdict::failed) record.hint = cause_of(statistic, first);
     if (!record.hint.empty()) return record;
-    if (judgement.replicates == 0) {
-        record.value = record.truth = record.low = record.high = std::nullopt;
-        record.hint = "the solution's statistics are not stored: `grade references` stores them";
-    } else if (judgement.verdict == Verdict::inconclusive) {
+    if (judgement.verdict == Verdict::inconclusive) {
         record.hint = fmt::format("neither right nor wrong after {} replicates", judgement.replicates);
     } else if (!std::isfinite(judgement.value)) {
         record.hint = fmt::format("{} cannot be measured in what came back", statistic.what);
@@ -51,11 +48,9 @@ StatisticRecord record_of(const Statistic& statistic, const Judgement& judgement
 
 std::string advice(const Fault& fault, Reference& reference) {
     if (fault.verdict != Verdict::timed_out) return fault.message;
-    const auto solution = reference.cpu_seconds();
-    std::string needed;
-    if (solution)
-        needed = "; the solution needs " + (*solution < 0.01 ? "less than 0.01 s" : fmt::format("{:.2g} s", *solution));
-    return fault.message + needed + ": look for a loop that does not end";
+    const double solution = reference.cpu_seconds();
+    const std::string needed = solution < 0.01 ? "less than 0.01 s" : fmt::format("{:.2g} s", solution);
+    return fault.message + "; the solution needs " + needed + ": look for a loop that does not end";
 }
 
 void add_picture(rt::Image& mean, const rt::Image& next, int count) {
@@ -84,21 +79,17 @@ std::optional<Fault> unfit(const Check& check, const Observation& first, const O
                            Reference& reference) {
     if (!is_same(first, again))
         return Fault{
-            Verdict::not_an_image,
+            Verdict::failed,
             "gives another result when it runs again with the same arguments: a fragment keeps no state, and all its "
             "randomness is in its arguments",
             {}};
-    if (is_render(check) && is_quantised(first.image)) {
-        const auto theirs = reference.picture(1);
-        if (theirs && !is_quantised(*theirs))
-            return Fault{
-                Verdict::not_an_image, "the picture has only the levels of 8 bits: radiance is not to be rounded", {}};
-    }
+    if (is_render(check) && is_quantised(first.image) && !is_quantised(reference.image(0)))
+        return Fault{Verdict::failed, "the picture has only the levels of 8 bits: radiance is not to be rounded", {}};
     return std::nullopt;
 }
 
 bool ignores_seed(const Check& check, const Observation& first, const Observation& second, Reference& reference) {
-    return is_render(check) && is_same(first, second) && reference.noisy().value_or(false);
+    return is_render(check) && is_same(first, second) && reference.noisy();
 }
 
 CheckRecord judge_check(const Check& check, Runner& runner, Reference& reference, const CheckSettings& settings) {
@@ -139,10 +130,7 @@ CheckRecord judge_check(const Check& check, Runner& runner, Reference& reference
     const auto scalars_of = [&](const Observation& observation) {
         return [&](std::size_t i) { return measured(check.statistics[i], observation); };
     };
-    judge.add(scalars_of(first), [&](std::size_t i) -> std::optional<double> {
-        const auto theirs = reference.exact();
-        return theirs ? std::optional((*theirs)[i]) : std::nullopt;
-    });
+    judge.add(scalars_of(first), [&](std::size_t i) { return reference.exact()[i]; });
     int own = 1, theirs = 0;
     bool seed_ignored = false;
     while (const int wanted = judge.wanted()) {
@@ -157,12 +145,8 @@ CheckRecord judge_check(const Check& check, Runner& runner, Reference& reference
             judge.add(scalars_of(observation));
         }
         for (; needs_reference && theirs < wanted; ++theirs) {
-            const auto values = reference.replicate(theirs);
-            if (!values) {
-                judge.end_reference();
-                break;
-            }
-            judge.add_reference([&](std::size_t i) { return (*values)[i]; });
+            const std::vector<double> values = reference.replicate(theirs);
+            judge.add_reference([&](std::size_t i) { return values[i]; });
         }
     }
 
@@ -171,12 +155,11 @@ CheckRecord judge_check(const Check& check, Runner& runner, Reference& reference
         record.statistics.push_back(record_of(check.statistics[i], *judge.judgements()[i], first));
     // a picture without noise is wrong whatever its mean; what the statistics say about it is closer to the cause
     if (seed_ignored && record.verdict != Verdict::failed) {
-        record.verdict = Verdict::not_an_image;
+        record.verdict = Verdict::failed;
         record.message = "two seeds give one picture: are the random numbers that the fragment is handed used?";
     }
     if (is_render(check)) add_picture_costs(record, first.image, fastest, reference);
-    if (settings.pictures && is_render(check))
-        if (auto theirs_picture = reference.picture(pictures)) record.solution_picture = std::move(*theirs_picture);
+    if (settings.pictures && is_render(check)) record.solution_picture = reference.picture(pictures);
     return record;
 }
 

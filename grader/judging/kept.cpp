@@ -38,10 +38,10 @@ std::uint64_t hash_of_framework(const Toolchain& chain) {
     for (const fs::path& archive : chain.archives) hash = add(hash, read_text(archive, most).value_or(""));
     hash = add(hash, fmt::format("{} {} {} {}", chain.description, fmt::join(chain.compile, " "),
                                  fmt::join(chain.link, " "), fmt::join(chain.libraries, " ")));
-    hash = add(hash, read_text(chain.source / "assignment.toml").value_or(""));
+    for (const auto& [name, object] : chain.solution_objects) hash = add(hash, read_text(object, most).value_or(""));
     hash = add_files(hash, chain.blanks, {".cpp"});
     hash = add_files(hash, chain.source / "starter/rt", {".h"});
-    return add_files(hash, chain.source / "scenes", {".json", ".obj", ".toml"});
+    return add_files(hash, chain.source / "scenes", {".obj", ".toml"});
 }
 
 using Json = nlohmann::json;
@@ -99,7 +99,7 @@ CheckRecord check_record(const Json& j) {
 }
 
 bool stays(Verdict verdict) {
-    return verdict == Verdict::passed || verdict == Verdict::failed || verdict == Verdict::not_an_image ||
+    return verdict == Verdict::passed || verdict == Verdict::failed || verdict == Verdict::not_finite ||
            verdict == Verdict::inconclusive;
 }
 

@@ -8,10 +8,13 @@
 #include <thread>
 #include <vector>
 
+#include "build/interrupt.h"
+
 namespace grade {
 
 /// Does work(0) ... work(count - 1) on so many threads; 0: one for each core. The work is in other processes: these
-/// threads wait for them. Throws the first exception that the work threw, after all threads have ended.
+/// threads wait for them. Throws the first exception that the work threw, after all threads have ended;
+/// Interrupted after Ctrl-C.
 inline void in_parallel(int count, int jobs, const std::function<void(int)>& work) {
     if (jobs <= 0) jobs = std::max(1, int(std::thread::hardware_concurrency()));
     std::atomic<int> next = 0;
@@ -22,6 +25,7 @@ inline void in_parallel(int count, int jobs, const std::function<void(int)>& wor
         for (int i = 0; i < std::min(jobs, count); ++i)
             threads.emplace_back([&] {
                 for (int item; (item = next++) < count;) try {
+                        check_interrupt();
                         work(item);
                     } catch (...) {
                         const std::scoped_lock lock(failure_lock);

@@ -6,7 +6,7 @@
 namespace grade {
 
 /// What the pictures of a check cost and how far they are from the truth: the submission's first one and the
-/// solution's, each against two pictures of the solution with other seeds. Does nothing where these are not known.
+/// solution's, each against two pictures of the solution with other seeds.
 ///
 /// first    the submission's first picture
 /// seconds  CPU time of its fastest picture

@@ -1,6 +1,9 @@
 #include "judging/programs.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 #include "build/code_only.h"
 #include "build/compile.h"
@@ -19,19 +22,12 @@ std::string not_started(const Submission& submission, const std::string& fragmen
 
 }  // namespace
 
-Programs::Programs(const Submission& submission, const Assignment& assignment, const Toolchain& chain,
-                   const BuildSettings& settings, Progress& progress)
-    : submission_(submission.name), assignment_(assignment), chain_(chain), settings_(settings), progress_(progress) {
+Programs::Programs(const Submission& submission, const Toolchain& chain, const BuildSettings& settings,
+                   Progress& progress)
+    : submission_(submission), chain_(chain), settings_(settings), progress_(progress) {
     work_ = settings.keep.empty() ? temporary_.path() : fs::absolute(settings.keep);
     fs::create_directories(work_);
-    sandbox_ = find_sandbox(settings.trusted);
-    compile(submission);
-    if (settings.apart) link_apart();
-    if (settings.together) link_together();
-}
-
-bool Programs::is_graded(const Fragment& fragment) const {
-    return !fragment.given && (settings_.only.empty() || settings_.only.contains(fragment.name));
+    sandbox_ = find_sandbox(settings.trusted || chain.is_kit);
 }
 
 fs::path Programs::folder(const std::string& name) const {
@@ -47,100 +43,110 @@ void Programs::fails(const std::string& fragment, const std::string& message) {
     objects_.erase(fragment);
 }
 
-/// Each fragment that is there and more than the blank becomes an object; for a program of all, also those that are not
-/// graded.
-void Programs::compile(const Submission& submission) {
-    std::vector<const Fragment*> wanted;
-    for (const Fragment& fragment : assignment_.fragments) {
-        const auto text = submission.texts.find(fragment.name);
-        const bool filled = text != submission.texts.end() && !fragment.given &&
-                            !is_blank(text->second, chain_.blanks / (fragment.name + ".cpp"));
-        if (filled && (settings_.together || is_graded(fragment))) wanted.push_back(&fragment);
-        if (!filled && is_graded(fragment))
-            problems_[fragment.name] = {Verdict::not_started, not_started(submission, fragment.name)};
+std::string Programs::complaint(const std::string& fragment) const {
+    const auto problem = problems_.find(fragment);
+    if (problem == problems_.end()) return {};
+    const auto& [verdict, message] = problem->second;
+    return (verdict == Verdict::not_started ? "not started: " : "did not build: ") + message;
+}
+
+std::set<std::string> Programs::all() const {
+    std::set<std::string> names;
+    for (const auto& [name, object] : objects_) names.insert(name);
+    return names;
+}
+
+bool Programs::is_filled(const std::string& fragment) const {
+    const auto text = submission_.texts.find(fragment);
+    return text != submission_.texts.end() && !is_blank(text->second, chain_.blanks / (fragment + ".cpp"));
+}
+
+int Programs::to_compile(const std::set<std::string>& fragments) const {
+    return int(std::ranges::count_if(fragments, [&](const std::string& name) { return !has(name) && is_filled(name); }));
+}
+
+void Programs::compile(const std::set<std::string>& fragments) {
+    std::vector<std::string> wanted;
+    for (const std::string& name : fragments) {
+        if (has(name) || problems_.contains(name)) continue;
+        if (!is_filled(name)) problems_[name] = {Verdict::not_started, not_started(submission_, name)};
+        else if (settings_.only_changed && read_text(chain_.source / "solution" / (name + ".cpp")) == text(name))
+            objects_[name] = chain_.solution_objects.at(name);
+        else wanted.push_back(name);
     }
-    progress_.expect(int(wanted.size()));
     in_parallel(int(wanted.size()), settings_.jobs, [&](int i) {
-        const std::string& name = wanted[std::size_t(i)]->name;
-        const std::string& text = submission.texts.at(name);
-        const auto before = settings_.kept.object(name, text);
-        const Compiled compiled = before ? Compiled{true, *before, {}}
-                                         : compile_fragment(chain_, sandbox_, name, text,
-                                                            submission.folder + name + ".cpp",
-                                                            folder("objects/" + name));
-        if (compiled.good) {
-            if (!before) settings_.kept.keep_object(name, text, compiled.object);
+        const std::string& name = wanted[std::size_t(i)];
+        progress_.tell("compiling " + name);
+        if (const auto before = settings_.kept.object(name, text(name))) {
             const std::scoped_lock lock(lock_);
-            objects_[name] = compiled.object;
-            sources_[name] = text;
+            objects_[name] = *before;
         } else {
-            fails(name, compiled.message);
+            const Compiled compiled = compile_fragment(chain_, sandbox_, name, text(name),
+                                                       submission_.folder + name + ".cpp", folder("objects/" + name));
+            if (compiled.good) {
+                settings_.kept.keep_object(name, text(name), compiled.object);
+                const std::scoped_lock lock(lock_);
+                objects_[name] = compiled.object;
+            } else {
+                fails(name, compiled.message);
+            }
         }
-        progress_.tell("compiling " + name, 1);
+        progress_.done(Work::compile);
     });
 }
 
-/// The solution's objects, but for this fragment the submission's.
-std::string Programs::link(const std::string& fragment, const fs::path& program) const {
-    std::vector<fs::path> list;
-    for (const auto& [name, object] : chain_.solution_objects)
-        list.push_back(name == fragment ? objects_.at(name) : object);
-    return link_child(chain_, list, program);
-}
-
-/// These objects of the submission, and blanks for the others.
-std::string Programs::link_all(const std::map<std::string, fs::path>& own, const fs::path& program) const {
-    std::vector<fs::path> list;
-    for (const auto& [name, blank] : chain_.blank_objects) list.push_back(own.contains(name) ? own.at(name) : blank);
-    return link_child(chain_, list, program);
-}
-
-void Programs::link_apart() {
-    std::vector<std::string> graded;
-    for (const Fragment& fragment : assignment_.fragments)
-        if (is_graded(fragment) && has(fragment.name)) graded.push_back(fragment.name);
-    if (graded.empty()) return;
-    progress_.expect(int(graded.size()) + 1);
-    std::vector<std::string> errors(graded.size());
-    for (const std::string& name : graded) programs_[name] = folder("programs/" + name) / "child";
-    in_parallel(int(graded.size()) + 1, settings_.jobs, [&](int i) {
-        if (i == 0) {
-            solution_ = folder("programs/solution") / "child";
-            if (const auto complaint = link("", solution_); !complaint.empty())
-                throw std::runtime_error("the solution cannot be linked: " + complaint);
-        } else {
-            const std::string& name = graded[std::size_t(i) - 1];
-            errors[std::size_t(i) - 1] = link(name, programs_.at(name));
-        }
-        progress_.tell("linking", 1);
-    });
-    for (std::size_t i = 0; i < graded.size(); ++i)
-        if (!errors[i].empty()) fails(graded[i], errors[i]);
-}
-
-void Programs::link_together() {
-    together_ = folder("programs/own") / "child";
-    if (link_all(objects_, together_).empty()) return;
-
-    // one of them does not go with the framework: leave out those that do not even alone
-    const auto candidates = objects_;
-    for (const auto& [name, object] : candidates) {
-        const std::string errors = link_all({{name, object}}, together_);
-        if (errors.empty()) continue;
-        if (is_graded(assignment_.fragments[assignment_.place(name)])) fails(name, errors);
-        objects_.erase(name);
+const Programs::Linked& Programs::with(const std::set<std::string>& fragments, Others others) {
+    // what is the solution's own object makes no other program
+    std::set<std::string> own;
+    for (const std::string& name : fragments)
+        if (has(name) && (others == Others::blanks || objects_.at(name) != chain_.solution_objects.at(name)))
+            own.insert(name);
+    Entry* entry = nullptr;
+    std::size_t number = 0;
+    {
+        const std::scoped_lock lock(lock_);
+        auto& place = linked_[{others, own}];
+        if (!place) place = std::make_unique<Entry>();
+        entry = place.get(), number = linked_.size();
     }
-    if (const auto errors = link_all(objects_, together_); !errors.empty())
-        throw std::runtime_error("the submission's fragments cannot be linked with each other: " + errors);
+    std::call_once(entry->once, [&] {
+        std::vector<fs::path> list;
+        for (const auto& [name, object] : others == Others::solution ? chain_.solution_objects : chain_.blank_objects)
+            list.push_back(own.contains(name) ? objects_.at(name) : object);
+        const std::string kind = others == Others::solution ? "solution" : "blanks";
+        const std::string name = own.empty()       ? kind
+                                 : own.size() == 1 ? fmt::format("{}-{}", *own.begin(), kind)
+                                                   : fmt::format("{}-of-own-{}-{}", own.size(), kind, number);
+        entry->linked.program = folder("programs/" + name) / "child";
+        entry->linked.errors = link_child(chain_, list, entry->linked.program);
+        if (own.empty() && !entry->linked.errors.empty())
+            throw std::runtime_error(fmt::format("the {} cannot be linked: {}", kind, entry->linked.errors));
+    });
+    return entry->linked;
 }
 
-fs::path Programs::together_without(const std::set<std::string>& fragments) const {
-    auto left = objects_;
-    for (const std::string& name : fragments) left.erase(name);
-    const fs::path program = folder("programs/picture") / "child";
-    if (const auto errors = link_all(left, program); !errors.empty())
-        throw std::runtime_error("the submission's fragments cannot be linked with each other: " + errors);
-    return program;
+fs::path Programs::must_link(const std::set<std::string>& fragments, Others others) {
+    const Linked& linked = with(fragments, others);
+    if (!linked.errors.empty())
+        throw SubmissionError(fmt::format("{}: {} cannot be linked: {}", submission_.name,
+                                          fmt::join(fragments, ", "), linked.errors));
+    return linked.program;
+}
+
+fs::path Programs::own_without(const std::set<std::string>& fragments) {
+    std::set<std::string> names = all();
+    for (const std::string& name : fragments) names.erase(name);
+    if (const Linked& linked = with(names, Others::blanks); linked.errors.empty()) return linked.program;
+    std::erase_if(names, [&](const std::string& name) { return !with({name}, Others::blanks).errors.empty(); });
+    return must_link(names, Others::blanks);
+}
+
+fs::path Programs::copy_for(const std::string& name, const fs::path& program) const {
+    const fs::path copy = folder("runs/" + name) / "child";
+    std::error_code error;
+    fs::create_hard_link(program, copy, error);
+    if (error) fs::copy_file(program, copy);
+    return copy;
 }
 
 }  // namespace grade

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <mutex>
 #include <set>
 #include <string>
 
-#include "assignment.h"
 #include "build/files.h"
 #include "build/sandbox.h"
 #include "build/submission.h"
@@ -16,60 +16,76 @@
 
 namespace grade {
 
-/// Which of a submission's fragments are compiled, and how they are linked.
+/// How a submission's fragments are compiled and linked.
 struct BuildSettings {
-    std::set<std::string> only;  // fragments to grade; empty: all
-    bool apart = true;           // a program for each, with the solution's others
-    bool together = false;       // one with all of the submission's, blanks where it has none
-    int jobs = 0;                // at a time; 0: one for each core
-    bool trusted = false;
-    fs::path keep;               // where objects and programs stay; empty: nowhere
-    Kept kept;                   // objects of an earlier grading, and for the next
+    int jobs = 0;               // at a time; 0: one for each core
+    bool trusted = false;       // limits, but no sandbox
+    bool only_changed = false;  // what is the solution's word for word is not compiled again
+    fs::path keep;              // where objects and programs stay; empty: nowhere
+    Kept kept;                  // objects of an earlier run, and for the next
 };
 
-/// A submission, compiled and linked: what a grading runs, whatever its seed.
+/// A submission's fragments, compiled one by one, and programs with any of them. A fragment that has not been compiled,
+/// or not for good, is in no program.
 class Programs {
 public:
-    /// Why a fragment has no program.
+    /// Why a fragment is in no program.
     struct Problem {
         Verdict verdict;  // not_started or did_not_build
         std::string message;
     };
 
-    /// Compiles and links. What does not is a problem of that fragment only. Throws std::runtime_error where the
-    /// machine or the solution fails.
-    Programs(const Submission& submission, const Assignment& assignment, const Toolchain& chain,
-             const BuildSettings& settings, Progress& progress);
+    /// Who stands in for the fragments that a program does not have from the submission.
+    enum class Others { solution, blanks };
 
-    const std::string& submission() const { return submission_; }
-    const std::map<std::string, Problem>& problems() const { return problems_; }
-    bool has(const std::string& fragment) const { return objects_.contains(fragment); }
-    /// The text that the fragment was compiled from; empty: a blank stands in.
-    std::string source(const std::string& fragment) const { return has(fragment) ? sources_.at(fragment) : ""; }
+    struct Linked {
+        fs::path program;
+        std::string errors;  // empty: it is there
+    };
+
+    /// Throws std::runtime_error where the machine fails, as do all that follow.
+    Programs(const Submission& submission, const Toolchain& chain, const BuildSettings& settings, Progress& progress);
+
+    /// How many of these compile() would compile.
+    int to_compile(const std::set<std::string>& fragments) const;
+
+    /// Compiles these. What does not compile, or is a blank, is a problem of that fragment only.
+    void compile(const std::set<std::string>& fragments);
+
+    const std::string& submission() const { return submission_.name; }
     const Sandbox& sandbox() const { return sandbox_; }
+    const std::map<std::string, Problem>& problems() const { return problems_; }
+    std::string complaint(const std::string& fragment) const;  // of its problem; empty: none
+    bool has(const std::string& fragment) const { return objects_.contains(fragment); }
+    std::set<std::string> all() const;  // those that there are
+    const std::string& text(const std::string& fragment) const { return submission_.texts.at(fragment); }
 
-    /// The program that runs this fragment between the solution's others; that of all together; the solution's.
-    const fs::path& apart(const std::string& fragment) const { return programs_.at(fragment); }
-    const fs::path& together() const { return together_; }
-    const fs::path& solution() const { return solution_; }
+    /// The program with these fragments of the submission; made once. With none of them: the solution's.
+    const Linked& with(const std::set<std::string>& fragments, Others others = Others::solution);
 
-    /// Links those that are left once more, without these. Returns the program.
-    fs::path together_without(const std::set<std::string>& fragments) const;
+    /// The program with these. Throws SubmissionError with the first errors where they do not go together.
+    fs::path must_link(const std::set<std::string>& fragments, Others others = Others::solution);
 
-    /// A new folder in which a program may run.
-    fs::path folder(const std::string& name) const;
+    /// The submission's own program: all of its fragments but these, blanks for the others. Those that do not link even
+    /// alone are left out.
+    fs::path own_without(const std::set<std::string>& fragments);
+
+    /// The fragment does not link with the solution's others.
+    void fails(const std::string& fragment, const std::string& message);
+
+    /// A program in a new folder of its own, to which it may write.
+    fs::path copy_for(const std::string& name, const fs::path& program) const;
 
 private:
-    void compile(const Submission& submission);
-    void link_apart();
-    void link_together();
-    void fails(const std::string& fragment, const std::string& message);
-    bool is_graded(const Fragment& fragment) const;
-    std::string link(const std::string& fragment, const fs::path& program) const;
-    std::string link_all(const std::map<std::string, fs::path>& own, const fs::path& program) const;
+    struct Entry {
+        std::once_flag once;
+        Linked linked;
+    };
 
-    std::string submission_;  // as it was given
-    const Assignment& assignment_;
+    fs::path folder(const std::string& name) const;
+    bool is_filled(const std::string& fragment) const;
+
+    const Submission submission_;
     const Toolchain& chain_;
     BuildSettings settings_;
     Progress& progress_;
@@ -77,10 +93,9 @@ private:
     fs::path work_;
     Sandbox sandbox_;
     std::map<std::string, Problem> problems_;
-    std::map<std::string, fs::path> objects_, programs_;  // by fragment
-    std::map<std::string, std::string> sources_;          // of what was compiled, by fragment
-    fs::path solution_, together_;
-    std::mutex lock_;
+    std::map<std::string, fs::path> objects_;  // by fragment
+    std::map<std::pair<Others, std::set<std::string>>, std::unique_ptr<Entry>> linked_;
+    mutable std::mutex lock_;
 };
 
 }  // namespace grade

@@ -5,8 +5,9 @@
 #include <CLI/CLI.hpp>
 
 #include "assignment.h"
+#include "build/runner.h"
+#include "judging/programs.h"
 #include "lesson/lesson.h"
-#include "stress/family_programs.h"
 
 namespace grade {
 
@@ -26,14 +27,17 @@ void lesson(const LessonArguments& arguments, const std::string& toolchain) {
     const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
     const std::string path = arguments.submission.empty() ? (chain.source / "starter").string() : arguments.submission;
     const Submission submission = read_submission(path, assignment.names());
-    const Sandbox sandbox = find_sandbox(arguments.trusted);
     const std::set<std::string> fragments{"integrate_uniform", "integrate_monte_carlo", "integrate_stratified"};
-    FamilyPrograms programs(submission, chain, sandbox, !chain.has_solution());
-    programs.compile(fragments, 0);
+    Progress silent({});
+    BuildSettings build;
+    build.trusted = arguments.trusted, build.only_changed = true;
+    Programs programs(submission, chain, build, silent);
+    programs.compile(fragments);
     for (const std::string& name : fragments)
         if (const std::string complaint = programs.complaint(name); !complaint.empty())
             fmt::print("{}: {}\n", name, complaint);
-    Runner runner(programs.copy_for("lesson", programs.with(fragments)), sandbox, chain.source / "scenes", time_limit);
+    Runner runner(programs.copy_for("lesson", programs.must_link(fragments)), programs.sandbox(), chain.source / "scenes",
+                  time_limit);
 
     if (!arguments.out.empty()) fs::create_directories(arguments.out);
     for (const LessonIntegrand& integrand : lesson_integrands()) {

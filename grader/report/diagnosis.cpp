@@ -22,18 +22,17 @@ int rank_of(Verdict verdict) {
         case Verdict::not_started: return 1;
         case Verdict::crashed: return 2;
         case Verdict::timed_out: return 3;
-        case Verdict::not_an_image:
+        case Verdict::not_finite:
         case Verdict::failed: return 4;
-        case Verdict::blocked: return 5;
-        case Verdict::inconclusive: return 6;
+        case Verdict::inconclusive: return 5;
         case Verdict::passed: break;
     }
-    return 7;
+    return 6;
 }
 
 Rank rank_of(Verdict verdict, const CheckRecord& check, Family family) {
     const bool is_picture = !check.scene.empty();
-    const int evidence = family <= Family::not_an_image ? 0 : is_picture ? 2 : 1;
+    const int evidence = family <= Family::no_image ? 0 : is_picture ? 2 : 1;
     return {rank_of(verdict), evidence, family};
 }
 
@@ -42,11 +41,9 @@ std::string section_of(const std::string& fragment, Verdict verdict, const std::
         case Verdict::passed: return {};
         case Verdict::crashed:
         case Verdict::timed_out:
-        case Verdict::blocked:
         case Verdict::inconclusive: return std::string(verdicts_section);
-        case Verdict::not_an_image:
-            if (words.find("nan") != words.npos) return std::string(numbers_section);
-            return std::string(words.find("again") != words.npos ? rules_section : pictures_section);
+        case Verdict::not_finite:
+            return std::string(words.find("nan") != words.npos ? numbers_section : pictures_section);
         default: return fragment;
     }
 }
@@ -55,7 +52,7 @@ std::string section_of(const std::string& fragment, Verdict verdict, const std::
 
 Family family_of(std::string_view id) {
     static const std::map<std::string_view, Family> families = {
-        {"G1", Family::sharing},    {"M2", Family::sharing},    {"V0", Family::not_an_image},
+        {"G1", Family::sharing},    {"M2", Family::sharing},    {"V0", Family::no_image},
         {"G4", Family::tone},       {"A1", Family::geometry},   {"A2", Family::geometry},
         {"L3", Family::geometry},   {"D1", Family::geometry},   {"D2", Family::geometry},
         {"D3", Family::geometry},   {"M1", Family::geometry},   {"M3", Family::geometry},
@@ -72,6 +69,9 @@ Family family_of(std::string_view id) {
 }
 
 std::string section_of(const CheckRecord& check, const StatisticRecord* statistic) {
+    // what is no statistic's: no picture of radiance, or a fragment that remembers
+    if (!statistic && check.verdict == Verdict::failed)
+        return std::string(check.message.find("again") != check.message.npos ? rules_section : pictures_section);
     if (!statistic) return section_of(check.fragment, check.verdict, check.message);
     // a fragment that remembers, or makes its own numbers
     const bool keeps_state = statistic->verdict == Verdict::failed && statistic->id == "V0";
@@ -90,7 +90,7 @@ Diagnosis diagnose(const FragmentRecord& fragment) {
     };
     for (const CheckRecord& check : fragment.checks) {
         if (check.verdict == Verdict::passed) continue;
-        tell(rank_of(check.verdict, check, Family::not_an_image), check.message, section_of(check, nullptr));
+        tell(rank_of(check.verdict, check, Family::no_image), check.message, section_of(check, nullptr));
         for (const StatisticRecord& statistic : check.statistics)
             if (statistic.verdict != Verdict::passed)
                 tell(rank_of(statistic.verdict, check, family_of(statistic.id)), statistic.hint,

@@ -10,7 +10,7 @@ namespace grade {
 /// What a statistic speaks of, in the order in which mistakes are told: of two statistics that fail, the earlier one
 /// explains the later one more often than the other way round. A missing factor, as the regression over many layouts
 /// finds it, bends where a lamp's light seems to come from, so it is told before all geometry.
-enum class Family { sharing, not_an_image, tone, factor, geometry, radiometry, variance };
+enum class Family { sharing, no_image, tone, factor, geometry, radiometry, variance };
 
 /// The family of a statistic's id: of "A1", geometry. Throws std::out_of_range for an id that has none.
 Family family_of(std::string_view id);

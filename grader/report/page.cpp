@@ -31,27 +31,30 @@ std::string number(std::optional<double> x) {
     return std::isfinite(*x) ? fmt::format("{:.4g}", *x) : std::isnan(*x) ? "no number" : "infinite";
 }
 
-std::string pictures(const CheckRecord& check, bool student) {
-    if (check.picture.pixels.empty()) return {};
-    // both alike, so that most of what is right can be seen
-    const double exposure =
-        preview_exposure(check.solution_picture.pixels.empty() ? check.picture : check.solution_picture);
+/// Yours, the right one, and the difference; without the right one, yours alone.
+std::string three_pictures(const rt::Image& mine, const rt::Image& right, double exposure, const std::string& what) {
     std::string text = "<div class=\"pictures\">\n";
-    text += figure(data_uri(check.picture, exposure), "the submission's picture for " + check.name,
-                   student ? "yours" : "submission");
-    if (!check.solution_picture.pixels.empty()) {
-        text +=
-            figure(data_uri(check.solution_picture, exposure), "the solution's picture for " + check.name, "solution");
-        const Difference map = difference(check.picture, check.solution_picture);
+    text += figure(data_uri(mine, exposure), "the submission's picture " + what, "yours");
+    if (!right.pixels.empty()) {
+        text += figure(data_uri(right, exposure), "the solution's picture " + what, "the right one");
+        const Difference map = difference(mine, right);
         text +=
             figure(data_uri(map.image, 1),
-                   "where the submission's picture for " + check.name + " is darker or brighter than the solution's",
+                   "where the submission's picture " + what + " is darker or brighter than the solution's",
                    fmt::format("difference: darker <span class=\"scale\" role=\"img\" aria-label=\"blue over white to "
                                "orange\"></span> brighter; full colour "
                                "at ±{:.2g}",
                                map.full));
     }
     return text + "</div>\n";
+}
+
+std::string pictures(const CheckRecord& check) {
+    if (check.picture.pixels.empty()) return {};
+    // both alike, so that most of what is right can be seen
+    const double exposure =
+        preview_exposure(check.solution_picture.pixels.empty() ? check.picture : check.solution_picture);
+    return three_pictures(check.picture, check.solution_picture, exposure, "for " + check.name);
 }
 
 std::string statistics(const CheckRecord& check) {
@@ -76,7 +79,7 @@ std::string statistics(const CheckRecord& check) {
     return text;
 }
 
-std::string check_section(const CheckRecord& check, bool student) {
+std::string check_section(const CheckRecord& check) {
     std::string text =
         fmt::format("<details class=\"check\"{}><summary><h4>{}</h4>{}</summary>\n",
                     check.verdict == Verdict::passed ? "" : " open", html(check.name), badge(check.verdict));
@@ -84,7 +87,7 @@ std::string check_section(const CheckRecord& check, bool student) {
         text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(check.verdict), html(check.message));
     if (!check.excerpt.empty())
         text += fmt::format("<p class=\"soft\">It printed:</p><pre>{}</pre>\n", html(check.excerpt));
-    text += pictures(check, student) + cost_line(check) + statistics(check);
+    text += pictures(check) + cost_line(check) + statistics(check);
     if (!check.scene.empty())
         text += fmt::format(
             "<details><summary class=\"soft\">scene, {} samples a pixel, {}</summary><pre>{}</pre></details>\n",
@@ -98,7 +101,7 @@ std::string read_link(const std::string& section, const std::string& handout) {
     return fmt::format("See <a href=\"{}#{}\">{}</a>", html(handout), html(anchor(section)), html(reading(section)));
 }
 
-std::string fragment_section(const FragmentRecord& fragment, bool student, const std::string& handout) {
+std::string fragment_section(const FragmentRecord& fragment, const std::string& handout) {
     std::string text = fmt::format(
         "<section class=\"card\" id=\"{0}\"><div class=\"head\"><h3>{0}</h3>{1}<span class=\"points\"><b>{2:g}</b> of "
         "{3:g}</span></div>\n",
@@ -109,7 +112,7 @@ std::string fragment_section(const FragmentRecord& fragment, bool student, const
     if (const std::string link = read_link(diagnose(fragment).section, handout); !link.empty())
         text += fmt::format("<p class=\"soft\">{}</p>\n", link);
     if (fragment.verdict != Verdict::did_not_build && fragment.verdict != Verdict::not_started)
-        for (const CheckRecord& check : fragment.checks) text += check_section(check, student);
+        for (const CheckRecord& check : fragment.checks) text += check_section(check);
     return text + "</section>\n";
 }
 
@@ -145,15 +148,22 @@ std::string own_picture(const Record& record) {
             html(record.own_picture_fault));
     if (record.own_picture.pixels.empty()) return {};
     return fmt::format(
-        "<h2>The submission's own picture</h2><section class=\"card own\"><img src=\"{}\" alt=\"{} as drawn with all "
-        "of the submission's fragments\">"
-        "<p class=\"soft\">{}, with all fragments of the submission; blanks stand in for those that are missing or do "
-        "not build{}.</p></section>\n",
-        data_uri(record.own_picture, record.own_picture_exposure), html(record.own_picture_scene),
+        "<h2>The submission's own picture</h2><section class=\"card own\">{}<p class=\"soft\">{}, with all fragments of "
+        "the submission; blanks stand in for those that are missing or do not build{}.</p></section>\n",
+        three_pictures(record.own_picture, record.own_picture_right, record.own_picture_exposure,
+                       "of " + record.own_picture_scene),
         html(record.own_picture_scene),
         record.left_out.empty()
             ? ""
             : html(fmt::format(", and for {}, which crashed or did not end", fmt::join(record.left_out, ", "))));
+}
+
+/// What has changed since the last grading.
+std::string changes(const Record& record) {
+    if (record.changes.empty()) return {};
+    std::string items;
+    for (const std::string& change : record.changes) items += fmt::format("<li>{}</li>", html(change));
+    return fmt::format("<section class=\"card\"><p>Since the last run:</p><ul>{}</ul></section>\n", items);
 }
 
 }  // namespace
@@ -166,17 +176,17 @@ std::string page(const Record& record, const Assignment& assignment, const std::
         "<title>{:g} of {:g}: {}</title><style>{}</style></head><body><main>\n",
         record.score(), record.max_score(), html(record.submission), page_style);
     text += fmt::format(
-        "<header><div><h1>{}</h1><p>{}</p><p class=\"soft\">{} mode, seed {}</p></div><div class=\"score\"><b>{:g}</b> "
+        "<header><div><h1>{}</h1><p>{}</p><p class=\"soft\">seed {}</p></div><div class=\"score\"><b>{:g}</b> "
         "<span>of {:g}</span>"
         "<div class=\"meter\" role=\"img\" aria-label=\"{:.0f} percent\"><i "
         "style=\"width:{:.1f}%\"></i></div></div></header>\n",
-        html(record.title), html(record.submission), record.student_mode ? "student" : "instructor", record.seed,
+        html(record.title), html(record.submission), record.seed,
         record.score(), record.max_score(), 100 * share, 100 * share);
-    text += overview(record, assignment, handout) + own_picture(record);
+    text += changes(record) + overview(record, assignment, handout) + own_picture(record);
     for (const Part& part : assignment.parts) {
         std::string sections;
         for (const FragmentRecord& fragment : record.fragments)
-            if (fragment.part == part.name) sections += fragment_section(fragment, record.student_mode, handout);
+            if (fragment.part == part.name) sections += fragment_section(fragment, handout);
         if (!sections.empty()) text += fmt::format("<h2>{}</h2>\n{}", html(part.title), sections);
     }
     text += error_section(record);

@@ -49,6 +49,27 @@ double preview_exposure(const rt::Image& image) {
     return level > 0 && std::isfinite(level) ? 0.6 / level : 1;
 }
 
+rt::Image scaled(const rt::Image& image, double factor) {
+    rt::Image result = image;
+    for (rt::Color& pixel : result.pixels) pixel *= factor;
+    return result;
+}
+
+rt::Image side_by_side(const std::vector<rt::Image>& pictures) {
+    constexpr int gap = 8;
+    int width = -gap, height = 0;
+    for (const rt::Image& picture : pictures) width += picture.width + gap, height = std::max(height, picture.height);
+    rt::Image row(width, height);
+    std::ranges::fill(row.pixels, rt::Color(1));
+    int left = 0;
+    for (const rt::Image& picture : pictures) {
+        for (int y = 0; y < picture.height; ++y)
+            for (int x = 0; x < picture.width; ++x) row.at(left + x, y) = picture.at(x, y);
+        left += picture.width + gap;
+    }
+    return row;
+}
+
 Difference difference(const rt::Image& picture, const rt::Image& truth) {
     const rt::Color blue = linear(0, 90, 181), white(1), orange = linear(220, 95, 0);
     const double level = std::max(bright(truth), bright(picture) / 16);

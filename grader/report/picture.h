@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "rt/files/image.h"
 
@@ -11,6 +12,12 @@ std::string data_uri(const rt::Image& image, double exposure);
 
 /// The exposure that shows most of a picture, none of it too dark.
 double preview_exposure(const rt::Image& image);
+
+/// The picture times a factor.
+rt::Image scaled(const rt::Image& image, double factor);
+
+/// Pictures of one height in a row, with a gap between them.
+rt::Image side_by_side(const std::vector<rt::Image>& pictures);
 
 /// Where one picture is brighter (orange) or darker (blue) than another, white where they agree; colours that
 /// colour-blind eyes tell apart too.

@@ -39,7 +39,6 @@ Json statistic_json(const CheckRecord& check, const StatisticRecord* statistic) 
         json["read"] = reading(section_of(check, statistic));
     json["check_verdict"] = name(check.verdict);
     json["share"] = check.share;
-    if (!check.blocked_by.empty()) json["blocked_by"] = check.blocked_by;
     json["check_cpu_seconds"] = check.cpu_seconds;
     for (const auto& [whose, cost] : {std::pair("", check.cost), std::pair("solution_", check.solution_cost)}) {
         if (!cost) continue;
@@ -61,7 +60,6 @@ Json fragment_json(const FragmentRecord& fragment) {
     json["message"] = diagnosis.words;
     if (!diagnosis.section.empty()) json["read"] = reading(diagnosis.section);
     json["cpu_seconds"] = fragment.cpu_seconds;
-    json["blocked_by"] = fragment.blocked_by;
     json["checks"] = Json::array();
     for (const CheckRecord& check : fragment.checks) {
         if (check.statistics.empty()) json["checks"].push_back(statistic_json(check, nullptr));
@@ -112,7 +110,6 @@ std::string to_json(const Record& record) {
     json["submission"] = record.submission;
     json["title"] = record.title;
     json["seed"] = record.seed;
-    json["mode"] = record.student_mode ? "student" : "instructor";
     json["sandbox"] = record.sandbox;
     json["complete"] = std::ranges::all_of(record.fragments, &FragmentRecord::finished);
     json["score"] = record.score();
@@ -129,9 +126,8 @@ std::string to_json(const Record& record) {
 }
 
 Verdict worse(Verdict a, Verdict b) {
-    constexpr std::array order{Verdict::did_not_build, Verdict::not_started,  Verdict::crashed,
-                               Verdict::timed_out,     Verdict::not_an_image, Verdict::failed,
-                               Verdict::blocked,       Verdict::inconclusive, Verdict::passed};
+    constexpr std::array order{Verdict::did_not_build, Verdict::not_started, Verdict::crashed,      Verdict::timed_out,
+                               Verdict::not_finite,    Verdict::failed,      Verdict::inconclusive, Verdict::passed};
     return *std::ranges::find_if(order, [&](Verdict verdict) { return verdict == a || verdict == b; });
 }
 

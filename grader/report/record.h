@@ -40,10 +40,9 @@ struct CheckRecord {
     Verdict verdict = Verdict::inconclusive;
     std::string message;  // where there is nothing to measure: what happened, and what to do
     std::string excerpt;  // of what the program printed; untrusted
-    std::vector<std::string> blocked_by;
     std::vector<StatisticRecord> statistics;
     double cpu_seconds = 0;
-    std::optional<PictureCost> cost, solution_cost;  // of a check that renders, where there is a solution
+    std::optional<PictureCost> cost, solution_cost;  // of a check that renders
 
     // for the page only
     rt::Image picture, solution_picture;
@@ -54,7 +53,6 @@ struct FragmentRecord {
     double points = 0, max_points = 0;
     Verdict verdict = Verdict::inconclusive;
     std::string message;  // what to know about it as a whole; compiler errors are untrusted text
-    std::vector<std::string> blocked_by;
     std::vector<CheckRecord> checks;
     double cpu_seconds = 0;
     bool finished = false;
@@ -63,17 +61,18 @@ struct FragmentRecord {
 struct Record {
     std::string submission, title;
     std::uint64_t seed = 0;
-    bool student_mode = false;
     std::string sandbox, toolchain, version, command;
     std::vector<FragmentRecord> fragments;  // in the order of the assignment
     double wall_seconds = 0;
     int reused = 0;  // checks whose records are those of an earlier grading
 
-    // the whole picture that the submission draws, for the page only
-    rt::Image own_picture;
+    // a whole picture, as the submission's fragments draw it and as the solution's do, for the page only
+    rt::Image own_picture, own_picture_right;
     std::string own_picture_scene, own_picture_fault;
     std::vector<std::string> left_out;  // fragments that crash or do not end: their blanks stand in
     double own_picture_exposure = 1;
+
+    std::vector<std::string> changes;  // since the last grading of the same folder, a line each
 
     double score() const;
     double max_score() const;

@@ -16,11 +16,11 @@ header { display: flex; gap: 28px; align-items: center; justify-content: space-b
 .card { background: var(--paper); border: 1px solid var(--line); border-radius: 10px; padding: 16px 20px; margin: 12px 0; }
 .head { display: flex; gap: 12px; align-items: baseline; flex-wrap: wrap; } .head .points { margin-left: auto; font-variant-numeric: tabular-nums; }
 .badge { font-size: 12.5px; font-weight: 600; border-radius: 999px; padding: 1px 10px; border: 1px solid currentColor; white-space: nowrap; }
-.passed { color: var(--good); } .failed, .did_not_build, .crashed, .timed_out, .not_an_image { color: var(--bad); }
-.inconclusive { color: var(--open); } .not_started, .blocked { color: var(--idle); }
+.passed { color: var(--good); } .failed, .did_not_build, .crashed, .timed_out, .not_finite { color: var(--bad); }
+.inconclusive { color: var(--open); } .not_started { color: var(--idle); }
 .hint { border-left: 4px solid var(--bad); padding: 4px 12px; margin: 10px 0; background: #fdf4ee; white-space: pre-line; }
-.hint.blocked, .hint.not_started { border-color: var(--idle); background: #f3f4f6; color: inherit; } .hint.inconclusive { border-color: var(--open); background: #fbf7e6; color: inherit; }
-.hint.failed, .hint.crashed, .hint.timed_out, .hint.not_an_image { color: inherit; }
+.hint.not_started { border-color: var(--idle); background: #f3f4f6; color: inherit; } .hint.inconclusive { border-color: var(--open); background: #fbf7e6; color: inherit; }
+.hint.failed, .hint.crashed, .hint.timed_out, .hint.not_finite { color: inherit; }
 pre { background: #f6f7f9; border: 1px solid var(--line); border-radius: 6px; padding: 10px 12px; overflow-x: auto; font: 12.5px/1.45 ui-monospace, "DejaVu Sans Mono", monospace; margin: 8px 0; }
 table { border-collapse: collapse; width: 100%; } td, th { text-align: left; padding: 5px 10px 5px 0; border-top: 1px solid var(--line); vertical-align: middle; font-variant-numeric: tabular-nums; }
 th { font-size: 12.5px; color: var(--soft); font-weight: 600; border-top: 0; } td.number, th.number { text-align: right; white-space: nowrap; }
@@ -30,7 +30,7 @@ th { font-size: 12.5px; color: var(--soft); font-weight: 600; border-top: 0; } t
 details.check { border-top: 1px solid var(--line); margin-top: 12px; padding-top: 10px; } summary { cursor: pointer; } summary .badge { margin-left: 8px; }
 .pictures { display: flex; flex-wrap: wrap; gap: 14px; margin: 12px 0; } figure { margin: 0; } figcaption { font-size: 13px; color: var(--soft); margin-top: 4px; max-width: 300px; }
 .pictures img { width: 300px; max-width: 100%; image-rendering: pixelated; border: 1px solid var(--line); border-radius: 4px; display: block; background: #000; }
-.own img { width: auto; max-width: 100%; min-width: 320px; image-rendering: auto; border-radius: 6px; display: block; }
+.own img { image-rendering: auto; }
 .scale { display: inline-block; width: 90px; height: 9px; vertical-align: middle; border: 1px solid var(--line); background: linear-gradient(90deg, #005ab5, #fff, #dc5f00); }
 svg.bar { display: block; } .axis { stroke: #c9d0da; } .band { fill: #cfe3f1; } .truth { stroke: #1c2430; stroke-width: 1.5; }
 .interval { stroke-width: 3; } .interval.good { stroke: var(--good); } .interval.bad { stroke: var(--bad); } .interval.open { stroke: var(--open); }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <sstream>
 
 #include "report/diagnosis.h"
@@ -19,8 +20,7 @@ constexpr std::size_t width = 100;
 const char* color_of(Verdict verdict) {
     switch (verdict) {
         case Verdict::passed: return "\033[32m";
-        case Verdict::not_started:
-        case Verdict::blocked: return "\033[2m";
+        case Verdict::not_started: return "\033[2m";
         case Verdict::inconclusive: return "\033[33m";
         default: return "\033[31m";
     }
@@ -58,34 +58,40 @@ std::string in_words(Verdict verdict) {
     return words;
 }
 
-std::string table(const Record& record, const Assignment& assignment, bool color) {
+std::string fragment_rows(const Record& record, bool color) {
     const auto paint = [&](Verdict verdict, const std::string& text) {
         return color ? color_of(verdict) + text + "\033[0m" : text;
     };
+    std::string rows;
+    for (const FragmentRecord& fragment : record.fragments) {
+        rows += fmt::format("  {:<24}{} {:>6} of {}\n", fragment.name,
+                            paint(fragment.verdict, fmt::format("{:<16}", in_words(fragment.verdict))),
+                            points(fragment.points), points(fragment.max_points));
+        if (fragment.verdict == Verdict::passed) continue;
+        const Diagnosis diagnosis = diagnose(fragment);
+        const bool errors = fragment.verdict == Verdict::did_not_build;
+        rows += wrapped(printable(diagnosis.words), "      ", errors ? 8 : 4);
+        // what is blank or does not compile has its own words; the others say where to read
+        if (!errors && fragment.verdict != Verdict::not_started && !diagnosis.section.empty())
+            rows += "      " + reading(diagnosis.section) + "\n";
+    }
+    return rows;
+}
+
+std::string table(const Record& record, const Assignment& assignment, bool color) {
     std::string text;
     for (const Part& part : assignment.parts) {
-        double have = 0, most = 0;
-        std::string rows;
-        for (const FragmentRecord& fragment : record.fragments) {
-            if (fragment.part != part.name) continue;
-            have += fragment.points, most += fragment.max_points;
-            rows += fmt::format("  {:<24}{} {:>6} of {}\n", fragment.name,
-                                paint(fragment.verdict, fmt::format("{:<16}", in_words(fragment.verdict))),
-                                points(fragment.points), points(fragment.max_points));
-            if (fragment.verdict == Verdict::passed) continue;
-            const Diagnosis diagnosis = diagnose(fragment);
-            const bool errors = fragment.verdict == Verdict::did_not_build;
-            rows += wrapped(printable(diagnosis.words), "      ", errors ? 8 : 4);
-            // what is blank or does not compile has its own words; the others say where to read
-            if (!errors && fragment.verdict != Verdict::not_started && !diagnosis.section.empty())
-                rows += "      " + reading(diagnosis.section) + "\n";
-        }
-        if (rows.empty()) continue;
-        text += fmt::format("{}{:<43}{:>6} of {}{}\n{}\n", color ? "\033[1m" : "", part.title, points(have),
-                            points(most), color ? "\033[0m" : "", rows);
+        Record of_part;
+        std::ranges::copy_if(record.fragments, std::back_inserter(of_part.fragments),
+                             [&](const FragmentRecord& fragment) { return fragment.part == part.name; });
+        if (of_part.fragments.empty()) continue;
+        text += fmt::format("{}{:<43}{:>6} of {}{}\n{}\n", color ? "\033[1m" : "", part.title, points(of_part.score()),
+                            points(of_part.max_score()), color ? "\033[0m" : "", fragment_rows(of_part, color));
     }
     text += fmt::format("{}{:<43}{:>6} of {}{}\n", color ? "\033[1m" : "", "Total", points(record.score()),
                         points(record.max_score()), color ? "\033[0m" : "");
+    if (!record.changes.empty()) text += "Since the last run:\n";
+    for (const std::string& change : record.changes) text += "  " + change + "\n";
     if (const auto ratio = record.efficiency_ratio())
         text += fmt::format("Efficiency of pictures, 1/(MSE x CPU time): {:.2g} times the solution's (median)\n", *ratio);
     return text;
@@ -97,8 +103,8 @@ void ProgressLine::show(int done, int all, const std::string& doing) {
     if (!on_) return;
     const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     std::string left;
-    if (done > 2 && elapsed > 1) left = fmt::format(", about {:.0f} s left", elapsed * (all - done) / done);
-    fmt::print(stderr, "\r\033[K{} of {}{}  {}", done, all, left, printable(doing, 60));
+    if (done > 0 && elapsed > 1) left = fmt::format(", about {:.0f} s left", elapsed * (all - done) / done);
+    fmt::print(stderr, "\r\033[K{:.0f} %{}  {}", all > 0 ? 100.0 * done / all : 0, left, printable(doing, 60));
     std::fflush(stderr);
     shown_ = true;
 }

@@ -11,6 +11,9 @@ namespace grade {
 /// The result as a table: part, fragment, verdict, points, and what to do about each fragment that does not pass.
 std::string table(const Record& record, const Assignment& assignment, bool color);
 
+/// Its middle: a row for each fragment, and below it what to do about it.
+std::string fragment_rows(const Record& record, bool color);
+
 /// One line about how far a grading is, rewritten in place. Says nothing where stderr is no terminal.
 class ProgressLine {
 public:

@@ -9,21 +9,23 @@
 
 namespace grade {
 
-std::optional<std::string> image_fault(const rt::Image& image, int width, int height) {
+std::optional<ImageFault> image_fault(const rt::Image& image, int width, int height) {
+    const auto failed = [](std::string words) { return ImageFault{Verdict::failed, std::move(words)}; };
     if (image.width != width || image.height != height)
-        return fmt::format("the image has {} x {} pixels; expected {} x {}", image.width, image.height, width, height);
+        return failed(
+            fmt::format("the image has {} x {} pixels; expected {} x {}", image.width, image.height, width, height));
     if (image.pixels.size() != std::size_t(width) * height)
-        return fmt::format("the image has {} pixels; expected {}", image.pixels.size(), std::size_t(width) * height);
+        return failed(
+            fmt::format("the image has {} pixels; expected {}", image.pixels.size(), std::size_t(width) * height));
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
             for (int channel = 0; channel < 3; ++channel) {
                 const double value = image.at(x, y)[channel];
-                const char* fault = std::isnan(value)   ? "not a number"
-                                    : std::isinf(value) ? "infinite"
-                                    : value < 0         ? "negative"
-                                                        : nullptr;
-                if (fault)
-                    return fmt::format("pixel ({}, {}), channel {}, is {} ({})", x, y, "RGB"[channel], fault, value);
+                if (std::isfinite(value) && value >= 0) continue;
+                const char* fault = std::isnan(value) ? "not a number" : std::isinf(value) ? "infinite" : "negative";
+                return ImageFault{
+                    std::isfinite(value) ? Verdict::failed : Verdict::not_finite,
+                    fmt::format("pixel ({}, {}), channel {}, is {} ({})", x, y, "RGB"[channel], fault, value)};
             }
     return std::nullopt;
 }

@@ -13,14 +13,12 @@ enum class Verdict {
     did_not_build,
     crashed,
     timed_out,
-    not_an_image,   // NaN, negative, wrong size, the same under two seeds...
+    not_finite,     // NaN or infinity
     inconclusive,   // neither right nor wrong within the budget: for the instructor to look at
-    blocked,        // a fragment that the experiment needs does not pass yet
 };
 
-constexpr std::array<std::string_view, 9> verdict_names = {"passed",        "failed",       "not_started",
-                                                           "did_not_build", "crashed",      "timed_out",
-                                                           "not_an_image",  "inconclusive", "blocked"};
+constexpr std::array<std::string_view, 8> verdict_names = {
+    "passed", "failed", "not_started", "did_not_build", "crashed", "timed_out", "not_finite", "inconclusive"};
 
 /// The verdict as the record spells it.
 constexpr std::string_view name(Verdict verdict) { return verdict_names[static_cast<std::size_t>(verdict)]; }

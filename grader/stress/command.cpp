@@ -18,7 +18,7 @@ namespace grade {
 
 namespace {
 
-StressSettings settings_of(const StressArguments& arguments, const Toolchain& chain) {
+StressSettings settings_of(const StressArguments& arguments) {
     StressSettings settings;
     for (const std::string& name : arguments.only) {
         const auto known = [&](const Family& family) {
@@ -30,9 +30,6 @@ StressSettings settings_of(const StressArguments& arguments, const Toolchain& ch
                 name));
         settings.only.insert(name);
     }
-    settings.student = arguments.mode.empty() ? !chain.has_solution() : arguments.mode == "student";
-    if (!settings.student && !chain.has_solution())
-        throw rt::InputError("--mode instructor needs the folder solution/, which is not here");
     const fs::path folder = fs::path(arguments.json).parent_path();
     if (!folder.empty() && !fs::is_directory(folder))
         throw rt::InputError(fmt::format("--json {}: there is no folder {}", arguments.json, folder.string()));
@@ -57,7 +54,6 @@ CLI::App* add_stress_command(CLI::App& app, StressArguments& arguments) {
     stress->add_option("--only", arguments.only, "only these families, or those of these fragments")
         ->delimiter(',')
         ->type_name("NAME");
-    stress->add_option("--mode", arguments.mode, "as for grading")->check(CLI::IsMember({"instructor", "student"}));
     stress->add_option("--json", arguments.json, "write the record")->type_name("FILE");
     stress->add_option("--html", arguments.html, "write a page with plots into this folder")->type_name("DIR");
     stress->add_option("--jobs", arguments.jobs, "how many programs run at a time; default: one for each core")
@@ -73,21 +69,16 @@ CLI::App* add_stress_command(CLI::App& app, StressArguments& arguments) {
     stress->add_flag("--trusted", arguments.trusted, "the code is your own: limits, but no sandbox");
     stress->add_flag("--list", arguments.list, "print the families and leave");
     stress->add_flag("--require", arguments.require, "exit with 1 unless the scored tier is full");
-    stress->add_flag("--store", arguments.store, "keep what passes as the solution's, for students");
-    stress->add_option("--toolchain", arguments.toolchain, "what the build wrote about itself")->group("");
+    stress->fallthrough();
     return stress;
 }
 
-int run_stress(const StressArguments& arguments, const std::string& command) {
+int run_stress(const StressArguments& arguments, const std::string& toolchain, const std::string& command) {
     if (arguments.list) return print_list(), 0;
-    const Toolchain chain = read_toolchain(arguments.toolchain);
+    const Toolchain chain = read_toolchain(toolchain);
     const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
-    StressSettings settings = settings_of(arguments, chain);
+    StressSettings settings = settings_of(arguments);
     const std::string path = arguments.submission.empty() ? (chain.source / "starter").string() : arguments.submission;
-    if (arguments.store &&
-        (!settings.only.empty() || !chain.has_solution() || !fs::equivalent(path, chain.source / "solution")))
-        throw rt::InputError(
-            "--store keeps what all families find of the solution; expected: grade stress solution --store");
     const Submission submission = read_submission(path, assignment.names());
 
     ProgressLine line;
@@ -97,16 +88,11 @@ int run_stress(const StressArguments& arguments, const std::string& command) {
     line.clear();
 
     if (!arguments.json.empty()) write_text(arguments.json, to_json(record));
-    if (arguments.store) {
-        write_solution_reach((chain.source / "scenes/reference/stress.json").string(), record);
-        for (FamilyRecord& family : record.families) family.solution = family.reach;
-    }
     if (!arguments.html.empty()) {
         fs::create_directories(arguments.html);
         write_text(fs::path(arguments.html) / "stress.html", page(record, assignment.title));
     }
-    fmt::print("{}{} mode; {}\n", table(record, isatty(STDOUT_FILENO)), record.student_mode ? "student" : "instructor",
-               record.sandbox);
+    fmt::print("{}{}\n", table(record, isatty(STDOUT_FILENO)), record.sandbox);
     if (!arguments.html.empty()) fmt::print("page: {}\n", (fs::path(arguments.html) / "stress.html").string());
     return arguments.require && record.scored() < record.most_scored() ? 1 : 0;
 }

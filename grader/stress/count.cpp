@@ -39,8 +39,7 @@ bool is_fault(Swarm kind, double answer) { return kind == Swarm::mesh ? !(answer
 
 }  // namespace
 
-std::vector<CountRecord> big_counts(FamilyPrograms& programs, const Sandbox& sandbox, const fs::path& meshes,
-                                    const StressSettings& settings) {
+std::vector<CountRecord> big_counts(Programs& programs, const fs::path& meshes, const StressSettings& settings) {
     std::vector<CountRecord> all;
     for (auto& [kind, record] : kinds(settings.rays)) {
         for (const std::string& name : record.fragments)
@@ -51,7 +50,7 @@ std::vector<CountRecord> big_counts(FamilyPrograms& programs, const Sandbox& san
             all.push_back(record);
             continue;
         }
-        const fs::path program = programs.with({record.fragments.begin(), record.fragments.end()});
+        const fs::path program = programs.must_link({record.fragments.begin(), record.fragments.end()});
         const auto total = std::uint64_t(record.calls),
                    requests = (total + calls_of_a_request - 1) / calls_of_a_request;
         const int workers = std::min(
@@ -60,8 +59,8 @@ std::vector<CountRecord> big_counts(FamilyPrograms& programs, const Sandbox& san
         std::uint64_t next = 0, done = 0;
         record.calls = 0;
         in_parallel(workers, workers, [&](int worker) {
-            Runner runner(programs.copy_for(fmt::format("{}{}", record.name, worker), program), sandbox, meshes,
-                          settings.time_limit);
+            Runner runner(programs.copy_for(fmt::format("{}{}", record.name, worker), program), programs.sandbox(),
+                          meshes, settings.time_limit);
             while (true) {
                 std::uint64_t mine = 0;
                 {

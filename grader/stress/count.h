@@ -1,12 +1,11 @@
 #pragma once
 
-#include "stress/family_programs.h"
+#include "judging/programs.h"
 #include "stress/run.h"
 
 namespace grade {
 
 /// The big counts: rays from within closed meshes, and rays that leave surfaces, at sizes of 2^-40 to 2^40.
-std::vector<CountRecord> big_counts(FamilyPrograms& programs, const Sandbox& sandbox, const fs::path& meshes,
-                                    const StressSettings& settings);
+std::vector<CountRecord> big_counts(Programs& programs, const fs::path& meshes, const StressSettings& settings);
 
 }  // namespace grade

@@ -55,7 +55,7 @@ std::string overview(const StressRecord& record) {
             "class=\"soft\">{1}{2}</td><td>{3}</td><td>{4}</td><td>{5}</td><td>{6}</td></tr>\n",
             html(f.family->name), html(f.family->swept), message.empty() ? "" : "<br>" + html(message), badge(f),
             f.started ? reach_bar(f) : "", f.started ? html(in_words(f.reach)) : "",
-            f.solution ? html(in_words(*f.solution)) : "unknown");
+            html(in_words(f.solution)));
     }
     return text + "</table></section>\n";
 }
@@ -96,13 +96,13 @@ std::string page(const StressRecord& record, const std::string& title) {
         "<title>{} of {}: {}</title><style>{}{}</style></head><body><main>\n",
         record.scored(), record.most_scored(), html(record.submission), page_style, stress_style);
     text += fmt::format(
-        "<header><div><h1>{}: stiff and extreme cases</h1><p>{}</p><p class=\"soft\">{} mode</p></div><div "
+        "<header><div><h1>{}: stiff and extreme cases</h1><p>{}</p></div><div "
         "class=\"score\"><b>{}</b> <span>of {} families</span>"
         "<div class=\"meter\" role=\"img\" aria-label=\"{:.0f} percent\"><i style=\"width:{:.1f}%\"></i></div>"
-        "<p class=\"soft\">bonus: {} decades beyond ordinary scenes{}</p></div></header>\n",
-        html(title), html(record.submission), record.student_mode ? "student" : "instructor", record.scored(),
+        "<p class=\"soft\">bonus: {} decades beyond ordinary scenes; the solution {}</p></div></header>\n",
+        html(title), html(record.submission), record.scored(),
         record.most_scored(), 100 * share, 100 * share, record.bonus(),
-        record.most_bonus() > 0 ? fmt::format("; the solution {}", record.most_bonus()) : "");
+        record.most_bonus());
     text += overview(record) + counts(record) + plots(record);
     return text + fmt::format(
                       "<h2>About this run</h2><section class=\"card soft\"><p>Again: <code>{}</code></p><p>Toolchain: "

@@ -58,7 +58,7 @@ std::string reach_bar(const FamilyRecord& f) {
         width, height, html(f.family->swept), html(in_words(f.reach)));
     svg += at.rect("tried", {decades.front(), decades.back()}, 9, 10) + at.rect("ordinary", f.family->scored, 2, 24);
     svg += at.rect(f.is_scored() && !f.scored_passed() ? "passes bad" : "passes good", f.reach, 9, 10);
-    if (f.solution) svg += at.rect("solution", *f.solution, 22, 3);
+    svg += at.rect("solution", f.solution, 22, 3);
     return svg + label(30, 18, "end", power(decades.front())) + label(width - 30, 18, "start", power(decades.back())) +
            "</svg>";
 }

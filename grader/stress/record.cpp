@@ -5,17 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
-
-#include "build/files.h"
 
 namespace grade {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr const char* stored_schema = "penumbra/stress-reference/v1";
 
 int bonus_of(const Family& family, const Reach& reach) {
     return int(std::ranges::count_if(family.decades,
@@ -48,7 +43,7 @@ int StressRecord::bonus() const {
     return total(families, [](const FamilyRecord& f) { return f.bonus(); });
 }
 int StressRecord::most_bonus() const {
-    return total(families, [](const FamilyRecord& f) { return f.solution ? bonus_of(*f.family, *f.solution) : 0; });
+    return total(families, [](const FamilyRecord& f) { return bonus_of(*f.family, f.solution); });
 }
 
 Reach reach_of(const Family& family, const std::vector<DecadeRecord>& decades) {
@@ -69,7 +64,6 @@ std::string in_words(const Reach& reach) {
 std::string to_json(const StressRecord& record) {
     Json json{{"schema", "penumbra/stress/v1"},
               {"submission", record.submission},
-              {"mode", record.student_mode ? "student" : "instructor"},
               {"scored", record.scored()},
               {"max_scored", record.most_scored()},
               {"bonus", record.bonus()},
@@ -84,7 +78,7 @@ std::string to_json(const StressRecord& record) {
                     {"scored_decades", pair(f.family->scored)},
                     {"started", f.started},
                     {"reach", pair(f.reach)},
-                    {"solution_reach", f.solution ? pair(*f.solution) : Json("unknown")},
+                    {"solution_reach", pair(f.solution)},
                     {"scored", f.is_scored() ? Json(f.scored_passed()) : Json(nullptr)},
                     {"bonus", f.bonus()}};
         if (!f.message.empty()) family["message"] = f.message;
@@ -110,31 +104,6 @@ std::string to_json(const StressRecord& record) {
     json["command"] = record.command;
     // what a submission printed need not be UTF-8
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-std::map<std::string, Reach> read_solution_reach(const std::string& path) {
-    std::map<std::string, Reach> all;
-    const auto text = read_text(path);
-    if (!text) return all;
-    try {
-        const auto json = nlohmann::json::parse(*text);
-        for (const auto& [name, reach] : json.at("reach").items())
-            all[name] = reach.is_null() ? Reach{} : Reach{reach.at(0), reach.at(1)};
-    } catch (const nlohmann::json::exception& error) {
-        throw std::runtime_error(
-            fmt::format("{}: {}; expected what `grade stress solution --store` writes", path, error.what()));
-    }
-    return all;
-}
-
-void write_solution_reach(const std::string& path, const StressRecord& of_solution) {
-    std::string text = fmt::format("{{\n \"schema\": \"{}\",\n \"reach\": {{", stored_schema);
-    for (bool first = true; const FamilyRecord& f : of_solution.families) {
-        text += fmt::format("{}\n  \"{}\": {}", first ? "" : ",", f.family->name,
-                            f.reach.empty() ? "null" : fmt::format("[{}, {}]", f.reach.low, f.reach.high));
-        first = false;
-    }
-    write_text(path, text + "\n }\n}\n");
 }
 
 }  // namespace grade

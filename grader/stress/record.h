@@ -1,7 +1,5 @@
 #pragma once
 
-#include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +24,7 @@ struct FamilyRecord {
     std::string message;                // else: why not
     std::vector<DecadeRecord> decades;  // as in the family
     Reach reach;
-    std::optional<Reach> solution;      // none: not stored
+    Reach solution;                     // of the solution
 
     bool is_scored() const { return !family->scored.empty(); }
     bool scored_passed() const {
@@ -48,7 +46,6 @@ struct CountRecord {
 
 struct StressRecord {
     std::string submission, toolchain, version, command, sandbox;
-    bool student_mode = false;
     std::vector<FamilyRecord> families;
     std::vector<CountRecord> counts;  // of a long run
     double cpu_seconds = 0;           // of the submission's program
@@ -56,7 +53,7 @@ struct StressRecord {
     int scored() const;         // families whose ordinary decades all pass
     int most_scored() const;
     int bonus() const;
-    int most_bonus() const;     // of the solution; 0: not stored
+    int most_bonus() const;     // of the solution
 };
 
 /// The decades that pass, on from the mildest of the family.
@@ -67,9 +64,5 @@ std::string in_words(const Reach& reach);
 
 /// penumbra/stress/v1. What depends on time and load is in keys that end in _seconds, nowhere else.
 std::string to_json(const StressRecord& record);
-
-/// The solution's decades by family, as stored; empty where there is no such file. Throws std::runtime_error.
-std::map<std::string, Reach> read_solution_reach(const std::string& path);
-void write_solution_reach(const std::string& path, const StressRecord& of_solution);
 
 }  // namespace grade

@@ -10,8 +10,8 @@
 
 #include "build/runner.h"
 #include "judging/parallel.h"
+#include "judging/programs.h"
 #include "stress/count.h"
-#include "stress/family_programs.h"
 
 namespace grade {
 
@@ -31,15 +31,17 @@ Value value_of(Outcome<Value> outcome) {
     return std::move(std::get<Value>(outcome));
 }
 
-/// A family on one program. A decade without an answer fails, and the next one starts a new process; after one that did
+/// The decades of a family on one program. A decade without an answer fails, and the next one starts a new process; after one that did
 /// not end, those beyond it are not tried.
-void sweep_family(FamilyRecord& record, const FamilyPrograms& programs, const fs::path& program, const Sandbox& sandbox,
-                  const fs::path& meshes, double time_limit, double& cpu_seconds) {
-    const Family& family = *record.family;
+std::vector<DecadeRecord> sweep_family(const Family& family, const Programs& programs, const fs::path& program,
+                                       const std::string& name, const fs::path& meshes, double time_limit,
+                                       double& cpu_seconds) {
+    std::vector<DecadeRecord> decades;
     std::unique_ptr<Runner> runner;
     const auto alive = [&]() -> Runner& {
         if (!runner)
-            runner = std::make_unique<Runner>(programs.copy_for(family.name, program), sandbox, meshes, time_limit);
+            runner =
+                std::make_unique<Runner>(programs.copy_for(name, program), programs.sandbox(), meshes, time_limit);
         return *runner;
     };
     const Asker ask{
@@ -73,56 +75,65 @@ void sweep_family(FamilyRecord& record, const FamilyPrograms& programs, const fs
             }
         else result.message = "not tried: a milder one did not end";
         result.passed = result.error <= family.allowed(decade);
-        record.decades.push_back(std::move(result));
+        decades.push_back(std::move(result));
     }
-    std::ranges::sort(record.decades, {}, &DecadeRecord::decade);
-    record.reach = reach_of(family, record.decades);
+    std::ranges::sort(decades, {}, &DecadeRecord::decade);
+    return decades;
 }
 
 }  // namespace
 
 StressRecord stress_submission(const Submission& submission, const Assignment& assignment, const Toolchain& chain,
                                const StressSettings& settings) {
-    const Sandbox sandbox = find_sandbox(settings.trusted);
+    const fs::path meshes = chain.source / "scenes";
+    Progress silent({});
+    BuildSettings build;
+    build.jobs = settings.jobs, build.trusted = settings.trusted, build.only_changed = true;
+    Programs programs(submission, chain, build, silent);
     StressRecord record;
     record.submission = submission.name;
     record.toolchain = chain.description;
     record.version = PENUMBRA_VERSION;
-    record.sandbox = sandbox.description;
-    record.student_mode = settings.student;
+    record.sandbox = programs.sandbox().description;
 
-    const auto stored = read_solution_reach((chain.source / "scenes/reference/stress.json").string());
     std::set<std::string> fragments;
     for (const Family& family : all_families()) {
         const std::string& about = family.fragments.front();
         if (!settings.only.empty() && !settings.only.contains(family.name) && !settings.only.contains(about)) continue;
         FamilyRecord one;
         one.family = &family;
-        if (const auto found = stored.find(family.name); found != stored.end()) one.solution = found->second;
         record.families.push_back(std::move(one));
         fragments.insert(family.fragments.begin(), family.fragments.end());
     }
     if (settings.rays > 0) fragments.insert({"shadow_ray", "hit_sphere", "hit_quad", "hit_triangle"});
     std::ranges::stable_sort(record.families, {},
                              [&](const FamilyRecord& one) { return assignment.place(one.family->fragments.front()); });
-    FamilyPrograms programs(submission, chain, sandbox, settings.student);
     if (settings.progress) settings.progress(0, int(record.families.size()), "compiling");
-    programs.compile(fragments, settings.jobs);
+    programs.compile(fragments);
 
-    if (settings.rays > 0) record.counts = big_counts(programs, sandbox, chain.source / "scenes", settings);
+    if (settings.rays > 0) record.counts = big_counts(programs, meshes, settings);
     std::mutex lock;
     int done = 0;
     in_parallel(int(record.families.size()), settings.jobs, [&](int i) {
         FamilyRecord& one = record.families[std::size_t(i)];
         const auto& needed = one.family->fragments;
         double seconds = 0;
-        for (const std::string& name : needed)
-            if (one.message.empty() && (settings.student || name == needed.front()))
-                one.message = programs.complaint(name);
+        one.message = programs.complaint(needed.front());
+        const auto& [program, errors] = programs.with({needed.begin(), needed.end()});
+        if (one.message.empty() && !errors.empty()) one.message = "did not build: " + errors;
         one.started = one.message.empty();
-        if (one.started)
-            sweep_family(one, programs, programs.with({needed.begin(), needed.end()}), sandbox, chain.source / "scenes",
-                         settings.time_limit, seconds);
+        const auto sweep = [&](const fs::path& of, const std::string& name, double& spent) {
+            return sweep_family(*one.family, programs, of, name, meshes, settings.time_limit, spent);
+        };
+        if (one.started) {
+            one.decades = sweep(program, one.family->name, seconds);
+            one.reach = reach_of(*one.family, one.decades);
+        }
+        double of_solution = 0;
+        const fs::path solution = programs.with({}).program;
+        one.solution = one.started && program == solution
+                           ? one.reach
+                           : reach_of(*one.family, sweep(solution, one.family->name + "-solution", of_solution));
         const std::scoped_lock guard(lock);
         record.cpu_seconds += seconds;
         if (settings.progress) settings.progress(++done, int(record.families.size()), one.family->name);

@@ -12,7 +12,6 @@ namespace grade {
 
 struct StressSettings {
     std::set<std::string> only;  // families, or fragments with all of theirs; empty: all
-    bool student = false;
     bool trusted = false;
     int jobs = 0;                // at a time; 0: one for each core
     double time_limit = 10;      // CPU time of one answer [s]

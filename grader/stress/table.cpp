@@ -13,11 +13,10 @@ std::string table(const StressRecord& record, bool color) {
     std::string text = paint(
         "\033[1m", fmt::format("{:<27}{:<47}{:<13}{:<17}{}\n", "family", "swept", "scored tier", "passes", "solution"));
     for (const FamilyRecord& f : record.families) {
-        const std::string solution = f.solution ? in_words(*f.solution) : "unknown";
         const std::string scored = !f.is_scored() ? "" : f.scored_passed() ? "passed" : f.started ? "failed" : "-";
         const char* code = !f.is_scored() || !f.started ? "\033[2m" : f.scored_passed() ? "\033[32m" : "\033[31m";
         text += fmt::format("{:<27}{:<47}{}{:<17}{}\n", f.family->name, f.family->swept,
-                            paint(code, fmt::format("{:<13}", scored)), f.started ? in_words(f.reach) : "-", solution);
+                            paint(code, fmt::format("{:<13}", scored)), f.started ? in_words(f.reach) : "-", in_words(f.solution));
         if (!f.started)
             text += fmt::format("    {}: {}\n", f.family->fragments.front(),
                                 printable(f.message.substr(0, f.message.find('\n')), 90));
@@ -35,8 +34,7 @@ std::string table(const StressRecord& record, bool color) {
     }
     text += fmt::format("\nScored tier (ordinary scenes): {} of {} families. Bonus: {} decades beyond", record.scored(),
                         record.most_scored(), record.bonus());
-    if (record.most_bonus() > 0) text += fmt::format("; the solution {}", record.most_bonus());
-    return text + ".\n";
+    return text + fmt::format("; the solution {}.\n", record.most_bonus());
 }
 
 }  // namespace grade

@@ -1,3 +1,17 @@
+# add_framework(name speed): the library of all files of rt/, without fragments.
+#
+# speed  the target whose options the stages are compiled with
+function(add_framework name speed)
+    get_filename_component(starter ${CMAKE_CURRENT_FUNCTION_LIST_DIR} DIRECTORY)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${starter}/rt/*.cpp)
+    add_library(${name} STATIC ${sources})
+    target_include_directories(${name} PUBLIC ${starter})
+    target_link_libraries(${name}
+        PUBLIC rt_numerics glm::glm fmt::fmt TBB::tbb
+        PRIVATE rt_warnings ${speed} OpenEXR::OpenEXR PNG::PNG tomlplusplus::tomlplusplus
+                $<IF:$<TARGET_EXISTS:tinyobjloader::tinyobjloader_double>,tinyobjloader::tinyobjloader_double,tinyobjloader::tinyobjloader>)
+endfunction()
+
 # add_fragments(name folder): the fragments of a folder, an object of its own for each.
 function(add_fragments name folder)
     file(GLOB fragments CONFIGURE_DEPENDS ${folder}/*.cpp)

@@ -1,0 +1,33 @@
+# What `grade hand-out` hands out, built for the oldest processors of this kind: the grader, the framework, the reference
+# fragments and the blanks. The target is grade_kit; ./grade hand-out builds it.
+add_library(rt_baseline_speed INTERFACE)
+get_target_property(options rt_speed INTERFACE_COMPILE_OPTIONS)
+list(FILTER options EXCLUDE REGEX "-march|-mprefer")
+target_compile_options(rt_baseline_speed INTERFACE ${options})
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|amd64|AMD64")
+    target_compile_options(rt_baseline_speed INTERFACE -march=x86-64-v2)
+endif()
+
+add_framework(rt_baseline rt_baseline_speed)
+add_child(child_baseline rt_baseline)
+
+add_library(solution_baseline OBJECT ${solution_sources})
+target_precompile_headers(solution_baseline PRIVATE ${PROJECT_SOURCE_DIR}/starter/rt/fragments.h)
+add_library(blanks_baseline OBJECT ${blank_sources})
+target_precompile_headers(blanks_baseline REUSE_FROM solution_baseline)
+add_dependencies(blanks_baseline blank_sources)
+foreach(objects solution_baseline blanks_baseline)
+    target_link_libraries(${objects} PRIVATE rt_baseline rt_baseline_speed)
+endforeach()
+
+add_library(grader_in_kit STATIC child/self_test.cpp build/no_archive.cpp)
+target_link_libraries(grader_in_kit PUBLIC grader_core PRIVATE rt_warnings rt_baseline_speed)
+add_grade(grade_kit grader_in_kit rt_baseline)
+add_dependencies(grade_kit child_baseline solution_baseline blanks_baseline)
+# Its libraries are beside it; old-style, so that theirs are found there too.
+target_link_options(grade_kit PRIVATE -Wl,--disable-new-dtags)
+set_target_properties(grade_kit PROPERTIES BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH "$ORIGIN/lib")
+
+set_target_properties(rt_baseline child_baseline solution_baseline blanks_baseline grader_in_kit grade_kit blank_sources
+    PROPERTIES EXCLUDE_FROM_ALL ON)
+write_toolchain(${PROJECT_BINARY_DIR}/kit.toml child_baseline rt_baseline blanks_baseline solution_baseline "${libraries}")

@@ -1,0 +1,160 @@
+#include "commands/grading.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <random>
+
+#include "build/cache.h"
+#include "build/interrupt.h"
+#include "commands/last_run.h"
+#include "commands/watch.h"
+#include "commands/words.h"
+#include "judging/grading.h"
+#include "report/page.h"
+#include "report/terminal.h"
+#include "rt/files/scene_reader.h"
+
+namespace grade {
+
+namespace {
+
+/// Of every grading of what its user edits: what has not changed comes out as it did.
+constexpr std::uint64_t own_seed = 1;
+
+std::uint64_t fresh_seed() {
+    std::random_device device;
+    return device() % 1'000'000 + 1;
+}
+
+/// All that a grading needs, and what is done with it.
+class Session {
+public:
+    Session(const GradeArguments& arguments, const std::string& toolchain, const std::string& command)
+        : arguments_(arguments),
+          chain_(read_toolchain(toolchain)),
+          assignment_(read_assignment((chain_.source / "assignment.toml").string())),
+          chosen_(choose(arguments.words, chain_, assignment_)),
+          command_(command) {
+        require_folder_of(arguments.json, "--json");
+        cache_ = cache_folder(chain_);
+        // what its user edits gets the page as well
+        html_ = arguments.html;
+        if (html_.empty() && chosen_.own && chosen_.fragments.empty() && !arguments.watch && cache_)
+            html_ = *cache_ / "report";
+        set_up();
+        checks_ = all_checks(settings_.seed);
+    }
+
+    const Chosen& chosen() const { return chosen_; }
+    const Assignment& assignment() const { return assignment_; }
+
+    Record grade() {
+        const Submission submission = read_submission(chosen_.submission, assignment_.names());
+        ProgressLine line;
+        settings_.progress = [&](int done, int all, const std::string& doing) { line.show(done, all, doing); };
+        Record record = grade_submission(submission, assignment_, chain_, checks_, settings_);
+        record.command = command_;
+        if (chosen_.own && cache_) compare_with_last(record, *cache_ / "last_run.json");
+        return record;
+    }
+
+    /// Everything that is asked for but the table.
+    void write(const Record& record) const {
+        if (!arguments_.json.empty()) write_text(arguments_.json, to_json(record));
+        if (html_.empty()) return;
+        fs::create_directories(html_);
+        const fs::path handout = fs::relative(chain_.source / "handout.md", html_);
+        write_text(html_ / "index.html", page(record, assignment_, handout.generic_string()));
+    }
+
+    int tell(const Record& record) const {
+        fmt::print("{}\nseed {}; {}\n", table(record, assignment_, isatty(STDOUT_FILENO)), record.seed, record.sandbox);
+        if (record.reused > 0)
+            fmt::print("{} checks as before: nothing that they depend on has changed (--fresh runs them again)\n",
+                       record.reused);
+        if (!html_.empty()) fmt::print("page: {}\n", (html_ / "index.html").string());
+        return arguments_.required && record.score() < *arguments_.required ? 1 : 0;
+    }
+
+private:
+    void set_up() {
+        settings_.only = chosen_.fragments;
+        settings_.seed = arguments_.seed ? *arguments_.seed : chosen_.own ? own_seed : fresh_seed();
+        if (!arguments_.seed && !chosen_.own) command_ += fmt::format(" --seed {}", settings_.seed);
+        settings_.time_limit = arguments_.time_limit;
+        settings_.pictures = !html_.empty() || chosen_.own;
+        settings_.build.jobs = arguments_.jobs;
+        settings_.build.trusted = arguments_.trusted;
+        settings_.build.keep = arguments_.keep;
+        if (chosen_.own && cache_ && !arguments_.fresh && arguments_.keep.empty())
+            settings_.build.kept = Kept(*cache_ / "kept", chain_);
+        const fs::path gallery = chain_.source / "scenes/gallery/everything.toml";
+        if (!arguments_.own_scene.empty())
+            rt::read_scene(arguments_.own_scene);  // says what is wrong with it, before all the work
+        if (!html_.empty())
+            settings_.own_scene = !arguments_.own_scene.empty() ? fs::path(arguments_.own_scene)
+                                  : fs::exists(gallery)         ? gallery
+                                                                : fs::path();
+        if (!arguments_.json.empty())
+            settings_.partial = [this](Record record) {
+                record.command = command_;
+                write_text(arguments_.json, to_json(record));
+            };
+    }
+
+    const GradeArguments& arguments_;
+    Toolchain chain_;
+    Assignment assignment_;
+    Chosen chosen_;
+    std::string command_;
+    std::optional<fs::path> cache_;
+    fs::path html_;
+    GradingSettings settings_;
+    std::vector<Check> checks_;
+};
+
+}  // namespace
+
+void add_grade_options(CLI::App& app, GradeArguments& arguments) {
+    app.add_option("WORDS", arguments.words,
+                   "a folder, a .zip or a .tar.gz, default: starter; and names of fragments, default: all")
+        ->type_name("[SUBMISSION] [FRAGMENT...]");
+    app.add_flag("--watch", arguments.watch, "grade again at each save, until Ctrl-C");
+    app.add_option("--seed", arguments.seed, "of all parameters and random numbers; default: 1 for the starter, else a fresh one")
+        ->type_name("N");
+    app.add_option("--json", arguments.json, "write the record of the grading")->type_name("FILE");
+    app.add_option("--html", arguments.html,
+                   "write a page with all pictures into this folder; a whole starter always gets one")
+        ->type_name("DIR");
+    app.add_option("--require", arguments.required, "exit with 1 below so many points")->type_name("POINTS");
+    app.add_option("--jobs", arguments.jobs, "how many programs run at a time; default: one for each core")
+        ->check(CLI::Range(1, 1024));
+    app.add_option("--time-limit", arguments.time_limit, "CPU seconds for one answer of a fragment")
+        ->capture_default_str()
+        ->check(CLI::Range(1.0, 600.0));
+    app.add_option("--keep", arguments.keep, "leave objects and programs in this folder")->type_name("DIR");
+    app.add_option("--picture", arguments.own_scene, "the scene of the submission's own picture on the page")
+        ->type_name("SCENE");
+    app.add_flag("--fresh", arguments.fresh, "run all checks again, also those that nothing has changed for");
+    app.add_flag("--trusted", arguments.trusted, "the code is your own: limits, but no sandbox");
+}
+
+int run_grade(const GradeArguments& arguments, const std::string& toolchain, const std::string& command) {
+    stop_at_interrupt();
+    Session session(arguments, toolchain, command);
+    if (arguments.watch) {
+        watch(session.chosen().submission, session.assignment(), session.chosen().fragments, [&] {
+            Record record = session.grade();
+            session.write(record);
+            return record;
+        });
+        return 0;
+    }
+    const Record record = session.grade();
+    session.write(record);
+    return session.tell(record);
+}
+
+}  // namespace grade

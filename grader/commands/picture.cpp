@@ -1,0 +1,147 @@
+#include "commands/picture.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+
+#include "build/cache.h"
+#include "build/interrupt.h"
+#include "commands/words.h"
+#include "judging/own_picture.h"
+#include "report/picture.h"
+#include "report/terminal.h"
+#include "rt/files/scene_reader.h"
+
+namespace grade {
+
+namespace {
+
+/// How two pictures differ, for people.
+std::string in_words(const rt::Image& mine, const rt::Image& right) {
+    std::size_t count = 0, worst = 0;
+    double squares = 0, most = 0;
+    for (std::size_t k = 0; k < mine.pixels.size(); ++k) {
+        const rt::Color off = mine.pixels[k] - right.pixels[k];
+        if (mine.pixels[k] == right.pixels[k]) continue;
+        ++count;
+        const double square = rt::dot(off, off) / 3;
+        squares += square;
+        if (!(square <= most)) most = square, worst = k;
+    }
+    if (count == 0) return "the same, bit by bit";
+    const auto color = [](rt::Color c) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", c.r, c.g, c.b); };
+    const std::size_t width = std::size_t(mine.width);
+    return fmt::format("{:.3g} % of the pixels differ, RMSE {:.3g}; most at {},{}: {}, right is {}",
+                       100.0 * double(count) / double(mine.pixels.size()),
+                       std::sqrt(squares / double(mine.pixels.size())), worst % width, worst / width,
+                       color(mine.pixels[worst]), color(right.pixels[worst]));
+}
+
+rt::Image minus(const rt::Image& a, const rt::Image& b) {
+    rt::Image result = a;
+    for (std::size_t k = 0; k < a.pixels.size(); ++k) result.pixels[k] -= b.pixels[k];
+    return result;
+}
+
+void check_names(const std::vector<std::string>& mine, const Toolchain& chain, const Assignment& assignment) {
+    for (const std::string& name : mine)
+        if (choose({name}, chain, assignment).fragments.empty())
+            throw UsageError(fmt::format("--mine {}: no fragment has this name", name));
+}
+
+/// The program with the fragments that are asked for, and what stands in for the others.
+fs::path program_of(Programs& programs, const PictureArguments& arguments, const Assignment& assignment) {
+    if (!arguments.mine.empty()) {
+        const std::set<std::string> mine(arguments.mine.begin(), arguments.mine.end());
+        programs.compile(mine);
+        for (const std::string& name : mine)
+            if (const auto complaint = programs.complaint(name); !complaint.empty())
+                throw SubmissionError(fmt::format("{}: {}", name, complaint));
+        return programs.must_link(mine);
+    }
+    const auto names = assignment.names();
+    programs.compile({names.begin(), names.end()});
+    for (const auto& [name, problem] : programs.problems())
+        if (problem.verdict == Verdict::did_not_build)
+            fmt::print(stderr, "{}: did not build; its blank stands in\n", name);
+    return programs.own_without({});
+}
+
+}  // namespace
+
+CLI::App* add_picture_command(CLI::App& app, PictureArguments& arguments) {
+    CLI::App* picture =
+        app.add_subcommand("picture", "a scene as your fragments draw it, the right one, and the difference");
+    picture->add_option("SCENE", arguments.scene, "a scene file (TOML)")->required();
+    picture->add_option("SUBMISSION", arguments.submission, "a folder, a .zip or a .tar.gz; default: starter");
+    picture->add_option("--mine", arguments.mine,
+                        "only these fragments are yours, the others the solution's; default: all yours, blanks for "
+                        "what is missing")
+        ->delimiter(',')
+        ->type_name("FRAGMENT");
+    picture->add_option("-o,--out", arguments.out,
+                        "all three side by side; with NAME_mine.exr, NAME_right.exr and NAME_difference.exr beside it; "
+                        "default: the scene's name")
+        ->type_name("NAME.png");
+    picture->add_option("--samples", arguments.samples, "samples a pixel; default: the scene's")
+        ->check(CLI::Range(1, 1 << 20));
+    picture->add_option("--size", arguments.size, "size of the film, WIDTHxHEIGHT; default: the scene's")
+        ->delimiter('x')
+        ->expected(2)
+        ->check(CLI::Range(1, 8192));
+    picture->add_option("--seed", arguments.seed, "of both pictures")->capture_default_str();
+    picture->add_option("--time-limit", arguments.time_limit, "CPU seconds for one picture")
+        ->capture_default_str()
+        ->check(CLI::Range(1.0, 600.0));
+    picture->add_flag("--trusted", arguments.trusted, "the code is your own: limits, but no sandbox");
+    return picture;
+}
+
+int run_picture(const PictureArguments& arguments, const std::string& toolchain) {
+    stop_at_interrupt();
+    const Toolchain chain = read_toolchain(toolchain);
+    const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
+    check_names(arguments.mine, chain, assignment);
+    rt::read_scene(arguments.scene);  // says what is wrong with it, before all the work
+    const fs::path out = arguments.out.empty() ? fs::path(arguments.scene).stem().string() + ".png" : arguments.out;
+    require_folder_of(out.string(), "--out");
+    if (out.extension() != ".png") throw UsageError(out.string() + ": unknown kind of image; expected --out NAME.png");
+
+    ProgressLine line;
+    Progress progress([&](int done, int all, const std::string& doing) { line.show(done, all, doing); });
+    const Chosen chosen =
+        choose(arguments.submission.empty() ? std::vector<std::string>{} : std::vector{arguments.submission}, chain,
+               assignment);
+    BuildSettings build;
+    build.trusted = arguments.trusted;
+    if (const auto cache = cache_folder(chain); cache && chosen.own) build.kept = Kept(*cache / "kept", chain);
+    Programs programs(read_submission(chosen.submission, assignment.names()), chain, build, progress);
+    const fs::path mine = program_of(programs, arguments, assignment);
+    progress.tell("drawing both pictures");
+    const rt::ivec2 size = arguments.size.empty() ? rt::ivec2(0) : rt::ivec2(arguments.size[0], arguments.size[1]);
+    const Compared both = draw_compared(programs, mine, arguments.scene,
+                                        {arguments.samples, size, arguments.seed, arguments.time_limit});
+    line.clear();
+    if (!both.right_fault.empty()) throw std::runtime_error("the solution's picture: " + both.right_fault);
+
+    const std::string stem = fs::path(out).replace_extension().string();
+    rt::write_exr(stem + "_right.exr", both.right);
+    if (!both.mine_fault.empty()) {
+        rt::write_png(out.string(), both.right, both.exposure);
+        fmt::print("no picture of yours: {}\n{}: the right one alone\n", both.mine_fault, out.string());
+        return 1;
+    }
+    rt::write_exr(stem + "_mine.exr", both.mine);
+    rt::write_exr(stem + "_difference.exr", minus(both.mine, both.right));
+    const Difference map = difference(both.mine, both.right);
+    const auto shown = [&](const rt::Image& image) { return scaled(image, both.exposure); };
+    rt::write_png(out.string(), side_by_side({shown(both.mine), shown(both.right), map.image}));
+    fmt::print("{}: yours, the right one, the difference (blue: yours is darker; orange: brighter; full colour at "
+               "±{:.2g})\n{}\n", out.string(), map.full, in_words(both.mine, both.right));
+    fmt::print("CPU time: yours {:.3g} s, the right one {:.3g} s\n", both.mine_seconds, both.right_seconds);
+    return 0;
+}
+
+}  // namespace grade

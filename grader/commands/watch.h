@@ -1,0 +1,20 @@
+#pragma once
+
+#include <functional>
+#include <set>
+#include <string>
+
+#include "assignment.h"
+#include "report/record.h"
+
+namespace grade {
+
+/// Grades a folder, shows the result on one screen, and again at each change of a fragment's file, until Ctrl-C. Without
+/// a terminal each result follows the last.
+///
+/// only   fragments that are graded; empty: all
+/// grade  grades the folder as it is now
+void watch(const std::string& folder, const Assignment& assignment, const std::set<std::string>& only,
+           const std::function<Record()>& grade);
+
+}  // namespace grade

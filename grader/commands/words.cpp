@@ -1,0 +1,42 @@
+#include "commands/words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "rt/files/toml_table.h"
+
+namespace grade {
+
+Chosen choose(const std::vector<std::string>& words, const Toolchain& chain, const Assignment& assignment) {
+    const auto names = assignment.names();
+    Chosen chosen;
+    std::error_code error;
+    for (const std::string& word : words) {
+        if (std::ranges::count(names, word) > 0) {
+            chosen.fragments.insert(word);
+        } else if (fs::exists(word, error) || word.find_first_of("/.") != word.npos) {
+            if (!chosen.submission.empty())
+                throw UsageError(fmt::format("{}: one submission too many, after {}; expected one, and names of "
+                                             "fragments", word, chosen.submission));
+            chosen.submission = word;
+        } else {
+            const auto nearest = rt::nearest_word(word, names);
+            throw UsageError(fmt::format("{}: no fragment has this name, and there is no such folder; expected {}", word,
+                                         nearest ? *nearest + "?" : "a name that assignment.toml lists"));
+        }
+    }
+    const fs::path starter = chain.source / "starter";
+    if (chosen.submission.empty()) chosen.submission = starter.string();
+    for (const fs::path& place : {starter, starter / "fragments"})
+        chosen.own = chosen.own || fs::equivalent(chosen.submission, place, error);
+    return chosen;
+}
+
+void require_folder_of(const std::string& file, const char* option) {
+    const fs::path folder = fs::path(file).parent_path();
+    if (!folder.empty() && !fs::is_directory(folder))
+        throw UsageError(fmt::format("{} {}: there is no folder {}", option, file, folder.string()));
+}
+
+}  // namespace grade
