@@ -30,6 +30,10 @@ struct RenderSettings {
     std::function<bool()> stop;  // asked by any thread now and then; true: end soon, and keep what is there
 };
 
+inline Sampling sampling_of(const RenderSettings& s) {
+    return {s.samples, s.time_limit < inf || s.target_error > 0, s.sampler};
+}
+
 struct Rendering {
     Image image;           // of the crop
     std::uint64_t samples = 0;  // a pixel, in all passes
