@@ -154,6 +154,7 @@ TEST_CASE("there is an integral over the pixel where it has more than one sample
     CHECK(sampling_of(RenderSettings{.samples = 1}).passes == false);
     CHECK(sampling_of(RenderSettings{.samples = 1, .time_limit = 1}).passes);
     CHECK(sampling_of(RenderSettings{.samples = 1, .target_error = 0.1}).passes);
+    CHECK(make_plan(scene, sampling_of(RenderSettings{.samples = 1, .one_of_many = true})).pixel);
 }
 
 TEST_CASE("one sample goes through the pixel's centre: nothing is random, unless it is one of many passes") {

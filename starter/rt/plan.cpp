@@ -100,7 +100,7 @@ RenderPlan make_plan(const Scene& scene, const Sampling& sampling) {
     }
     plan.bvh = count > shapes_without_tree;
     plan.sampling = sampling;
-    plan.pixel = sampling.samples > 1 || sampling.passes;
+    plan.pixel = sampling.samples > 1 || sampling.passes || sampling.one_of_many;
     plan.lens = scene.camera.lens_radius > 0;
     plan.time = moves && scene.shutter.close > scene.shutter.open;
     plan.point_lights = !scene.lights.empty();

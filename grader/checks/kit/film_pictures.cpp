@@ -133,7 +133,7 @@ Check slanted_edges(Generator& random) {
 }
 
 /// Red, green and blue stripes, one of each to a row of pixels: a sample sees one of the colours, each as often, in
-/// every pixel. Two samples: of a single one, nobody asks where it falls.
+/// every pixel.
 Check fine_stripes(Generator& random) {
     const Place place = any_place(random);
     const rt::ivec2 size(16, 16);
@@ -150,8 +150,8 @@ Check fine_stripes(Generator& random) {
         scene += bright(place, size, fmt::format("stripe{}", (k + 3) % 3), center, u,
                         across ? vec2(0, 20) : vec2(0, 1.0 / 6));
     }
-    return render_check("fine_stripes", "film_sample", {"hit_quad", "emission_counts"}, {scene, 2, "random"},
-                        {own_numbers({0, 0, size.x, size.y}, 2, "position in the pixel", "the middle")});
+    return render_check("fine_stripes", "film_sample", {"hit_quad", "emission_counts"}, {scene, 1, "random"},
+                        {own_numbers({0, 0, size.x, size.y}, 1, "position in the pixel", "the middle")});
 }
 
 /// Lamps of very different brightness, each thinner than the pixels that it crosses: a lamp of 10 that covers 30
