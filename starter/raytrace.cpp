@@ -149,15 +149,15 @@ void report_fault(const Options& o, const rt::RenderSettings& settings, const rt
     std::sscanf(fault.c_str(), "pixel %d,%d", &x, &y);
     fmt::print(stderr,
                "{}: {}; expected a finite number\n"
-               "To see how it came about: raytrace {} --pixel {},{} --seed {} --samples {} --sampler {} --size {}x{}\n",
+               "To see how it came about: raytrace {} --pixel {},{} --seed {} --samples {} --sampler {} --size {}x{}{}\n",
                o.scene, fault, o.scene, x, y, settings.seed, settings.samples, rt::sampler_names[std::size_t(settings.sampler)], scene.camera.size.x,
-               scene.camera.size.y);
+               scene.camera.size.y, rt::sampling_of(settings).passes ? " --time-limit 1" : "");
 }
 
 int run(const Options& o) {
     const rt::Scene scene = read_scene(o);
     rt::RenderSettings settings = make_settings(o, scene);
-    if (o.plan) fmt::print("{}", rt::describe(rt::make_plan(scene), scene));
+    if (o.plan) fmt::print("{}", rt::describe(rt::make_plan(scene, rt::sampling_of(settings)), scene));
     if (!o.pixel.empty()) {
         check_inside(o.pixel, scene.camera.size, "pixel");
         fmt::print("{}", rt::trace_pixel(scene, settings, o.pixel[0], o.pixel[1]));

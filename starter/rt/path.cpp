@@ -62,7 +62,7 @@ void Worker::render(const std::vector<PixelWork>& pixels, int n, Sampler sampler
         for (std::size_t k = 0; k < now.used; ++k) follow(now.batches[k], pattern, wave);
     }
     for (std::size_t k = 0; k < pixels.size(); ++k) {
-        means[k] = film_stage(&chunk.radiance[k * std::size_t(n)], &chunk.weight[k * std::size_t(n)], n);
+        means[k] = film_stage(world, &chunk.radiance[k * std::size_t(n)], &chunk.weight[k * std::size_t(n)], n);
         if (fault.empty() && !std::isfinite(means[k].x + means[k].y + means[k].z)) find_fault(pixels, n);
     }
 }

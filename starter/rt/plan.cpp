@@ -1,6 +1,9 @@
 #include "rt/plan.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "rt/calls.h"
 
 namespace rt {
 namespace {
@@ -44,7 +47,7 @@ void number_pairs(RenderPlan& plan) {
     const auto number = [&](int dimension, bool drawn) {
         if (drawn) plan.pairs[std::size_t(dimension)] = next++;
     };
-    number(pixel_dimension, true);
+    number(pixel_dimension, plan.pixel);
     number(lens_dimension, plan.lens);
     number(time_dimension, plan.time);
     const int before = next, wave = plan.camera_dimensions;
@@ -59,22 +62,25 @@ void number_pairs(RenderPlan& plan) {
 
 }  // namespace
 
-RenderPlan make_plan(const Scene& scene) {
+RenderPlan make_plan(const Scene& scene, const Sampling& sampling) {
     RenderPlan plan;
-    bool moves = false, diffuse = false, glossy = false, mirrors = false, glass = false;
+    bool moves = false;
     const std::vector<char> used = materials_in_use(scene);
     for (std::size_t i = 0; i < used.size(); ++i) {
         if (!used[i]) continue;
         const Material& m = scene.materials[i];
-        const bool dielectric = m.transmittance != Color(0), mirror = m.reflectance != Color(0);
-        diffuse |= m.albedo != Color(0);
+        const bool dielectric = m.transmittance != Color(0), mirror = m.reflectance != Color(0), sharp = m.exponent == inf;
+        plan.diffuse |= m.albedo != Color(0);
+        plan.ambient |= m.ambient != Color(0) && scene.ambient != Color(0);
         plan.phong |= m.specular != Color(0);
         plan.emission |= m.emission != Color(0);
         plan.medium |= dielectric && m.medium.extinction > 0;
-        plan.lobe |= (dielectric || mirror) && m.exponent < inf;
-        glossy |= (dielectric || mirror) && m.exponent < inf;
-        mirrors |= mirror && m.exponent == inf;
-        glass |= dielectric && m.exponent == inf;
+        plan.lobe |= (dielectric || mirror) && !sharp;
+        plan.specular |= (dielectric || mirror) && sharp;
+        plan.mirrors |= mirror && sharp && scene.depth > 0;
+        plan.glass |= dielectric && sharp && scene.depth > 0;
+        plan.glossy |= mirror && !sharp && scene.depth > 0;
+        plan.translucent |= dielectric && !sharp && scene.depth > 0;
         plan.choice |= (m.albedo != Color(0) && scene.bounces > 0 && (dielectric || mirror)) || (dielectric && mirror);
     }
     std::size_t count = 0;
@@ -93,18 +99,19 @@ RenderPlan make_plan(const Scene& scene) {
         count += mesh.triangles.size();
     }
     plan.bvh = count > shapes_without_tree;
-    plan.pixel = scene.samples > 1;
+    plan.sampling = sampling;
+    plan.pixel = sampling.samples > 1 || sampling.passes || sampling.one_of_many;
     plan.lens = scene.camera.lens_radius > 0;
     plan.time = moves && scene.shutter.close > scene.shutter.open;
     plan.point_lights = !scene.lights.empty();
-    plan.weigh = scene.multiple_importance && glossy && emitters(scene) > 0;
-    plan.light = (diffuse || plan.phong || plan.weigh) && emitters(scene) > 0;
+    plan.weigh = scene.multiple_importance && plan.lobe && emitters(scene) > 0;
+    plan.light = (plan.diffuse || plan.phong || plan.weigh) && emitters(scene) > 0;
     plan.solid_angle = scene.solid_angle && plan.light && has_quad_emitter(scene);
     plan.one_lamp = scene.one_lamp && plan.light && emitters(scene) > 1;
     plan.environment = scene.environment != Color(0);
-    plan.environment_lit = plan.environment && diffuse;
-    plan.bounce = diffuse && scene.bounces > 0;
-    plan.specular = mirrors || glass;
+    plan.environment_lit = plan.environment && plan.diffuse;
+    plan.bounce = plan.diffuse && scene.bounces > 0;
+    plan.counts_twice = plan.bounce && (plan.emission || plan.environment_lit);
     plan.split = plan.specular && scene.depth <= deepest_split && !plan.lobe && !plan.bounce && !plan.medium &&
                  !plan.light && !plan.environment_lit;
     plan.choice = plan.choice && !plan.split;
@@ -123,7 +130,10 @@ std::string describe(const RenderPlan& plan, const Scene& scene) {
     for (const Mesh& mesh : scene.meshes) triangles += mesh.triangles.size();
 
     text += fmt::format("integrals\n");
-    row("pixel", plan.pixel, fmt::format("{} samples a pixel", scene.samples), "one sample a pixel");
+    const Sampling& sampling = plan.sampling;
+    row("pixel", plan.pixel,
+        sampling.passes ? "pass after pass, until a limit" : fmt::format("{} samples a pixel", sampling.samples),
+        "one sample a pixel, through its centre");
     row("lens", plan.lens, fmt::format("radius {:g} m", scene.camera.lens_radius), "a pinhole");
     row("time", plan.time, fmt::format("{:g} s to {:g} s", scene.shutter.open, scene.shutter.close),
         "nothing moves while the shutter is open");
@@ -145,7 +155,8 @@ std::string describe(const RenderPlan& plan, const Scene& scene) {
                                      plan.bvh ? "in a tree" : "one by one"), "");
     row("medium", plan.medium, "", "no medium");
     row("surface", plan.spheres || plan.triangles || plan.quads || plan.discs, "", "nothing to hit");
-    row("emission", plan.emission || plan.environment || scene.background != Color(0), "",
+    row("emission", plan.emission || plan.environment || scene.background != Color(0),
+        plan.counts_twice ? "what shadow rays have gathered counts once" : "all that is seen counts: nothing bounces",
         "nothing shines that a ray can hit");
     row("direct", plan.point_lights || plan.light || plan.environment_lit || scene.ambient != Color(0),
         fmt::format("{} lights without extent, {} with", scene.lights.size(), emitters(scene) * plan.light),
@@ -155,7 +166,7 @@ std::string describe(const RenderPlan& plan, const Scene& scene) {
         : plan.choice ? "one way on is chosen at random"
                       : "one way on",
         "no ray goes on: a single wave");
-    row("film", true, "", "");
+    row("film", plan.pixel, "the mean of the samples", "the sample is the pixel");
 
     // Of one sample: the dimensions that are drawn.
     const int camera = 2 * plan.pixel + 2 * plan.lens + plan.time;
@@ -165,8 +176,12 @@ std::string describe(const RenderPlan& plan, const Scene& scene) {
     text += fmt::format("dimensions       {} for the camera, {} for each wave\n", camera, wave);
     const std::size_t shadow = scene.lights.size() + std::size_t(lamps) + plan.environment_lit;
     const int waves = 1 + (plan.bounce ? scene.bounces : 0);
-    text += fmt::format("rays per pixel   {} camera, at most {} shadow where no path meets mirrors, glass or media\n",
-                        scene.samples, std::size_t(scene.samples) * shadow * std::size_t(waves));
+    const int samples = sampling.passes ? 1 : sampling.samples;
+    text += fmt::format("rays per {:<7} {} camera, at most {} shadow where no path meets mirrors, glass or media\n",
+                        sampling.passes ? "sample" : "pixel", samples, std::size_t(samples) * shadow * std::size_t(waves));
+    text += "fragments that the stages call\n";
+    for (const Calls& calls : calls_of(plan))
+        if (!calls.fragments.empty()) text += fmt::format("  {:<14} {}\n", calls.stage, fmt::join(calls.fragments, ", "));
     return text;
 }
 

@@ -18,11 +18,22 @@ enum WaveDimension : int {
     light_dimension
 };
 
+/// How the pixels of a picture are sampled.
+struct Sampling {
+    int samples = 1;       // a pixel, in one pass
+    bool passes = false;   // more passes may follow
+    Sampler sampler = Sampler::orthogonal;
+    bool one_of_many = false;  // the mean of pictures with other seeds is what counts
+};
+
+/// As the scene says.
+inline Sampling sampling_of(const Scene& scene) { return {scene.samples, false, scene.sampler}; }
+
 /// What a scene needs, decided before the first ray; nothing else decides. An integral that is off draws no random
 /// number, casts no ray and has no dimension in the sampling pattern.
 struct RenderPlan {
     // the integrals
-    bool pixel = false;   // more than one sample a pixel
+    bool pixel = false;   // more than one sample a pixel, in all; else the ray goes through its centre, and there is no mean
     bool light = false;   // emitters with extent are sampled
     bool lobe = false;    // glossy or translucent surfaces
     bool lens = false;
@@ -43,17 +54,26 @@ struct RenderPlan {
     bool bvh = false;
     bool spheres = false, triangles = false, quads = false, discs = false;
     bool smooth = false;        // meshes with normals
+    bool counts_twice = false;  // a diffuse ray may find light that shadow rays have gathered; else all that is seen counts
+
+    // which surfaces there are; no stage asks
+    bool diffuse = false, ambient = false;
+    bool mirrors = false, glass = false, glossy = false, translucent = false;  // and the depth of paths allows for them
 
     // the dimensions of one sample: where each integral's random numbers start
     int camera_dimensions = 0;  // pixel, lens, time
     int wave_dimensions = 0;    // of each following wave
     std::vector<int> pairs;     // of the camera's dimensions and a wave's: which of those that are drawn; -1: not drawn
     int pairs_of_wave = 0;      // drawn
+
+    Sampling sampling;
 };
 
-RenderPlan make_plan(const Scene& scene);
+RenderPlan make_plan(const Scene& scene, const Sampling& sampling);
+inline RenderPlan make_plan(const Scene& scene) { return make_plan(scene, sampling_of(scene)); }
 
-/// The plan as a short table: what is on, what is left out and why, dimensions per sample, expected rays per pixel.
+/// The plan as a short table: what is on, what is left out and why, dimensions per sample, expected rays per pixel, and
+/// which fragments are called.
 std::string describe(const RenderPlan& plan, const Scene& scene);
 
 }  // namespace rt

@@ -85,7 +85,7 @@ Real variance(const std::vector<Color>& a, const std::vector<Color>& b) {
 }  // namespace
 
 Rendering render(const Scene& scene, const RenderSettings& settings) {
-    World world = make_world(scene);
+    World world = make_world(scene, sampling_of(settings));
     const ivec2 size = scene.camera.size;
     const Crop crop = settings.crop.value_or(Crop{0, 0, size.x, size.y});
     const auto start = Clock::now();

@@ -22,6 +22,7 @@ struct RenderSettings {
     std::uint64_t seed = 0;
     int threads = 0;  // 0: one for each core
     Sampler sampler = Sampler::orthogonal;
+    bool one_of_many = false;   // pictures with other seeds are averaged with this one: one sample a pixel is random, too
     std::optional<Crop> crop;   // default: the whole film
     bool estimate_error = true; // renders some pixels twice
     Real time_limit = inf;      // [s]; passes of `samples` samples follow each other until then
@@ -29,6 +30,10 @@ struct RenderSettings {
     std::function<void(Real done, Real seconds_left)> progress;  // done: share of the work, 0 to 1
     std::function<bool()> stop;  // asked by any thread now and then; true: end soon, and keep what is there
 };
+
+inline Sampling sampling_of(const RenderSettings& s) {
+    return {s.samples, s.time_limit < inf || s.target_error > 0, s.sampler, s.one_of_many};
+}
 
 struct Rendering {
     Image image;           // of the crop

@@ -47,7 +47,7 @@ std::string describe_light(const Batch& b, const Chunk& chunk) {
 }
 
 std::string trace_pixel(const Scene& scene, const RenderSettings& settings, int x, int y) {
-    const World world = make_world(scene);
+    const World world = make_world(scene, sampling_of(settings));
     std::string out;
     Worker worker(world);
     worker.trace = &out;

@@ -130,8 +130,8 @@ void reserve(World& world, const Scene& scene) {
 
 }  // namespace
 
-World make_world(const Scene& scene) {
-    Layout layout{{.scene = scene, .plan = make_plan(scene)}};
+World make_world(const Scene& scene, const Sampling& sampling) {
+    Layout layout{{.scene = scene, .plan = make_plan(scene, sampling)}};
     World& world = layout.world;
     world.reflectances.push_back({});
     for (const Material& m : scene.materials)

@@ -50,6 +50,7 @@ struct World {
     Bvh bvh;
 };
 
-World make_world(const Scene& scene);
+World make_world(const Scene& scene, const Sampling& sampling);
+inline World make_world(const Scene& scene) { return make_world(scene, sampling_of(scene)); }
 
 }  // namespace rt

@@ -45,6 +45,7 @@ int main(int count, char** words) {
     for (int i = 1; i < count; ++i) {
         rt::Scene scene = rt::read_scene(words[i]);
         scene.camera.size = {48, 32};
+        scene.samples = samples;
         const rt::World world = rt::make_world(scene);
         const bool same = picture(world, 4) == picture(world, 1);
         fmt::print("{}: {}\n", words[i], same ? "the same bits" : "FAILED: other bits");

@@ -8,8 +8,11 @@ struct CameraNumbers {
     Numbers film, lens, time;
 };
 
-/// in_cells  film_sample itself deals out the cells of the pixel
-template <bool in_cells, bool lens, bool time>
+/// Where a pixel's samples fall: in its centre, if there is one; in cells, which film_sample itself deals out; or where
+/// the pattern, which is laid over the whole pixel, says.
+enum class Film { centre, cells, pattern };
+
+template <Film where, bool lens, bool time>
 void first_rays(const World& world, const CameraWork& work, const CameraNumbers& u, Batch& batch, Real* weights) {
     // Copies: the compiler keeps them in registers.
     const Camera camera = world.scene.camera;
@@ -19,7 +22,9 @@ void first_rays(const World& world, const CameraWork& work, const CameraNumbers&
     for (int i = 0; i < lanes; ++i) {
         const Bits key = work.keys[i];
         const int index = work.samples[i];
-        const FilmSample film = film_sample(work.extents[i], in_cells ? index : 0, in_cells ? n : 1, u.film.at(i));
+        FilmSample film{0.5 * (work.extents[i].low + work.extents[i].high), 1};
+        if constexpr (where == Film::cells) film = film_sample(work.extents[i], index, n, u.film.at(i));
+        if constexpr (where == Film::pattern) film = film_sample(work.extents[i], 0, 1, u.film.at(i));
         batch.set_ray(i, camera_ray(camera, film.position));
         if constexpr (lens)
             batch.set_ray(i, lens_ray(camera, batch.ray(i), u.lens.at(i)));
@@ -38,7 +43,6 @@ void first_rays(const World& world, const CameraWork& work, const CameraNumbers&
     }
 }
 
-/// The cells of a stratified pixel are film_sample's own; other patterns are laid over the whole pixel.
 void draw_film(const World& world, const CameraWork& work, Numbers& u) {
     Pattern pattern = work.pattern;
     if (pattern.sampler == Sampler::stratified) pattern.sampler = Sampler::random;
@@ -54,18 +58,24 @@ void camera_stage(const World& world, const CameraWork& work, Batch& batch, Chun
     Real* weights = chunk.weight.data() + work.slot;
     const auto [sampler, n] = work.pattern;
     CameraNumbers u;
-    draw_film(world, work, u.film);
+    if (world.plan.pixel) draw_film(world, work, u.film);
     if (world.plan.lens)
         draw_2d(work.pattern, camera_dimension(world, lens_dimension, n), work.keys, work.samples, lanes, u.lens);
     if (world.plan.time)
         draw_1d(work.pattern, camera_dimension(world, time_dimension, n), work.keys, work.samples, lanes, u.time);
-    with_flag(sampler == Sampler::stratified || sampler == Sampler::uniform, [&](auto in_cells) {
+    const auto send = [&](auto where) {
         with_flag(world.plan.lens, [&](auto lens) {
             with_flag(world.plan.time, [&](auto time) {
-                first_rays<in_cells(), lens(), time()>(world, work, u, batch, weights);
+                first_rays<where(), lens(), time()>(world, work, u, batch, weights);
             });
         });
-    });
+    };
+    if (!world.plan.pixel)
+        send(std::integral_constant<Film, Film::centre>{});
+    else if (sampler == Sampler::stratified || sampler == Sampler::uniform)
+        send(std::integral_constant<Film, Film::cells>{});
+    else
+        send(std::integral_constant<Film, Film::pattern>{});
     chunk.rays[int(RayKind::camera)] += std::uint64_t(work.count);
 }
 

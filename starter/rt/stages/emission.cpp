@@ -5,13 +5,14 @@ namespace rt {
 namespace {
 
 /// What rays that meet nothing see: the environment, and the background if they come from the camera.
+template <bool counts_twice>
 void see_sky(const World& world, const Batch& b, Colors& found) {
     const Color environment = world.scene.environment, background = world.scene.background;
     const bool lit = world.plan.environment_lit;
 #pragma GCC ivdep
     for (int i = 0; i < lanes; ++i) {
         const Event from = Event(b.event[i]);
-        const bool counts = emission_counts(from, lit), camera = from == Event::camera;
+        const bool counts = !counts_twice || emission_counts(from, lit), camera = from == Event::camera;
         const Color light{(counts ? environment.x : 0) + (camera ? background.x : 0),
                           (counts ? environment.y : 0) + (camera ? background.y : 0),
                           (counts ? environment.z : 0) + (camera ? background.z : 0)};
@@ -30,7 +31,7 @@ void see_emitters(const World& world, const Batch& b, const Surfaces& s, Colors&
         if (!s.shines[i]) continue;
         const SurfaceRecord& lamp = world.surfaces[std::size_t(b.shape[i])];
         const bool sampled = lamp.emitter != nothing;
-        if (!emission_counts(Event(b.event[i]), sampled)) continue;
+        if (world.plan.counts_twice && !emission_counts(Event(b.event[i]), sampled)) continue;
         const bool weighed = world.plan.weigh && Event(b.event[i]) == Event::lobe && b.density[i] > 0 && sampled;
         const Real share = weighed ? power_heuristic(b.density[i], light_density(world, lamp, b.ray(i), b.far[i])) : 1;
         found.set(i, found.at(i) + share * b.weight(i) * world.scene.materials[std::size_t(s.material[i])].emission);
@@ -40,7 +41,8 @@ void see_emitters(const World& world, const Batch& b, const Surfaces& s, Colors&
 }  // namespace
 
 void emission_stage(const World& world, const Batch& batch, const Surfaces& surfaces, Colors& found) {
-    if (world.plan.environment || world.scene.background != Color(0)) see_sky(world, batch, found);
+    if (world.plan.environment || world.scene.background != Color(0))
+        with_flag(world.plan.counts_twice, [&](auto twice) { see_sky<twice()>(world, batch, found); });
     if (world.plan.emission) see_emitters(world, batch, surfaces, found);
 }
 

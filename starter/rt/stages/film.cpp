@@ -2,7 +2,8 @@
 
 namespace rt {
 
-Color film_stage(const Color* radiance, const Real* weight, int n) {
+Color film_stage(const World& world, const Color* radiance, const Real* weight, int n) {
+    if (!world.plan.pixel) return radiance[0];
     return pixel_mean({radiance, std::size_t(n)}, {weight, std::size_t(n)});
 }
 

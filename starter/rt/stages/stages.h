@@ -51,8 +51,8 @@ void direct_stage(const World& world, Pattern pattern, int wave, const Batch& ba
 void scatter_stage(const World& world, Pattern pattern, int wave, const Batch& batch, const Surfaces& surfaces,
                    Queue& next, Chunk& chunk);
 
-/// The mean of one pixel's samples.
-Color film_stage(const Color* radiance, const Real* weight, int n);
+/// The mean of one pixel's samples; or the sample, where there is one.
+Color film_stage(const World& world, const Color* radiance, const Real* weight, int n);
 
 /// What leaves the surface of lane i towards the viewer, and with which weights.
 inline Outgoing outgoing(const Material& m, const Batch& b, const Surfaces& s, int i) {
