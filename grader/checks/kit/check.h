@@ -24,7 +24,7 @@ struct Observation {
     Rows inputs, outputs;
 };
 
-/// Calls the fragment on rows of numbers; probes.h gives the layout of each fragment's rows.
+/// Calls the fragment on rows of numbers; probes.h says what is in a row.
 struct Probe {
     std::string fragment;
     std::function<Rows(Generator&)> inputs;  // fresh ones for each replicate
@@ -59,6 +59,8 @@ struct Check {
     std::vector<Statistic> statistics;
     int share = 1;                   // of the fragment's points
 };
+
+using Checks = std::vector<Check>;
 
 /// All checks, in the order of the assignment, with the parameters that the grading seed draws.
 std::vector<Check> all_checks(std::uint64_t seed);

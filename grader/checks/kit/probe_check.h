@@ -7,7 +7,7 @@
 
 namespace grade {
 
-/// A check that calls its fragment; all.cpp fills in the fragment.
+/// A check that calls its fragment.
 inline Check probe_check(std::string name, std::string fragment, std::vector<std::string> needs,
                          std::function<Rows(Generator&)> inputs, std::vector<Statistic> statistics, int share = 1) {
     return {std::move(name),       fragment, std::move(needs), Probe{fragment, std::move(inputs)},
