@@ -28,8 +28,7 @@ Checks check_cosine_hemisphere(Generator& random) {
                                          always("the directions are not distributed as cos(theta)/pi: do height and "
                                                 "angle each use a number of their own?"));
     name_half_circles(spread, cell);
-    return {probe_check("cosine_law", "cosine_hemisphere", {}, inputs,
-                        {unit_length(), above, cosine, density, spread, purity()}),
+    return {probe_check("cosine_law", inputs, {unit_length(), above, cosine, density, spread, purity()}),
             open_sky(random)};
 }
 

@@ -67,9 +67,9 @@ Checks check_direct_light(Generator& random) {
             return rt::dot(sample.direction, n) < 0 ? rt::largest(from_row<Color>(out)) : 0.0;
         },
         0, "light from below the horizon must give exactly 0, diffuse and highlight");
-    return {probe_check("one_sample", "direct_light", {}, inputs,
-                        {formula("L1", "radiance, off by", estimate({}), 1e-4, suspects), horizon}),
-            lit_floor(random), lamp_highlight(random)};
+    return {
+        probe_check("one_sample", inputs, {formula("L1", "radiance, off by", estimate({}), 1e-4, suspects), horizon}),
+        lit_floor(random), lamp_highlight(random)};
 }
 
 }  // namespace grade

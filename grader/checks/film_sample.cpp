@@ -143,14 +143,13 @@ Checks check_film_sample(Generator& random) {
         [](const Row& in, const Row& out) {
             return SamplesOfASquare::Sample{share(in, out), from_row<FilmSample>(out).weight};
         }};
-    return {probe_check("in_the_pixel", "film_sample", {"stratified_2d"}, inputs, {inside}),
-            probe_check("stratified", "film_sample", {"stratified_2d"}, repeats, {cell, strata}),
-            probe_check("even_in_the_pixel", "film_sample", {"stratified_2d"}, inputs,
-                        {weight, x, y, spread_x, spread_y, even, purity()}),
+    return {probe_check("in_the_pixel", inputs, {inside}),
+            probe_check("stratified", repeats, {cell, strata}),
+            probe_check("even_in_the_pixel", inputs, {weight, x, y, spread_x, spread_y, even, purity()}),
             slanted_edges(random),
             fine_stripes(random),
-            error_orders(random, "film_sample", {"stratified_2d"}, samples),
-            rings(random, "film_sample", {"stratified_2d"}, samples)};
+            error_orders(random, samples),
+            rings(random, samples)};
 }
 
 }  // namespace grade

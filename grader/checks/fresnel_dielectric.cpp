@@ -51,7 +51,7 @@ Checks check_fresnel_dielectric(Generator& random) {
         return row(cosine, from, to);
     });
     return {
-        probe_check("reflectance", "fresnel_dielectric", {}, inputs,
+        probe_check("reflectance", inputs,
                     {formula("F3", "reflectance, off by", law(0.5, 0.5, 1), 1e-3,
                              {{"total internal reflection gives 0; expected 1", law(0.5, 0.5, 0)},
                               {"total internal reflection gives nan; expected 1", law(0.5, 0.5, NAN)},
@@ -65,7 +65,7 @@ Checks check_fresnel_dielectric(Generator& random) {
                                })},
                               {"this is Schlick's approximation; expected Fresnel's formula", schlick(false)},
                               {"this is Schlick's approximation; expected Fresnel's formula", schlick(true)}})}),
-        bright_slab(random), invisible_glass(random, "fresnel_dielectric")};
+        bright_slab(random), invisible_glass(random)};
 }
 
 }  // namespace grade

@@ -101,9 +101,9 @@ Checks check_hit_sphere(Generator& random) {
          }}};
     const auto unclipped = rows_of(96, [](Generator& draw) { return ordinary(draw, false); });
     const auto clipped = rows_of(96, [](Generator& draw) { return ordinary(draw, true); });
-    return {probe_check("nearest_crossing", "hit_sphere", {}, unclipped,
+    return {probe_check("nearest_crossing", unclipped,
                         {formula("W1", "distance, off by", right, 1e-3, suspects, circumstances)}),
-            probe_check("interval", "hit_sphere", {}, clipped,
+            probe_check("interval", clipped,
                         {formula("W1", "distance within the interval, off by", right, 1e-3, suspects, circumstances)}),
             silhouette(random)};
 }

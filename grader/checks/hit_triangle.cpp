@@ -90,11 +90,10 @@ Checks check_hit_triangle(Generator& random) {
         const Triangle thin = chance(draw, 0.5) ? Triangle{a, a, b} : Triangle{a, b, a};
         return row(thin, Ray{origin, rt::unit(a + between(draw, 0, 1) * (b - a) - origin), 0, rt::inf});
     });
-    return {probe_check("inside", "hit_triangle", {}, unclipped,
-                        {formula("W1", "distance, off by", right, 1e-3, suspects, circumstances)}),
-            probe_check("interval", "hit_triangle", {}, clipped,
+    return {probe_check("inside", unclipped, {formula("W1", "distance, off by", right, 1e-3, suspects, circumstances)}),
+            probe_check("interval", clipped,
                         {formula("W1", "distance within the interval, off by", right, 1e-3, suspects, circumstances)}),
-            probe_check("no_area", "hit_triangle", {}, nothing,
+            probe_check("no_area", nothing,
                         {property(
                             "W1", "a triangle without area is hit",
                             [](const Row&, const Row& out) { return out[0] == rt::inf ? 0.0 : 1.0; }, 0,

@@ -38,7 +38,7 @@ Checks check_mirror_direction(Generator& random) {
                   of<vec3, vec3>([](vec3 d, vec3 n) { return vec3(d + 2 * std::abs(rt::dot(d, n)) * n); })},
                  {"the normal is turned towards the viewer with the wrong sign",
                   of<vec3, vec3>([](vec3 d, vec3 n) { return vec3(d - 2 * std::abs(rt::dot(d, n)) * n); })}});
-    return {probe_check("mirrored", "mirror_direction", {}, inputs, {s}), mirror_image(random)};
+    return {probe_check("mirrored", inputs, {s}), mirror_image(random)};
 }
 
 }  // namespace grade

@@ -94,8 +94,7 @@ Checks check_pixel_mean(Generator& random) {
                                             })},
         {"only the first sample counts", of<Colors, Weights>([](const Colors& c, const Weights&) { return c[0]; })},
         {"only the last sample counts", of<Colors, Weights>([](const Colors& c, const Weights&) { return c.back(); })}};
-    return {probe_check("linear_mean", "pixel_mean", {}, inputs,
-                        {formula("G4", "mean, off by", mean(weighted, over_n), 1e-4, suspects)}),
+    return {probe_check("linear_mean", inputs, {formula("G4", "mean, off by", mean(weighted, over_n), 1e-4, suspects)}),
             lamp_steps(random), thin_lamps(random)};
 }
 

@@ -68,7 +68,7 @@ Check times(Generator& random) {
             return "only the two end times occur, open and close: expected every time between them";
         return "";
     };
-    return probe_check("times", "shutter_time", {}, inputs, {inside, mean, spread});
+    return probe_check("times", inputs, {inside, mean, spread});
 }
 
 Check instant() {
@@ -76,9 +76,11 @@ Check instant() {
         const double open = between(random, -2, 2);
         return shutter_row(open, open, between(random, 0, 1));
     });
-    return probe_check("instant", "shutter_time", {}, inputs, {property("M1", "time from the instant [s]",
-        [](const Row& in, const Row& out) { return std::abs(out[0] - shutter_of(in).open); }, 1e-5,
-        "a shutter that closes as it opens leaves one time")});
+    return probe_check("instant", inputs,
+                       {property(
+                           "M1", "time from the instant [s]",
+                           [](const Row& in, const Row& out) { return std::abs(out[0] - shutter_of(in).open); }, 1e-5,
+                           "a shutter that closes as it opens leaves one time")});
 }
 
 }  // namespace

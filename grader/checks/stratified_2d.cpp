@@ -103,7 +103,7 @@ Checks check_stratified_2d(Generator& random) {
             6, 6, always("the points of all cells together do not fill the square evenly"));
         even.delta0 = 1;  // stratified points are more even than random ones
         even.delta = 1.5;
-        checks.push_back(probe_check(n == odd ? "any_number_of_cells" : "grid_of_cells", "stratified_2d", {}, inputs,
+        checks.push_back(probe_check(n == odd ? "any_number_of_cells" : "grid_of_cells", inputs,
                                      {inside, area, overlap, shape, even, purity()}));
     }
     checks.push_back(edge_noise(random));
@@ -111,8 +111,8 @@ Checks check_stratified_2d(Generator& random) {
                                    [](const Row&, const Row& out) {
                                        return SamplesOfASquare::Sample{{out[0], out[1]}};
                                    }};
-    checks.push_back(error_orders(random, "stratified_2d", {}, samples));
-    checks.push_back(rings(random, "stratified_2d", {}, samples));
+    checks.push_back(error_orders(random, samples));
+    checks.push_back(rings(random, samples));
     return checks;
 }
 

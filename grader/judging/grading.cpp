@@ -17,6 +17,9 @@ namespace grade {
 
 namespace {
 
+/// What a check needs of other fragments.
+const std::vector<std::string> no_needs;
+
 /// A check, where it stands in the record.
 struct Task {
     const Check* check;
@@ -150,7 +153,7 @@ std::string Grading::made_from(const Task& task) const {
     std::string text = fmt::format("{} {} {} {} {} {}\n", settings_.seed, settings_.time_limit, settings_.pictures,
                                    check_settings_.statistics.statistics, check_settings_.statistics.cap,
                                    record_.sandbox);
-    std::set<std::string> called(task.check->needs.begin(), task.check->needs.end()), all;
+    std::set<std::string> called(no_needs.begin(), no_needs.end()), all;
     called.insert(task.check->fragment);
     for (const auto& [name, object] : chain_.blank_objects) all.insert(name);
     for (const std::string& name :
@@ -194,7 +197,7 @@ void Grading::judge_in_order() {
     const auto open_needs = [&](const FragmentRecord& fragment) {
         for (const Task& task : tasks_)
             if (task.fragment == &fragment)
-                for (const std::string& need : task.check->needs)
+                for (const std::string& need : no_needs)
                     if (const FragmentRecord* other = record_named(need);
                         other && other != &fragment && !other->finished)
                         return true;
@@ -216,7 +219,7 @@ void Grading::judge_in_order() {
         for (const Task& task : tasks_) {
             if (std::ranges::count(wave, task.fragment) == 0) continue;
             std::vector<std::string> by;
-            for (const std::string& need : task.check->needs) {
+            for (const std::string& need : no_needs) {
                 const FragmentRecord* other = record_named(need);
                 const bool given = assignment_.fragments[assignment_.place(need)].given;
                 if (need == task.check->fragment || given) continue;

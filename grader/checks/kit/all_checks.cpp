@@ -9,6 +9,7 @@ std::vector<Check> all_checks(std::uint64_t seed) {
         Generator random = stream(seed, name);
         for (Check& check : checks(random)) {
             check.fragment = name;
+            if (auto* probe = std::get_if<Probe>(&check.experiment)) probe->fragment = name;
             all.push_back(std::move(check));
         }
     }

@@ -26,7 +26,7 @@ struct Observation {
 
 /// Calls the fragment on rows of numbers; probes.h says what is in a row.
 struct Probe {
-    std::string fragment;
+    std::string fragment;                    // all_checks fills it in
     std::function<Rows(Generator&)> inputs;  // fresh ones for each replicate
 };
 
@@ -52,12 +52,11 @@ struct Statistic {
 };
 
 struct Check {
-    std::string name;                // "penumbra_width"
-    std::string fragment;            // whose points it decides
-    std::vector<std::string> needs;  // other fragments that it runs: while one of them fails, this check is blocked
+    std::string name;      // "penumbra_width"
+    std::string fragment;  // whose points it decides; all_checks fills it in
     std::variant<Probe, Render> experiment;
     std::vector<Statistic> statistics;
-    int share = 1;                   // of the fragment's points
+    int share = 1;  // of the fragment's points
 };
 
 using Checks = std::vector<Check>;

@@ -16,8 +16,6 @@ namespace {
 
 using rt::vec2, rt::vec3;
 
-const std::vector<std::string> needs = {"hit_quad", "shadow_ray", "light_sample"};
-
 /// Integral of f(direction) over the directions from p to a quad that is seen from its front.
 template <class F>
 double over_quad(const rt::Quad& lamp, vec3 p, F f) {
@@ -92,7 +90,7 @@ Check lit_floor(Generator& random) {
                       {1 / radiance[c], "is the radiance missing?"}},
                      "expected albedo/pi x radiance x cosine / density")));
     }
-    return render_check("lit_floor", "direct_light", needs, {scene, 32, "sobol"}, statistics);
+    return render_check("lit_floor", {scene, 32, "sobol"}, statistics);
 }
 
 /// The highlight of a lamp on a polished floor that is black otherwise.
@@ -133,7 +131,7 @@ Check lamp_highlight(Generator& random) {
     const auto seen = [](const rt::Image& image) { return blob_moments(image, whole(image)); };
     const auto width_of = [&](double exponent) { return due(exponent).radial_square / right.radial_square; };
     return render_check(
-        "highlight", "direct_light", needs, {scene, 32, "sobol"},
+        "highlight", {scene, 32, "sobol"},
         {of_picture(
              "L1", "light of the highlight, over what must be",
              [=](const rt::Image& i) { return seen(i).mass / right.mass; }, 1, 0.06,

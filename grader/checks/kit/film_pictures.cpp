@@ -128,8 +128,7 @@ Check slanted_edges(Generator& random) {
         });
     dispersion.delta0 = 0.15;
     statistics.push_back(dispersion);
-    return render_check("slanted_edges", "film_sample", {"stratified_2d", "hit_quad", "emission_counts"},
-                        {scene, samples, "stratified"}, statistics);
+    return render_check("slanted_edges", {scene, samples, "stratified"}, statistics);
 }
 
 /// Red, green and blue stripes, one of each to a row of pixels: a sample sees one of the colours, each as often, in
@@ -150,7 +149,7 @@ Check fine_stripes(Generator& random) {
         scene += bright(place, size, fmt::format("stripe{}", (k + 3) % 3), center, u,
                         across ? vec2(0, 20) : vec2(0, 1.0 / 6));
     }
-    return render_check("fine_stripes", "film_sample", {"hit_quad", "emission_counts"}, {scene, 1, "random"},
+    return render_check("fine_stripes", {scene, 1, "random"},
                         {own_numbers({0, 0, size.x, size.y}, 1, "position in the pixel", "the middle")});
 }
 
@@ -215,8 +214,7 @@ Check thin_lamps(Generator& random) {
                                      value);
         });
     statistics.push_back(noise);
-    return render_check("thin_lamps", "pixel_mean", {"hit_quad", "emission_counts"}, {scene, samples, "random"},
-                        statistics);
+    return render_check("thin_lamps", {scene, samples, "random"}, statistics);
 }
 
 /// Lamps from a thousandth to a thousand: the picture is linear.
@@ -257,7 +255,7 @@ Check lamp_steps(Generator& random) {
                       {4, "is the sum divided by the root of the number of samples?"}},
                      "is each channel the mean of its own?")));
     }
-    return render_check("lamp_steps", "pixel_mean", {"hit_quad", "emission_counts"}, {scene, 16, "sobol"}, statistics);
+    return render_check("lamp_steps", {scene, 16, "sobol"}, statistics);
 }
 
 }  // namespace grade

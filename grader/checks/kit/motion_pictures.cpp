@@ -56,7 +56,7 @@ Check streak(Generator& random) {
     };
     const double due = length * length / 12;
     return render_check(
-        "streak", "shutter_time", {"moved", "emission_counts"}, {scene, 64, "sobol"},
+        "streak", {scene, 64, "sobol"},
         {of_picture(
              "M1", "middle of the streak, from where it must be [pixel]",
              [=](const rt::Image& i) { return measured(i).mean; }, 0, 0.8,
@@ -115,8 +115,8 @@ Check passing_train(Generator& random) {
                                    ? "is there one time for all samples of a picture? Each sample has a time of its own"
                                    : "does each sample have a time of its own, drawn from its u?");
         });
-    return render_check("passing_train", "shutter_time", {"hit_quad", "moved", "emission_counts"},
-                        {scene, samples, "random"}, {own_numbers(region, samples, "time", "the same"), noise});
+    return render_check("passing_train", {scene, samples, "random"},
+                        {own_numbers(region, samples, "time", "the same"), noise});
 }
 
 Statistic own_numbers(const Region& region, int samples, const std::string& what, const std::string& otherwise) {

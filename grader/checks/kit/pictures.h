@@ -12,7 +12,7 @@ Check thin_lamps(Generator& random);     // pixel_mean
 Check lamp_steps(Generator& random);     // pixel_mean
 Check lit_floor(Generator& random);      // direct_light
 Check lamp_highlight(Generator& random); // direct_light
-Check white_medium(Generator& random, const std::string& fragment);  // free_flight, scatter_direction
+Check white_medium(Generator& random);   // free_flight, scatter_direction
 Check two_colors(Generator& random);     // lens_ray
 Check adding_up(Generator& random);      // lens_ray
 Check passing_train(Generator& random);  // shutter_time

@@ -52,9 +52,8 @@ double over_pixel(int x, int y, F f, int n = 4) {
     return sum / (n * n);
 }
 
-/// A check that renders. All pictures need what makes a picture, `needs` names the rest.
-Check render_check(std::string name, std::string fragment, std::vector<std::string> needs, Render render,
-                   std::vector<Statistic> statistics, int share = 1);
+/// A check that renders.
+Check render_check(std::string name, Render render, std::vector<Statistic> statistics, int share = 1);
 
 /// A number of the picture; a tenth of delta is right in any case.
 Statistic of_picture(std::string id, std::string what, std::function<double(const rt::Image&)> number, double truth,
