@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# stress_command_test.sh BUILD: `grade stress`: the solution passes all that is scored and all that is stored of it, in
-# both modes; a naive fragment, a blank and a crash cost their own families; exit codes.
+# stress_command_test.sh BUILD: `grade stress`: the solution passes all that is scored, in both modes; a naive fragment, a blank and a crash cost their own families; exit codes.
 set -uo pipefail
 grade=$1/grader/grade
 # shellcheck source=tests/expect.sh
@@ -9,14 +8,6 @@ grade=$1/grader/grade
 expect 0 "Scored tier" "$grade" stress solution --require --time-limit 60 --json "$work/a.json" --html "$work/page"
 expect 0 '"schema": "penumbra/stress/v1"' cat "$work/a.json"
 expect 0 "<svg class=\"errors\"" cat "$work/page/stress.html"
-expect 0 "no family passes less" python3 - "$work/a.json" <<'END'
-import json, sys
-for f in json.load(open(sys.argv[1]))["families"]:
-    have, stored = f["reach"], f["solution_reach"]
-    if stored == "unknown" or (stored and (not have or have[0] > stored[0] or have[1] < stored[1])):
-        sys.exit(f"{f['name']} passes {have}, stored is {stored}; where that is right: grade stress solution --store")
-print("no family passes less than what is stored")
-END
 expect 0 "3 of 3 families" "$grade" stress solution --mode student --only mirror_direction,fresnel_grazing,moved
 
 # blanks are not run; what a fragment does costs its own families alone

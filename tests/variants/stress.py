@@ -8,6 +8,7 @@ give each right one its full scored tier. Prints a row for each; exits with 1 wh
 are found, or a right one loses its scored tier.
 """
 import argparse
+import functools
 import json
 import pathlib
 import shutil
@@ -24,15 +25,10 @@ def header(path):
     return dict(line.split(": ", 1) for line in lines[1:])
 
 
-def stress(program, patch, fragment, folder):
-    """The record of `grade stress` for the solution with a patch; only the families of the patched fragment are run."""
-    shutil.copytree(SOLUTION, folder / "solution")
-    done = subprocess.run(["patch", "-p1", "--silent", "--no-backup-if-mismatch", "-i", patch], cwd=folder,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-    if done.returncode != 0:
-        sys.exit(f"{patch}:1:1: does not apply to solution/{fragment}.cpp any more:\n{done.stdout}")
+def stress(program, solution, fragment, folder):
+    """The families of a fragment, in the record of `grade stress` for a folder of fragments."""
     out = folder / "record.json"
-    command = [program, "stress", str(folder / "solution"), "--trusted", "--mode", "instructor", "--only", fragment, "--json", str(out),
+    command = [program, "stress", str(solution), "--trusted", "--mode", "instructor", "--only", fragment, "--json", str(out),
                "--time-limit", "3"]
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     if done.returncode != 0:
@@ -40,17 +36,32 @@ def stress(program, patch, fragment, folder):
     return json.loads(out.read_text())["families"]
 
 
+@functools.cache
+def solution_reach(program, fragment):
+    """How far each family of a fragment passes for the solution."""
+    with tempfile.TemporaryDirectory() as folder:
+        return {f["name"]: f["reach"] for f in stress(program, SOLUTION, fragment, pathlib.Path(folder))}
+
+
+def stress_patched(program, patch, fragment, folder):
+    """As stress, for the solution with a patch."""
+    shutil.copytree(SOLUTION, folder / "solution")
+    done = subprocess.run(["patch", "-p1", "--silent", "--no-backup-if-mismatch", "-i", patch], cwd=folder,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    if done.returncode != 0:
+        sys.exit(f"{patch}:1:1: does not apply to solution/{fragment}.cpp any more:\n{done.stdout}")
+    return stress(program, folder / "solution", fragment, folder)
+
+
 def words(reach):
     return "none" if reach is None else f"1e{reach[0]} to 1e{reach[1]}"
 
 
-def is_short(family):
+def is_short(family, solution):
     """Whether a family passes fewer decades than it does for the solution."""
-    reach, solution = family["reach"], family["solution_reach"]
+    reach = family["reach"]
     if not family["started"]:
         sys.exit(f"{family['name']}: {family['message']}")
-    if solution == "unknown":
-        sys.exit(f"{family['name']}: nothing is stored of the solution; expected: grade stress solution --store")
     return solution is not None and (reach is None or reach[0] > solution[0] or reach[1] < solution[1])
 
 
@@ -72,14 +83,15 @@ def main():
             if keys["fragment"] not in fragments:
                 continue
             with tempfile.TemporaryDirectory() as folder:
-                families = stress(asked.program, path, keys["fragment"], pathlib.Path(folder))
+                families = stress_patched(asked.program, path, keys["fragment"], pathlib.Path(folder))
             counts[kind][1] += 1
             if kind == "right":
                 lost = [f"{f['name']} passes {words(f['reach'])}" for f in families if f["scored"] is False]
                 good = not lost
                 told = ", ".join(lost) or "scored tier full"
             else:
-                short = {f["name"]: f for f in families if is_short(f)}
+                solution = solution_reach(asked.program, keys["fragment"])
+                short = {f["name"]: f for f in families if is_short(f, solution[f["name"]])}
                 good = keys["family"] in short
                 told = f"{keys['family']}: {words(short[keys['family']]['reach'])}" if good else "not found" + (
                     f"; but {', '.join(short)}" if short else "")
