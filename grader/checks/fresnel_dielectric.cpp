@@ -1,7 +1,7 @@
-#include "checks/kit/draw.h"
-#include "checks/kit/figures.h"
-#include "checks/kit/formula.h"
 #include "checks/fragment_checks.h"
+#include "checks/kit/draw.h"
+#include "checks/kit/formula.h"
+#include "checks/kit/glass.h"
 #include "checks/kit/probe_check.h"
 
 namespace grade {
@@ -65,7 +65,7 @@ Checks check_fresnel_dielectric(Generator& random) {
                                })},
                               {"this is Schlick's approximation; expected Fresnel's formula", schlick(false)},
                               {"this is Schlick's approximation; expected Fresnel's formula", schlick(true)}})}),
-        bright_slab(random), invisible_glass(random)};
+        slab(random, "light_through_a_slab"), invisible_glass(random)};
 }
 
 }  // namespace grade

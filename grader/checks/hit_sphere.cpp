@@ -1,9 +1,9 @@
 #include <array>
 
+#include "checks/fragment_checks.h"
 #include "checks/kit/draw.h"
 #include "checks/kit/figures.h"
 #include "checks/kit/formula.h"
-#include "checks/fragment_checks.h"
 #include "checks/kit/probe_check.h"
 
 namespace grade {
@@ -59,6 +59,19 @@ Row ordinary(Generator& random, bool clipped) {
             if (std::abs(t - ray.near) < margin || std::abs(t - ray.far) < margin) return ordinary(random, clipped);
     }
     return row(sphere, ray);
+}
+
+Check silhouette(Generator& random) {
+    const Place place = any_place(random);
+    const rt::vec3 center = place({between(random, -0.5, 0.5), between(random, -0.4, 0.4), 0});
+    const double radius = between(random, 0.7, 1.1);
+    return figure_check(
+        "silhouette", toml(view_down(place, 5, 40)) + bright_lamp + sphere("lamp", center, radius), "sphere",
+        [=](const rt::Camera& camera) -> Sight {
+            return [=](rt::vec2 film) {
+                return glm::length(rt::cross(center - camera.eye, view_direction(camera, film))) < radius ? 1.0 : 0.0;
+            };
+        });
 }
 
 }  // namespace

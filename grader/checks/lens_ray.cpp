@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 
+#include "checks/fragment_checks.h"
 #include "checks/kit/draw.h"
 #include "checks/kit/formula.h"
-#include "checks/fragment_checks.h"
-#include "checks/kit/pictures.h"
+#include "checks/kit/lens_pictures.h"
 #include "checks/kit/probe_check.h"
 #include "checks/kit/render_check.h"
 #include "rt/files/scene_reader.h"

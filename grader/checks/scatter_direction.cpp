@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
+#include "checks/fragment_checks.h"
 #include "checks/kit/draw.h"
 #include "checks/kit/formula.h"
-#include "checks/fragment_checks.h"
-#include "checks/kit/pictures.h"
 #include "checks/kit/probe_check.h"
 #include "checks/kit/render_check.h"
+#include "checks/kit/white_medium.h"
 
 namespace grade {
 

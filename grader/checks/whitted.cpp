@@ -1,7 +1,7 @@
-#include "checks/kit/draw.h"
-#include "checks/kit/figures.h"
-#include "checks/kit/formula.h"
 #include "checks/fragment_checks.h"
+#include "checks/kit/draw.h"
+#include "checks/kit/formula.h"
+#include "checks/kit/glass.h"
 #include "checks/kit/probe_check.h"
 
 namespace grade {

@@ -1,7 +1,8 @@
+#include "checks/kit/lens_pictures.h"
+
 #include <fmt/format.h>
 
 #include "checks/kit/draw.h"
-#include "checks/kit/pictures.h"
 #include "checks/kit/render_check.h"
 #include "rt/files/scene_reader.h"
 #include "statistics/blob.h"

@@ -26,6 +26,7 @@ std::string sphere(const std::string& material, rt::vec3 center, double radius, 
 std::string disc(const std::string& material, rt::vec3 center, rt::vec3 normal, double radius,
                  rt::vec3 velocity = rt::vec3(0));
 std::string quad(const std::string& material, rt::vec3 center, rt::vec3 u, rt::vec3 v, rt::vec3 velocity = rt::vec3(0));
+inline std::string quad(const std::string& material, const rt::Quad& q) { return quad(material, q.center, q.u, q.v); }
 
 /// A scene is set up in a frame of its own, and stands anywhere, turned in any way: place({x, y, z}) is in the world.
 struct Place {
