@@ -120,8 +120,7 @@ Checks check_camera_ray(Generator& random) {
     film.hint = [](double value, double) {
         return fmt::format("the ray misses its film point by up to {:.3g} pixels", value);
     };
-    return {probe_check("film_point", "camera_ray", {}, inputs, {film, origin, length, range}),
-            slanted_quad(random, "camera_ray", {"hit_quad", "emission_counts"})};
+    return {probe_check("film_point", inputs, {film, origin, length, range}), slanted_quad(random)};
 }
 
 }  // namespace grade

@@ -115,7 +115,7 @@ Check estimates(Generator& random) {
     Statistic turn = mean_of(
         "V3", "mean of weight x (square of one component along the surface less that of the other)",
         estimate([=](vec3 d) { return rt::sqr(rt::dot(d, frame.x)) - rt::sqr(rt::dot(d, frame.y)); }), 0, 1, lopsided);
-    return probe_check("estimates", "color_bleeding", {"cosine_hemisphere"}, inputs, {light, upwards, x, y, turn});
+    return probe_check("estimates", inputs, {light, upwards, x, y, turn});
 }
 
 Check any_surface() {
@@ -125,7 +125,7 @@ Check any_surface() {
         return row(n, albedo, square(random));
     });
     return probe_check(
-        "any_surface", "color_bleeding", {"cosine_hemisphere"}, inputs,
+        "any_surface", inputs,
         {tint(),
          property(
              "V3", "length of the direction, off 1 by",
@@ -176,9 +176,7 @@ Check hollow_sphere(Generator& random) {
                       {a * (1 - std::pow(a * a, bounces + 1)) / (1 - a * a) / truth,
                        "is the albedo squared in the weight?"}})));
     }
-    return render_check("hollow_sphere", "color_bleeding",
-                        {"hit_sphere", "point_irradiance", "shadow_ray", "cosine_hemisphere"}, {scene, 16, "sobol"},
-                        channels);
+    return render_check("hollow_sphere", {scene, 16, "sobol"}, channels);
 }
 
 /// A coloured wall in the light beside a floor in the dark: after one bounce the floor shows
@@ -218,8 +216,7 @@ Check beside_wall(Generator& random) {
     const std::vector<KnownRatio> known = {{1 / rt::pi, "is the weight divided by pi?"},
                                            {rt::pi, "is the 1/pi of the BRDF missing?"}};
     return render_check(
-        "beside_wall", "color_bleeding", {"hit_quad", "point_irradiance", "shadow_ray", "cosine_hemisphere"},
-        {scene, 64, "sobol"},
+        "beside_wall", {scene, 64, "sobol"},
         {of_picture("F2", "light from a wall on the floor close to it, over what must be", over_truth(0.5, 0.8), 1,
                     0.06, by_ratio("the light that a wall throws on the floor close to it", known)),
          of_picture("F2", "light from a wall on the floor further away, over what must be", over_truth(1.2, 1.5), 1,

@@ -1,9 +1,44 @@
-#include "checks/kit/figures.h"
+#include <fmt/format.h>
+
 #include "checks/fragment_checks.h"
+#include "checks/kit/draw.h"
 #include "checks/kit/probe_check.h"
+#include "checks/kit/render_check.h"
 #include "checks/kit/warp.h"
 
 namespace grade {
+
+namespace {
+
+/// A matt floor under a sky of radiance 1 has its albedo's radiance, whatever direction is drawn: no noise (V1).
+Check open_sky(Generator& random) {
+    const Place place = any_place(random);
+    const double albedo = between(random, 0.3, 0.9);
+    const std::string scene = "environment = 1\n\n" +
+                              toml(View{place({2, 1, 3}), place({0, 0, 0}), place.axes.z, 30, {24, 24}}) +
+                              fmt::format("[materials.floor]\nalbedo = {}\n\n", toml(albedo)) +
+                              quad("floor", place({0, 0, 0}), 50.0 * place.axes.x, 50.0 * place.axes.y);
+    Statistic light = of_picture(
+        "F1", "radiance of the floor, over its albedo",
+        [=](const rt::Image& image) { return brightness(region_mean(image, whole(image))) / albedo; }, 1, 0.01,
+        by_ratio("the light of a floor under an even sky",
+                 {{0.5, "is the density twice too large?"}, {2, "is the density twice too small?"}},
+                 "the density is cos(theta)/pi of the direction that is returned"));
+    Statistic noise = of_picture(
+        "V1", "largest deviation of a pixel from the albedo",
+        [=](const rt::Image& image) {
+            double most = 0;
+            for (const rt::Color& c : image.pixels) most = std::max(most, std::abs(c.x / albedo - 1));
+            return most;
+        },
+        0, 2e-3,
+        always(
+            "directions drawn as the cosine leave no noise under an even sky: is the density that of the direction?"));
+    noise.exact = true;
+    return render_check("open_sky", {scene, 4, "random"}, {light, noise});
+}
+
+}  // namespace
 
 Checks check_cosine_hemisphere(Generator& random) {
     const auto inputs = [](Generator& draws) {
@@ -28,8 +63,7 @@ Checks check_cosine_hemisphere(Generator& random) {
                                          always("the directions are not distributed as cos(theta)/pi: do height and "
                                                 "angle each use a number of their own?"));
     name_half_circles(spread, cell);
-    return {probe_check("cosine_law", "cosine_hemisphere", {}, inputs,
-                        {unit_length(), above, cosine, density, spread, purity()}),
+    return {probe_check("cosine_law", inputs, {unit_length(), above, cosine, density, spread, purity()}),
             open_sky(random)};
 }
 

@@ -51,15 +51,14 @@ Check truth_table() {
          {"a sampled emitter does not count inside a medium, which sends no shadow rays",
           table([](Event e, bool sampled) { return !sampled || (e != Event::diffuse && e != Event::medium); })}});
     right.hint = [](double, double) { return std::string("the answer is wrong for some kind of path"); };
-    return probe_check("truth_table", "emission_counts", {}, inputs, {right});
+    return probe_check("truth_table", inputs, {right});
 }
 
 /// A floor under a lamp, perhaps with a pane of glass in between that does not bend light. However the floor's light is
 /// gathered, by shadow rays or by diffuse rays that hit the lamp, it is
 ///
 ///     albedo/pi L quad_irradiance
-Check floor_under_lamp(Generator& random, const std::string& name, bool sampled, bool pane,
-                       std::vector<std::string> needs, Hint hint) {
+Check floor_under_lamp(Generator& random, const std::string& name, bool sampled, bool pane, Hint hint) {
     const Place place = any_place(random);
     const rt::Quad lamp{place({between(random, -0.3, 0.3), between(random, -0.3, 0.3), 1}),
                         between(random, 0.6, 0.9) * place.axes.x, -between(random, 0.6, 0.9) * place.axes.y};
@@ -86,23 +85,20 @@ Check floor_under_lamp(Generator& random, const std::string& name, bool sampled,
         }
     Statistic light = of_picture("F1", "light of the floor, over what must be",
         [=](const rt::Image& image) { return region_mean(image, whole(image)).r / due; }, 1, 0.05, std::move(hint));
-    needs.insert(needs.end(), {"hit_quad", "color_bleeding"});
-    return render_check(name, "emission_counts", std::move(needs), {scene, 32, "sobol"}, {light});
+    return render_check(name, {scene, 32, "sobol"}, {light});
 }
 
 }  // namespace
 
 Checks check_emission_counts(Generator& random) {
     return {truth_table(),
-            floor_under_lamp(random, "nothing_twice", true, false, {"shadow_ray", "light_sample", "direct_light"},
+            floor_under_lamp(random, "nothing_twice", true, false,
                              by_ratio("the light of a floor under a lamp",
                                       {{2, "shadow rays gather the lamp, and diffuse rays that hit it again"}})),
-            floor_under_lamp(random, "nothing_lost", false, false, {"cosine_hemisphere"},
+            floor_under_lamp(random, "nothing_lost", false, false,
                              by_ratio("the light of a floor under a lamp that no shadow ray looks for",
                                       {{0, "only diffuse rays can find the lamp: it must count for them"}})),
             floor_under_lamp(random, "caustic", true, true,
-                             {"shadow_ray", "light_sample", "direct_light", "cosine_hemisphere", "refracted_direction",
-                              "fresnel_dielectric", "whitted"},
                              by_ratio("the light of a floor under a lamp behind glass",
                                       {{0, "shadow rays end at the glass: what a ray hits behind it must count"}}))};
 }

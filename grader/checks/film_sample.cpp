@@ -2,10 +2,13 @@
 
 #include <array>
 
-#include "checks/kit/convergence.h"
 #include "checks/fragment_checks.h"
-#include "checks/kit/pictures.h"
+#include "checks/kit/convergence.h"
+#include "checks/kit/draw.h"
+#include "checks/kit/film_view.h"
+#include "checks/kit/own_numbers.h"
 #include "checks/kit/probe_check.h"
+#include "checks/kit/slanted_edges.h"
 #include "checks/kit/warp.h"
 #include "statistics/moments.h"
 
@@ -19,6 +22,28 @@ using rt::Extent, rt::FilmSample, rt::vec2;
 vec2 share(const Row& in, const Row& out) {
     const Extent pixel = argument<0, Extent, int, int, vec2>(in);
     return (from_row<FilmSample>(out).position - pixel.low) / (pixel.high - pixel.low);
+}
+
+/// Red, green and blue stripes, one of each to a row of pixels: a sample sees one of the colours, each as often, in
+/// every pixel.
+Check fine_stripes(Generator& random) {
+    const Place place = any_place(random);
+    const rt::ivec2 size(16, 16);
+    const bool across = chance(random, 0.5);
+    const double start = between(random, 0, 1);
+    std::string scene = toml(film_view(place, size));
+    for (int c = 0; c < 3; ++c) {
+        const char* colors[] = {"[1, 0, 0]", "[0, 1, 0]", "[0, 0, 1]"};
+        scene += fmt::format("[materials.stripe{}]\nemission = {}\nsampled = false\n\n", c, colors[c]);
+    }
+    for (int k = -3; k < 3 * size.y; ++k) {
+        const double middle = start + (k + 0.5) / 3;
+        const vec2 center = across ? vec2(middle, 8) : vec2(8, middle), u = across ? vec2(1.0 / 6, 0) : vec2(20, 0);
+        scene += bright(place, size, fmt::format("stripe{}", (k + 3) % 3), center, u,
+                        across ? vec2(0, 20) : vec2(0, 1.0 / 6));
+    }
+    return render_check("fine_stripes", {scene, 1, "random"},
+                        {own_numbers({0, 0, size.x, size.y}, 1, "position in the pixel", "the middle")});
 }
 
 }  // namespace
@@ -143,14 +168,13 @@ Checks check_film_sample(Generator& random) {
         [](const Row& in, const Row& out) {
             return SamplesOfASquare::Sample{share(in, out), from_row<FilmSample>(out).weight};
         }};
-    return {probe_check("in_the_pixel", "film_sample", {"stratified_2d"}, inputs, {inside}),
-            probe_check("stratified", "film_sample", {"stratified_2d"}, repeats, {cell, strata}),
-            probe_check("even_in_the_pixel", "film_sample", {"stratified_2d"}, inputs,
-                        {weight, x, y, spread_x, spread_y, even, purity()}),
+    return {probe_check("in_the_pixel", inputs, {inside}),
+            probe_check("stratified", repeats, {cell, strata}),
+            probe_check("even_in_the_pixel", inputs, {weight, x, y, spread_x, spread_y, even, purity()}),
             slanted_edges(random),
             fine_stripes(random),
-            error_orders(random, "film_sample", {"stratified_2d"}, samples),
-            rings(random, "film_sample", {"stratified_2d"}, samples)};
+            error_orders(random, samples),
+            rings(random, samples)};
 }
 
 }  // namespace grade

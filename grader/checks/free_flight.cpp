@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
+#include "checks/fragment_checks.h"
 #include "checks/kit/draw.h"
 #include "checks/kit/formula.h"
-#include "checks/fragment_checks.h"
-#include "checks/kit/pictures.h"
 #include "checks/kit/probe_check.h"
 #include "checks/kit/render_check.h"
+#include "checks/kit/white_medium.h"
 #include "rt/files/scene_reader.h"
 
 namespace grade {
@@ -32,7 +32,7 @@ Check distances(Generator& random) {
         "V3", "chi squared of the distances per degree of freedom",
         [](const Row& in, const Row& out) { return rt::vec2(-std::expm1(-out[0] * extinction_of(in)), 0.5); }, 32, 1,
         always("the distances are not distributed as s exp(-s t)"));
-    return probe_check("distances", "free_flight", {}, inputs, {mean, spread});
+    return probe_check("distances", inputs, {mean, spread});
 }
 
 /// The extremes of u, where -log u may be inf: a flight of any length, but a number.
@@ -43,7 +43,7 @@ Check ends() {
         return row(extinction, ends[whole_between(random, 0, 4)]);
     });
     return probe_check(
-        "ends", "free_flight", {}, inputs,
+        "ends", inputs,
         {property(
             "B1", "distances below 0", [](const Row&, const Row& out) { return out[0] >= 0 ? 0.0 : 1.0; }, 0,
             "a distance is negative: log of a number below 1 is")});
@@ -86,9 +86,7 @@ Check attenuation(Generator& random) {
                                 "is the distance multiplied by the extinction? It must be divided by it"},
                                {std::exp(-way * radius * (1 - extinction)), "is the extinction used?"}});
     };
-    return render_check("attenuation", "free_flight",
-                        {"hit_sphere", "refracted_direction", "fresnel_dielectric", "whitted", "scatter_direction", "emission_counts"},
-                        {scene, 16, "sobol"},
+    return render_check("attenuation", {scene, 16, "sobol"},
                         {of_picture("B1", "light left after a short way, over exp(-s l)", over_truth(0.7, 1.3), 1, 0.05,
                                     hint("the light left after a short way", 1)),
                          of_picture("B1", "light left after a long way, over exp(-s l)", over_truth(1.8, 2), 1, 0.06,
@@ -98,7 +96,7 @@ Check attenuation(Generator& random) {
 }  // namespace
 
 Checks check_free_flight(Generator& random) {
-    return {distances(random), ends(), attenuation(random), white_medium(random, "free_flight")};
+    return {distances(random), ends(), attenuation(random), white_medium(random)};
 }
 
 }  // namespace grade

@@ -1,7 +1,7 @@
-#include "checks/kit/draw.h"
-#include "checks/kit/figures.h"
-#include "checks/kit/formula.h"
 #include "checks/fragment_checks.h"
+#include "checks/kit/draw.h"
+#include "checks/kit/formula.h"
+#include "checks/kit/glass.h"
 #include "checks/kit/probe_check.h"
 
 namespace grade {
@@ -51,7 +51,7 @@ Checks check_fresnel_dielectric(Generator& random) {
         return row(cosine, from, to);
     });
     return {
-        probe_check("reflectance", "fresnel_dielectric", {}, inputs,
+        probe_check("reflectance", inputs,
                     {formula("F3", "reflectance, off by", law(0.5, 0.5, 1), 1e-3,
                              {{"total internal reflection gives 0; expected 1", law(0.5, 0.5, 0)},
                               {"total internal reflection gives nan; expected 1", law(0.5, 0.5, NAN)},
@@ -65,7 +65,7 @@ Checks check_fresnel_dielectric(Generator& random) {
                                })},
                               {"this is Schlick's approximation; expected Fresnel's formula", schlick(false)},
                               {"this is Schlick's approximation; expected Fresnel's formula", schlick(true)}})}),
-        bright_slab(random), invisible_glass(random, "fresnel_dielectric")};
+        slab(random, "light_through_a_slab"), invisible_glass(random)};
 }
 
 }  // namespace grade

@@ -10,8 +10,6 @@ namespace grade {
 
 namespace {
 
-const std::vector<std::string> scene_needs = {"mirror_direction", "phong_lobe", "whitted", "emission_counts"};
-
 /// A glossy ball where light comes from everywhere alike: seen at an angle, part of the lobe is below the surface.
 Check ball(Generator& random) {
     const Place place = any_place(random);
@@ -52,9 +50,7 @@ Check ball(Generator& random) {
               "does the weight have the cosine at the surface, and is it 0 below the surface?"}},
             "expected (n + 2)/(2 pi) cos(alpha)^n x cosine at the surface / density, 0 below the surface");
     };
-    auto needs = scene_needs;
-    needs.push_back("hit_sphere");
-    return render_check("ball", "glossy_reflection", needs, {scene, 16, "sobol"},
+    return render_check("ball", {scene, 16, "sobol"},
                         {of_picture("P2", "light that it reflects where it is seen head on, over what must be",
                                     over_truth(0, 25), 1, 0.05, hint("where it is seen head on", 0)),
                          of_picture("P3", "light that it reflects where it is seen at 60 degrees, over what must be",
@@ -80,10 +76,7 @@ Check lamp(Generator& random) {
     const LobeSurface floor{rt::parse_scene(scene, "lamp").camera, place.origin, up, [=](rt::vec3 d, double exponent) {
         return Lobe{d - 2 * rt::dot(d, up) * up, up, exponent, 1};
     }};
-    auto needs = scene_needs;
-    needs.insert(needs.end(), {"hit_sphere", "hit_quad"});
-    return render_check("lamp", "glossy_reflection", needs, {scene, 64, "sobol"},
-                        blurred_lamp(floor, shining, n, "the mirror direction"));
+    return render_check("lamp", {scene, 64, "sobol"}, blurred_lamp(floor, shining, n, "the mirror direction"));
 }
 
 }  // namespace
@@ -99,7 +92,7 @@ Checks check_glossy_reflection(Generator& random) {
             return repeat(rows_over_square(32, [=](rt::vec2 u) { return row(d, normal, n, u); })(draws));
         };
         checks.push_back(probe_check(
-            name, "glossy_reflection", {"phong_lobe", "mirror_direction"}, inputs,
+            name, inputs,
             lobe_statistics({axis,
                              normal,
                              n,

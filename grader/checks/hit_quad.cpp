@@ -64,11 +64,10 @@ Checks check_hit_quad(Generator& random) {
         flat_circumstances<Quad>([](const Quad& q) { return glm::length(q.u) + glm::length(q.v); });
     const auto unclipped = rows_of(96, [](Generator& draw) { return ordinary(draw, false); });
     const auto clipped = rows_of(160, [](Generator& draw) { return ordinary(draw, true); });
-    return {probe_check("inside", "hit_quad", {}, unclipped,
-                        {formula("W1", "distance, off by", right, 1e-3, suspects, circumstances)}),
-            probe_check("interval", "hit_quad", {}, clipped,
+    return {probe_check("inside", unclipped, {formula("W1", "distance, off by", right, 1e-3, suspects, circumstances)}),
+            probe_check("interval", clipped,
                         {formula("W1", "distance within the interval, off by", right, 1e-3, suspects, circumstances)}),
-            slanted_quad(random, "hit_quad", {"emission_counts"})};
+            slanted_quad(random)};
 }
 
 }  // namespace grade

@@ -1,9 +1,9 @@
 #include <array>
 
+#include "checks/fragment_checks.h"
 #include "checks/kit/draw.h"
 #include "checks/kit/figures.h"
 #include "checks/kit/formula.h"
-#include "checks/fragment_checks.h"
 #include "checks/kit/probe_check.h"
 
 namespace grade {
@@ -61,6 +61,19 @@ Row ordinary(Generator& random, bool clipped) {
     return row(sphere, ray);
 }
 
+Check silhouette(Generator& random) {
+    const Place place = any_place(random);
+    const rt::vec3 center = place({between(random, -0.5, 0.5), between(random, -0.4, 0.4), 0});
+    const double radius = between(random, 0.7, 1.1);
+    return figure_check(
+        "silhouette", toml(view_down(place, 5, 40)) + bright_lamp + sphere("lamp", center, radius), "sphere",
+        [=](const rt::Camera& camera) -> Sight {
+            return [=](rt::vec2 film) {
+                return glm::length(rt::cross(center - camera.eye, view_direction(camera, film))) < radius ? 1.0 : 0.0;
+            };
+        });
+}
+
 }  // namespace
 
 Checks check_hit_sphere(Generator& random) {
@@ -101,9 +114,9 @@ Checks check_hit_sphere(Generator& random) {
          }}};
     const auto unclipped = rows_of(96, [](Generator& draw) { return ordinary(draw, false); });
     const auto clipped = rows_of(96, [](Generator& draw) { return ordinary(draw, true); });
-    return {probe_check("nearest_crossing", "hit_sphere", {}, unclipped,
+    return {probe_check("nearest_crossing", unclipped,
                         {formula("W1", "distance, off by", right, 1e-3, suspects, circumstances)}),
-            probe_check("interval", "hit_sphere", {}, clipped,
+            probe_check("interval", clipped,
                         {formula("W1", "distance within the interval, off by", right, 1e-3, suspects, circumstances)}),
             silhouette(random)};
 }

@@ -1,9 +1,12 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
 
-#include "checks/kit/figures.h"
 #include "checks/fragment_checks.h"
+#include "checks/kit/draw.h"
+#include "checks/kit/figures.h"
 #include "checks/kit/hit_flat.h"
 #include "checks/kit/probe_check.h"
 
@@ -49,6 +52,34 @@ Row ordinary(Generator& random, bool clipped) {
     return row(t, ray_towards(random, share[0] * t.a + share[1] * t.b + share[2] * t.c, normal_of(t), size, clipped));
 }
 
+std::string triangle(const std::string& material, vec3 a, vec3 b, vec3 c) {
+    return fmt::format("[[shape]]\ntype = \"triangle\"\na = {}\nb = {}\nc = {}\nmaterial = \"{}\"\n\n", toml(a),
+                       toml(b), toml(c), material);
+}
+
+Check two_triangles(Generator& random) {
+    const Place place = any_place(random);
+    const rt::Quad q = any_quad(random, place, 0, 1);
+    const vec3 a = q.center - q.u - q.v, b = q.center + q.u - q.v, c = q.center + q.u + q.v, d = q.center - q.u + q.v;
+    // no shadow ray looks for a triangle
+    const std::string scene = toml(view_down(place, 5, 40)) + "[materials.lamp]\nemission = 1\nsampled = false\n\n" +
+                              triangle("lamp", a, b, c) + triangle("lamp", a, c, d);
+    Check check = figure_check("two_triangles", scene, "pair of triangles", [q](const rt::Camera& camera) -> Sight {
+        return [=](rt::vec2 film) { return on_quad(q, camera.eye, view_direction(camera, film)) ? 1.0 : 0.0; };
+    });
+    Statistic seam = of_picture(
+        "A1", "brightest pixel, off 1 by",
+        [](const rt::Image& image) {
+            double most = 0;
+            for (const rt::Color& c : image.pixels) most = std::max(most, c.x);
+            return std::abs(most - 1);
+        },
+        0, 1e-9, always("the figure's radiance is 1"));
+    seam.exact = true;
+    check.statistics.push_back(seam);
+    return check;
+}
+
 }  // namespace
 
 Checks check_hit_triangle(Generator& random) {
@@ -90,11 +121,10 @@ Checks check_hit_triangle(Generator& random) {
         const Triangle thin = chance(draw, 0.5) ? Triangle{a, a, b} : Triangle{a, b, a};
         return row(thin, Ray{origin, rt::unit(a + between(draw, 0, 1) * (b - a) - origin), 0, rt::inf});
     });
-    return {probe_check("inside", "hit_triangle", {}, unclipped,
-                        {formula("W1", "distance, off by", right, 1e-3, suspects, circumstances)}),
-            probe_check("interval", "hit_triangle", {}, clipped,
+    return {probe_check("inside", unclipped, {formula("W1", "distance, off by", right, 1e-3, suspects, circumstances)}),
+            probe_check("interval", clipped,
                         {formula("W1", "distance within the interval, off by", right, 1e-3, suspects, circumstances)}),
-            probe_check("no_area", "hit_triangle", {}, nothing,
+            probe_check("no_area", nothing,
                         {property(
                             "W1", "a triangle without area is hit",
                             [](const Row&, const Row& out) { return out[0] == rt::inf ? 0.0 : 1.0; }, 0,

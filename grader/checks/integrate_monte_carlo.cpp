@@ -59,7 +59,7 @@ Check wave_and_peak(Generator& random) {
                                 by_ratio("the mean estimate of a sharp peak",
                                          {{double(count), "is the division by the number of points missing?"}}, hint));
     for (Statistic* s : {&on_wave, &on_peak}) s->delta = 0.25;
-    return probe_check("wave_and_peak", "integrate_monte_carlo", {}, inputs, {on_wave, on_peak});
+    return probe_check("wave_and_peak", inputs, {on_wave, on_peak});
 }
 
 std::vector<double> drawn(Generator& random, int count, double rate) {
@@ -123,9 +123,8 @@ Checks check_integrate_monte_carlo(Generator& random) {
                 "point?",
                 value);
         });
-    return {probe_check("given_points", "integrate_monte_carlo", {}, inputs, {value}),
-            probe_check("unbiased", "integrate_monte_carlo", {}, repeated, {mean}), wave_and_peak(random),
-            probe_check("convergence", "integrate_monte_carlo", {}, more_points, {order})};
+    return {probe_check("given_points", inputs, {value}), probe_check("unbiased", repeated, {mean}),
+            wave_and_peak(random), probe_check("convergence", more_points, {order})};
 }
 
 }  // namespace grade

@@ -62,7 +62,7 @@ Check wave(Generator& random) {
     const Integrand f{Integrand::Kind::cosine, {1, 1, count / span, between(random, 0, 6)}};
     const auto inputs = rows_of(96, [=](Generator& draw) { return row(f, equal_strata(draw, low, span, count)); });
     return probe_check(
-        "wave", "integrate_stratified", {}, inputs,
+        "wave", inputs,
         {mean_of(
             "I1", "mean estimate of a wave with a period to a stratum, over the integral",
             [=](const Row&, const Row& out) { return out[0] / span; }, 1, 1,
@@ -144,8 +144,8 @@ Checks check_integrate_stratified(Generator& random) {
                              ": it hardly falls: does each stratum count once, with its width and its number of points?"
                        : off;
         });
-    return {probe_check("given_points", "integrate_stratified", {}, inputs, {value, calls}), wave(random),
-            probe_check("convergence", "integrate_stratified", {}, more_strata, {order})};
+    return {probe_check("given_points", inputs, {value, calls}), wave(random),
+            probe_check("convergence", more_strata, {order})};
 }
 
 }  // namespace grade

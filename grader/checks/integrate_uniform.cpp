@@ -99,8 +99,7 @@ Checks check_integrate_uniform(Generator&) {
                    : value > -0.3 ? off + ": it hardly falls: is each interval counted, once, with its width D/N?"
                                   : off;
         });
-    return {probe_check("regular_points", "integrate_uniform", {}, inputs, {value, points}),
-            probe_check("convergence", "integrate_uniform", {}, more_points, {order})};
+    return {probe_check("regular_points", inputs, {value, points}), probe_check("convergence", more_points, {order})};
 }
 
 }  // namespace grade

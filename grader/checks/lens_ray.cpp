@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 
+#include "checks/fragment_checks.h"
 #include "checks/kit/draw.h"
 #include "checks/kit/formula.h"
-#include "checks/fragment_checks.h"
-#include "checks/kit/pictures.h"
+#include "checks/kit/lens_pictures.h"
 #include "checks/kit/probe_check.h"
 #include "checks/kit/render_check.h"
 #include "rt/files/scene_reader.h"
@@ -153,7 +153,7 @@ Check rays(Generator& random) {
                "independent of each other"));
     std::vector<Statistic> all = ray_properties();
     all.insert(all.end(), {size, spread});
-    return probe_check("lens", "lens_ray", {"uniform_disk"}, inputs, all);
+    return probe_check("lens", inputs, all);
 }
 
 Check in_focus() {
@@ -162,7 +162,7 @@ Check in_focus() {
         if (chance(random, 0.1)) camera.focus = rt::inf;
         return lens_row(camera, random);
     });
-    return probe_check("in_focus", "lens_ray", {"uniform_disk"}, inputs, {focus_point()});
+    return probe_check("in_focus", inputs, {focus_point()});
 }
 
 /// A lamp of so many pixels' radius at a film point, at distance z along the axis: a disc parallel to the film, whose
@@ -234,7 +234,7 @@ Check depths(Generator& random) {
                                            {std::sqrt(2.0), "do all rays start on the rim of the lens?"},
                                            {0, "is the lens used?"}};
     return render_check(
-        "depths", "lens_ray", {"uniform_disk", "emission_counts"}, {scene, 16, "sobol"},
+        "depths", {scene, 16, "sobol"},
         {of_picture("D1", "radius of the blur disc before the plane in focus, over what must be",
                     radius(left[0], before), 1, 0.08,
                     by_ratio("the blur disc of a lamp before the plane in focus", known)),
@@ -269,7 +269,7 @@ Check corner(Generator& random) {
     const std::string scene = lens_scene(view) + lamp(camera, {right ? 40 : 8, low ? 40 : 8}, view.focus, size);
     const Region region{right ? 32 : 0, low ? 32 : 0, 16, 16};
     return render_check(
-        "corner", "lens_ray", {"uniform_disk", "emission_counts"}, {scene, 16, "sobol"},
+        "corner", {scene, 16, "sobol"},
         {sharp("blur in the corner of the plane in focus [pixel^2]", region, size, [](double value, double) {
             return fmt::format(
                 "in the corner of the picture, what is in focus is blurred to a disc of radius {:.3g} pixels: is the "

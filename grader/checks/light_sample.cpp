@@ -85,7 +85,7 @@ std::function<Rows(Generator&)> samples_of(const Emitter& light, vec3 p, int sid
     };
 }
 
-Check flat_light(Generator& random, Emitter::Kind kind, const char* name, std::vector<std::string> needs) {
+Check flat_light(Generator& random, Emitter::Kind kind, const char* name) {
     const Emitter light = emitter(random, kind);
     const bool quad = kind == Emitter::Kind::quad;
     const vec3 p =
@@ -144,8 +144,7 @@ Check flat_light(Generator& random, Emitter::Kind kind, const char* name, std::v
         return "one point of the light is taken for all samples: u must choose it";
     };
     for (Statistic* s : {&size, &x, &y, &xx, &yy}) s->cause = one_point;
-    return probe_check(name, "light_sample", std::move(needs), samples_of(light, p, 32),
-                       {on, size, x, y, xx, yy, xy, purity()});
+    return probe_check(name, samples_of(light, p, 32), {on, size, x, y, xx, yy, xy, purity()});
 }
 
 Check sphere_light(Generator& random) {
@@ -182,8 +181,8 @@ Check sphere_light(Generator& random) {
                           integral([=](vec3 d) { return rt::dot(d, frame.y) / (sine * solid_angle); }), 0, 1,
                           always("one side of the sphere is sampled more than the other"));
     // more rows, for samples that are spread over the whole sphere: most of them are on its far side
-    return probe_check("sphere_light", "light_sample", {"sphere_cone"}, samples_of(light, p, 64),
-                      
+    return probe_check("sphere_light", samples_of(light, p, 64),
+
                        {on, size, height, x, y, purity()});
 }
 
@@ -236,7 +235,7 @@ Check layouts() {
         return s;
     };
     return probe_check(
-        "many_places", "light_sample", {}, inputs,
+        "many_places", inputs,
         {statistic(1, "power of the distance that is left over",
                    [](double v) {
                        return std::string(
@@ -304,7 +303,7 @@ Check irradiance(Generator& random) {
         if (k < 2) find_half_a_percent(statistics.back());
         else statistics.back().delta0 = 0.001, statistics.back().delta = 0.01;
     }
-    return probe_check("irradiance", "light_sample", {"uniform_disk", "sphere_cone"}, inputs, statistics);
+    return probe_check("irradiance", inputs, statistics);
 }
 
 /// Points behind a flat light get nothing.
@@ -315,32 +314,25 @@ Check dark_side() {
             center_of(light) - between(random, 1, 3) * tilted(random, normal_of(light), between(random, 0, 1));
         return row(light, p, square(random));
     });
-    return probe_check("dark_side", "light_sample", {"uniform_disk"}, inputs,
-        {property("L4", "density behind the light", [](const Row&, const Row& out) { return std::abs(out.back()); }, 0,
-                  "the light shines backwards: behind a quad or a disc the density is 0")});
+    return probe_check(
+        "dark_side", inputs,
+        {property(
+            "L4", "density behind the light", [](const Row&, const Row& out) { return std::abs(out.back()); }, 0,
+            "the light shines backwards: behind a quad or a disc the density is 0")});
 }
 
 }  // namespace
 
 Checks check_light_sample(Generator& random) {
     Checks checks = {layouts(),
-                     flat_light(random, Emitter::Kind::quad, "quad_light", {}),
-                     flat_light(random, Emitter::Kind::disc, "disc_light", {"uniform_disk"}),
+                     flat_light(random, Emitter::Kind::quad, "quad_light"),
+                     flat_light(random, Emitter::Kind::disc, "disc_light"),
                      sphere_light(random),
                      irradiance(random),
                      dark_side()};
-    struct Shadow {
-        const char* name;
-        Emitter::Kind kind;
-        std::vector<std::string> needs;
-    };
-    for (const Shadow& s : {Shadow{"quad_penumbra", Emitter::Kind::quad, {}},
-                            Shadow{"disc_penumbra", Emitter::Kind::disc, {"uniform_disk"}},
-                            Shadow{"sphere_penumbra", Emitter::Kind::sphere, {"sphere_cone", "hit_sphere"}}}) {
-        std::vector<std::string> needs = {"hit_quad", "shadow_ray", "direct_light"};
-        needs.insert(needs.end(), s.needs.begin(), s.needs.end());
-        checks.push_back(shadow_check(random, s.name, "light_sample", needs, any_shadow(random, s.kind)));
-    }
+    checks.push_back(shadow_check(random, "quad_penumbra", any_shadow(random, Emitter::Kind::quad)));
+    checks.push_back(shadow_check(random, "disc_penumbra", any_shadow(random, Emitter::Kind::disc)));
+    checks.push_back(shadow_check(random, "sphere_penumbra", any_shadow(random, Emitter::Kind::sphere)));
     return checks;
 }
 

@@ -1,7 +1,7 @@
+#include "checks/fragment_checks.h"
 #include "checks/kit/draw.h"
 #include "checks/kit/figures.h"
 #include "checks/kit/formula.h"
-#include "checks/fragment_checks.h"
 #include "checks/kit/probe_check.h"
 
 namespace grade {
@@ -15,6 +15,36 @@ RowFunction parts(double along_normal, double along_surface) {
     return of<vec3, vec3>([=](vec3 d, vec3 n) {
         const vec3 normal = rt::dot(d, n) * n;
         return vec3(along_normal * normal + along_surface * (d - normal));
+    });
+}
+
+Check mirror_image(Generator& random) {
+    // a camera looks at a mirror, z = 0, at an angle; the quad stands before the mirror
+    const Place place = any_place(random);
+    const double angle = between(random, 0.2, 1.3), width = between(random, 0.35, 0.45),
+                 height = between(random, 0.2, 0.3);
+    const vec3 y = place.axes.y, z = place.axes.z;
+    const rt::Quad q{place({2.2, between(random, -0.2, 0.2), between(random, 1.1, 1.4)}),
+                     width * (std::cos(angle) * z + std::sin(angle) * y),
+                     height * (std::cos(angle) * y - std::sin(angle) * z)};
+    const View view{place({-2.5, 0, 1.5}), place({0.2, 0, 0}), z, 34, {48, 40}};
+    // the front of the quad, u x v, looks back along -x
+    const std::string scene = toml(view) + bright_lamp + "[materials.mirror]\nreflectance = 0.8\n\n" +
+                              quad("mirror", place({0, 0, 0}), 1.5 * place.axes.x, 1.5 * place.axes.y) +
+                              quad("lamp", q.center, q.u, q.v);
+    const vec3 origin = place.origin, normal = place.axes.z;
+    return figure_check("mirror_image", scene, "mirror image", [=](const rt::Camera& camera) -> Sight {
+        return [=](rt::vec2 film) {
+            const vec3 d = view_direction(camera, film), p = seen_on_plane(camera, film, origin, normal);
+            if (rt::dot(d, normal) >= 0) return on_quad(q, camera.eye, d) ? 1.0 : 0.0;
+            const vec3 across = p - origin;
+            const bool mirrored =
+                std::abs(rt::dot(across, place.axes.x)) <= 1.5 && std::abs(rt::dot(across, place.axes.y)) <= 1.5;
+            if (on_quad(q, camera.eye, d)) return 1.0;
+            // the image stands behind the mirror
+            const vec3 turned = d - 2 * rt::dot(d, normal) * normal;
+            return mirrored && on_quad(q, p, turned) ? 0.8 : 0.0;
+        };
     });
 }
 
@@ -38,7 +68,7 @@ Checks check_mirror_direction(Generator& random) {
                   of<vec3, vec3>([](vec3 d, vec3 n) { return vec3(d + 2 * std::abs(rt::dot(d, n)) * n); })},
                  {"the normal is turned towards the viewer with the wrong sign",
                   of<vec3, vec3>([](vec3 d, vec3 n) { return vec3(d - 2 * std::abs(rt::dot(d, n)) * n); })}});
-    return {probe_check("mirrored", "mirror_direction", {}, inputs, {s}), mirror_image(random)};
+    return {probe_check("mirrored", inputs, {s}), mirror_image(random)};
 }
 
 }  // namespace grade

@@ -48,8 +48,7 @@ Checks check_phong_lobe(Generator& random) {
             return estimate.m2 / estimate.count / rt::sqr(estimate.mean) / lobe_dispersion(n);
         };
         noise.delta = 0.3;
-        checks.push_back(
-            probe_check(name, "phong_lobe", {}, inputs, {unit_length(), width, density, spread, noise, purity()}));
+        checks.push_back(probe_check(name, inputs, {unit_length(), width, density, spread, noise, purity()}));
     }
     return checks;
 }

@@ -1,14 +1,19 @@
-#include "checks/kit/draw.h"
-#include "checks/kit/formula.h"
+#include <fmt/format.h>
+
+#include <array>
+
 #include "checks/fragment_checks.h"
-#include "checks/kit/pictures.h"
+#include "checks/kit/draw.h"
+#include "checks/kit/film_view.h"
+#include "checks/kit/formula.h"
 #include "checks/kit/probe_check.h"
+#include "statistics/regression.h"
 
 namespace grade {
 
 namespace {
 
-using rt::Color;
+using rt::Color, rt::vec2;
 using Colors = std::vector<Color>;
 using Weights = std::vector<double>;
 
@@ -22,6 +27,111 @@ RowFunction mean(std::function<Color(Color, double weight)> each, std::function<
 }
 
 Color quantised(Color c) { return glm::floor(glm::min(c, Color(1)) * 255.0) / 255.0; }
+
+/// Lamps of very different brightness, each thinner than the pixels that it crosses: a lamp of 10 that covers 30
+/// percent of a pixel reads 3.
+Check thin_lamps(Generator& random) {
+    const Place place = any_place(random);
+    const rt::ivec2 size(48, 24);
+    constexpr int samples = 32;
+    struct Lamp {
+        double radiance, cover;
+        int row;
+    };
+    const std::array<Lamp, 3> lamps = {Lamp{between(random, 0.2, 0.6), between(random, 0.4, 0.6), 4},
+                                       Lamp{between(random, 5, 12), between(random, 0.25, 0.4), 12},
+                                       Lamp{between(random, 100, 300), between(random, 0.4, 0.6), 20}};
+    std::string scene = "[render]\nexposure = 0.1\n\n" + toml(film_view(place, size));
+    for (std::size_t k = 0; k < lamps.size(); ++k)
+        scene +=
+            fmt::format("[materials.lamp{}]\nemission = {}\nsampled = false\n\n", k, toml(lamps[k].radiance)) +
+            bright(place, size, fmt::format("lamp{}", k), {24, lamps[k].row + 0.5}, {40, 0}, {0, lamps[k].cover / 2});
+
+    std::vector<Statistic> statistics;
+    for (const Lamp& lamp : lamps) {
+        const double due = lamp.radiance * lamp.cover;
+        const std::string what =
+            fmt::format("pixels that a lamp of {:.3g} covers to {:.0f} %", lamp.radiance, 100 * lamp.cover);
+        statistics.push_back(of_picture(
+            "G4", what + ", over what they must be",
+            [=](const rt::Image& image) {
+                return brightness(region_mean(image, {0, lamp.row, image.width, 1})) / due;
+            },
+            1, 0.08,
+            by_ratio(what, {{1 / lamp.radiance, "is a sample clamped to 1 before the mean?"},
+                            {1 / due, "is the mean clamped to 1?"},
+                            {std::pow(lamp.radiance, 1 / 2.2 - 1), "does each sample get a gamma of 2.2?"},
+                            {std::pow(due, 1 / 2.2 - 1), "does the mean get a gamma of 2.2?"},
+                            {double(samples), "is the sum not divided by the number of samples?"},
+                            {std::sqrt(double(samples)), "is the sum divided by the root of the number of samples?"},
+                            {samples / 25.0, "is the sum divided by floor(sqrt n)^2? There are n samples"},
+                            {1 / lamp.cover, "does any sample that meets the lamp count for all?"}})));
+    }
+    // independent samples: N Var = p (1 - p)
+    Statistic noise = of_picture(
+        "G2", "noise of these pixels, over that of so many independent samples",
+        [=](const rt::Image& image) {
+            double off = 0, due = 0;
+            for (const Lamp& lamp : lamps)
+                for (int x = 0; x < image.width; ++x) {
+                    off += rt::sqr(brightness(image.at(x, lamp.row)) / lamp.radiance - lamp.cover) * samples;
+                    due += lamp.cover * (1 - lamp.cover);
+                }
+            return off / due;
+        },
+        1, 0.6,
+        [](double value, double) {
+            return value > 10
+                       ? fmt::format(
+                             "pixels have {:.3g} times the noise of their samples' mean: does one sample alone count?",
+                             value)
+                       : fmt::format("pixels have {:.3g} times the noise of their samples' mean: do all samples count?",
+                                     value);
+        });
+    statistics.push_back(noise);
+    return render_check("thin_lamps", {scene, samples, "random"}, statistics);
+}
+
+/// Lamps from a thousandth to a thousand: the picture is linear.
+Check lamp_steps(Generator& random) {
+    const Place place = any_place(random);
+    const rt::ivec2 size(56, 16);
+    std::vector<rt::Color> radiance;
+    std::string scene = toml(film_view(place, size));
+    for (int k = 0; k < 7; ++k) {
+        radiance.push_back(std::pow(10.0, k - 3) * box(random, 0.7, 1.4));
+        scene += fmt::format("[materials.lamp{}]\nemission = {}\nsampled = false\n\n", k, toml(radiance.back())) +
+                 bright(place, size, fmt::format("lamp{}", k), {8 * k + 4, 8}, {3.3, 0}, {0, 6.6});
+    }
+    // the rims of the lamps are noisy, their middles are not
+    const auto line = [=](const rt::Image& image, int channel) {
+        std::vector<double> in, out;
+        for (int k = 0; k < 7; ++k) {
+            in.push_back(std::log(radiance[std::size_t(k)][channel]));
+            out.push_back(std::log(region_mean(image, {8 * k + 2, 4, 4, 8})[channel]));
+        }
+        return fit_line(in, out);
+    };
+    std::vector<Statistic> statistics;
+    statistics.push_back(of_picture(
+        "G4", "exponent of radiance in the picture", [=](const rt::Image& i) { return line(i, 1).slope.value; }, 1,
+        0.01,
+        by_value("radiance comes out to the power",
+                 {{1 / 2.2, "a gamma of 2.2 is applied: the picture is linear"},
+                  {0.5, "a square root is taken: the picture is linear"}},
+                 0.05)));
+    for (int c = 0; c < 3; ++c) {
+        const std::string name = std::array{"red", "green", "blue"}[std::size_t(c)];
+        statistics.push_back(of_picture(
+            "G4", name + " radiance, a factor off",
+            [=](const rt::Image& i) { return std::exp(line(i, c).intercept.value); }, 1, 0.02,
+            by_ratio("the " + name + " radiance",
+                     {{16, "is the sum not divided by the number of samples?"},
+                      {4, "is the sum divided by the root of the number of samples?"}},
+                     "is each channel the mean of its own?")));
+    }
+    return render_check("lamp_steps", {scene, 16, "sobol"}, statistics);
+}
 
 }  // namespace
 
@@ -94,8 +204,7 @@ Checks check_pixel_mean(Generator& random) {
                                             })},
         {"only the first sample counts", of<Colors, Weights>([](const Colors& c, const Weights&) { return c[0]; })},
         {"only the last sample counts", of<Colors, Weights>([](const Colors& c, const Weights&) { return c.back(); })}};
-    return {probe_check("linear_mean", "pixel_mean", {}, inputs,
-                        {formula("G4", "mean, off by", mean(weighted, over_n), 1e-4, suspects)}),
+    return {probe_check("linear_mean", inputs, {formula("G4", "mean, off by", mean(weighted, over_n), 1e-4, suspects)}),
             lamp_steps(random), thin_lamps(random)};
 }
 

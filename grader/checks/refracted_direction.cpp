@@ -1,7 +1,7 @@
-#include "checks/kit/draw.h"
-#include "checks/kit/figures.h"
-#include "checks/kit/formula.h"
 #include "checks/fragment_checks.h"
+#include "checks/kit/draw.h"
+#include "checks/kit/formula.h"
+#include "checks/kit/glass.h"
 #include "checks/kit/probe_check.h"
 
 namespace grade {
@@ -56,11 +56,10 @@ Checks check_refracted_direction(Generator& random) {
          })}};
     const auto crossing = rows_of(64, [](Generator& draw) { return ordinary(draw, false); });
     const auto total = rows_of(32, [](Generator& draw) { return ordinary(draw, true); });
-    return {probe_check("snell", "refracted_direction", {}, crossing,
-                        {formula("F4", "refracted direction, off by", right, 1e-3, suspects)}),
-            probe_check("total_reflection", "refracted_direction", {}, total,
+    return {probe_check("snell", crossing, {formula("F4", "refracted direction, off by", right, 1e-3, suspects)}),
+            probe_check("total_reflection", total,
                         {formula("F3", "direction at total internal reflection, off by", right, 1e-6, suspects)}),
-            through_a_slab(random)};
+            slab(random, "through_a_slab")};
 }
 
 }  // namespace grade

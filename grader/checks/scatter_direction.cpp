@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
+#include "checks/fragment_checks.h"
 #include "checks/kit/draw.h"
 #include "checks/kit/formula.h"
-#include "checks/fragment_checks.h"
-#include "checks/kit/pictures.h"
 #include "checks/kit/probe_check.h"
 #include "checks/kit/render_check.h"
+#include "checks/kit/white_medium.h"
 
 namespace grade {
 
@@ -92,7 +92,7 @@ Check directions(const std::string& name, double g) {
         8, 8,
         always("the directions are not spread as the phase function says: the cosine depends on one coordinate of u, "
                "the angle about d on the other"));
-    return probe_check(name, "scatter_direction", {}, inputs, {mean, spread, density(), unit_length()});
+    return probe_check(name, inputs, {mean, spread, density(), unit_length()});
 }
 
 /// Light scattered once into the half space ahead (sign 1) or behind (sign -1) on the way through the middle of a ball
@@ -153,10 +153,7 @@ Check ahead_and_behind(Generator& random) {
         [=](const rt::Image& image) { return (parts(image).x + parts(image).y) / all; }, 1, 0.06,
         by_ratio("the light that is scattered once", {{4 * rt::pi, "is the density 4 pi times too small?"},
                                                       {1 / (4 * rt::pi), "is the density 4 pi times too large?"}}));
-    return render_check(
-        "ahead_and_behind", "scatter_direction",
-        {"hit_sphere", "refracted_direction", "fresnel_dielectric", "whitted", "free_flight", "emission_counts"},
-        {scene, 16, "sobol"}, {share, sum});
+    return render_check("ahead_and_behind", {scene, 16, "sobol"}, {share, sum});
 }
 
 }  // namespace
@@ -171,8 +168,7 @@ Checks check_scatter_direction(Generator& random) {
         return row(d, g, square(draw));
     });
     return {directions("forward", forward), directions("backward", backward),
-            probe_check("any_g", "scatter_direction", {}, extremes, {unit_length(), density()}),
-            white_medium(random, "scatter_direction"), ahead_and_behind(random)};
+            probe_check("any_g", extremes, {unit_length(), density()}), white_medium(random), ahead_and_behind(random)};
 }
 
 }  // namespace grade

@@ -91,9 +91,8 @@ Checks check_shadow_ray(Generator& random) {
         2 * small,
         "the ray ends too far before the light: what is near the light casts no shadow; is its far end in units of its "
         "direction?");
-    return {probe_check("from_surface_to_light", "shadow_ray", {}, inputs, {aim, inside, clear, start, before, beyond}),
-            shadow_check(random, "hard_shadow", "shadow_ray", {"hit_quad", "point_irradiance", "phong"},
-                         any_shadow(random, std::nullopt))};
+    return {probe_check("from_surface_to_light", inputs, {aim, inside, clear, start, before, beyond}),
+            shadow_check(random, "hard_shadow", any_shadow(random, std::nullopt))};
 }
 
 }  // namespace grade

@@ -10,9 +10,6 @@ namespace grade {
 
 namespace {
 
-const std::vector<std::string> scene_needs = {"hit_quad", "refracted_direction", "fresnel_dielectric", "phong_lobe",
-                                              "whitted",  "emission_counts"};
-
 /// Share of unpolarised light that a surface of glass transmits.
 double transmitted_share(double angle, double ior) {
     const double c = std::cos(angle), t = std::sqrt(1 - rt::sqr(std::sin(angle) / ior));
@@ -78,7 +75,7 @@ Check sky(Generator& random) {
              {1 / due, "does the weight have the cosine at the surface, and is it 0 where the ray does not cross?"}},
             "expected (n + 2)/(2 pi) cos(alpha)^n x |cosine at the surface| / density, 0 where the ray does not cross");
     };
-    return render_check("sky", "translucency", scene_needs, {scene, 8, "sobol"},
+    return render_check("sky", {scene, 8, "sobol"},
                         {of_picture("P2", "light let through where it is seen steeply, over what must be",
                                     over_truth(0, 30), 1, 0.05, hint("where it is seen steeply", 24)),
                          of_picture("P3", "light let through where it is seen at 65 degrees, over what must be",
@@ -99,17 +96,13 @@ Check lamp(Generator& random) {
     const rt::vec3 up = place.axes.z;
     const LobeSurface pane{rt::parse_scene(scene, "lamp").camera, place.origin, up,
                            [=](rt::vec3 d, double exponent) { return entering(d, up, ior, exponent); }};
-    auto needs = scene_needs;
-    needs.push_back("hit_sphere");
-    return render_check("lamp", "translucency", needs, {scene, 64, "sobol"},
-                        blurred_lamp(pane, shining, n, "the refracted direction"));
+    return render_check("lamp", {scene, 64, "sobol"}, blurred_lamp(pane, shining, n, "the refracted direction"));
 }
 
 }  // namespace
 
 Checks check_translucency(Generator& random) {
     using rt::vec3;
-    const std::vector<std::string> needs = {"phong_lobe", "refracted_direction"};
     const double low = between(random, 1, 1.1), high = between(random, 1.35, 1.8);
     Checks checks;
     struct Case {
@@ -136,8 +129,8 @@ Checks check_translucency(Generator& random) {
             lobe_about("the two indices of refraction are swapped", wrong_axis, -normal, n, swapped < 1 ? weight : 0),
             lobe_about("the lobe is about the normal; expected about the refracted direction", -normal, -normal, n,
                        weight)};
-        checks.push_back(probe_check(c.name, "translucency", needs, inputs,
-                                     lobe_statistics({axis, -normal, n, "the refracted direction", suspects})));
+        checks.push_back(
+            probe_check(c.name, inputs, lobe_statistics({axis, -normal, n, "the refracted direction", suspects})));
     }
 
     const auto total = rows_of(64, [=](Generator& draw) {
@@ -146,7 +139,7 @@ Checks check_translucency(Generator& random) {
         return row(d, normal, high, low, between(draw, 5, 50), square(draw));
     });
     checks.push_back(
-        probe_check("total_reflection", "translucency", needs, total,
+        probe_check("total_reflection", total,
                     {property(
                         "F3", "weight at total internal reflection",
                         [](const Row&, const Row& out) { return rt::largest(from_row<rt::Scattered>(out).weight); }, 0,

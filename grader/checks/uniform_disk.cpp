@@ -28,10 +28,8 @@ Checks check_uniform_disk(Generator& random) {
                                        always("equal areas of the disk do not get equally many points: do radius and "
                                               "angle each use a number of their own?"));
     name_half_circles(even, cell);
-    return {probe_check("even_on_the_disk", "uniform_disk", {}, inputs, {inside, density, radius, even, purity()}),
-            shadow_check(random, "disc_penumbra", "uniform_disk",
-                         {"hit_quad", "shadow_ray", "direct_light", "light_sample"},
-                         any_shadow(random, rt::Emitter::Kind::disc))};
+    return {probe_check("even_on_the_disk", inputs, {inside, density, radius, even, purity()}),
+            shadow_check(random, "disc_penumbra", any_shadow(random, rt::Emitter::Kind::disc))};
 }
 
 }  // namespace grade

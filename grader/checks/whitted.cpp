@@ -1,7 +1,7 @@
-#include "checks/kit/draw.h"
-#include "checks/kit/figures.h"
-#include "checks/kit/formula.h"
 #include "checks/fragment_checks.h"
+#include "checks/kit/draw.h"
+#include "checks/kit/formula.h"
+#include "checks/kit/glass.h"
 #include "checks/kit/probe_check.h"
 
 namespace grade {
@@ -99,8 +99,8 @@ Checks check_whitted(Generator& random) {
         {"there is no refracted ray", weights([](const Material& m, double f, bool glass) {
              return Outgoing{Color(1), (glass ? f : 1) * m.reflectance, Color(0)};
          })}};
-    return {probe_check("weights", "whitted", {}, inputs, {formula("W3", "weights, off by", right, 1e-4, suspects)}),
-            invisible_glass(random, "whitted")};
+    return {probe_check("weights", inputs, {formula("W3", "weights, off by", right, 1e-4, suspects)}),
+            invisible_glass(random)};
 }
 
 }  // namespace grade

@@ -6,6 +6,8 @@
 #include <string>
 #include <tuple>
 
+#include "child/each_fragment.h"
+
 namespace grade {
 
 namespace {
@@ -77,41 +79,14 @@ Caller caller(Fragment* fragment) {
     return [fragment](std::span<const double> row) { return call(fragment, row); };
 }
 
-const std::map<std::string, Caller, std::less<>>& callers() {
-    static const std::map<std::string, Caller, std::less<>> all = {
-        {"integrate_uniform", caller(rt::integrate_uniform)},
-        {"integrate_monte_carlo", caller(rt::integrate_monte_carlo)},
-        {"integrate_stratified", caller(rt::integrate_stratified)},
-        {"camera_ray", caller(rt::camera_ray)},
-        {"hit_sphere", caller(rt::hit_sphere)},
-        {"hit_triangle", caller(rt::hit_triangle)},
-        {"hit_quad", caller(rt::hit_quad)},
-        {"point_irradiance", caller(rt::point_irradiance)},
-        {"phong", caller(rt::phong)},
-        {"shadow_ray", caller(rt::shadow_ray)},
-        {"mirror_direction", caller(rt::mirror_direction)},
-        {"refracted_direction", caller(rt::refracted_direction)},
-        {"fresnel_dielectric", caller(rt::fresnel_dielectric)},
-        {"whitted", caller(rt::whitted)},
-        {"stratified_2d", caller(rt::stratified_2d)},
-        {"uniform_disk", caller(rt::uniform_disk)},
-        {"cosine_hemisphere", caller(rt::cosine_hemisphere)},
-        {"phong_lobe", caller(rt::phong_lobe)},
-        {"sphere_cone", caller(rt::sphere_cone)},
-        {"film_sample", caller(rt::film_sample)},
-        {"pixel_mean", caller(rt::pixel_mean)},
-        {"light_sample", caller(rt::light_sample)},
-        {"direct_light", caller(rt::direct_light)},
-        {"glossy_reflection", caller(rt::glossy_reflection)},
-        {"translucency", caller(rt::translucency)},
-        {"lens_ray", caller(rt::lens_ray)},
-        {"shutter_time", caller(rt::shutter_time)},
-        {"moved", caller(rt::moved)},
-        {"color_bleeding", caller(rt::color_bleeding)},
-        {"emission_counts", caller(rt::emission_counts)},
-        {"free_flight", caller(rt::free_flight)},
-        {"scatter_direction", caller(rt::scatter_direction)},
-    };
+using Callers = std::map<std::string, Caller, std::less<>>;
+
+const Callers& callers() {
+    static const Callers all = [] {
+        Callers list;
+        each_fragment([&](const char* name, auto* fragment) { list.emplace(name, caller(fragment)); });
+        return list;
+    }();
     return all;
 }
 

@@ -85,12 +85,10 @@ std::string describe_checks(const Assignment& assignment, const std::string& fra
     if (entry.given) return "Given: this fragment is handed out filled in, and gives no points.\n";
 
     std::string rows;
-    std::set<std::string> needs;
     int shares = 0;
     for (const Check& check : checks_of_seeds().front()) shares += check.fragment == fragment ? check.share : 0;
     for (const Check& check : checks_of_seeds().front()) {
         if (check.fragment != fragment) continue;
-        needs.insert(check.needs.begin(), check.needs.end());
         std::string name =
             fmt::format("`{}` ({}): {}", check.name, points(entry.points * check.share / shares), experiment(check));
         for (std::size_t k = 0; k < check.statistics.size(); ++k) {
@@ -104,11 +102,8 @@ std::string describe_checks(const Assignment& assignment, const std::string& fra
             name.clear();
         }
     }
-    std::string text = fmt::format("{} point{}.", points(entry.points), entry.points == 1 ? "" : "s");
-    if (!needs.empty()) text += fmt::format(" At home these must be right first: `{}`.", fmt::join(needs, "`, `"));
-    return text +
-           "\n\n| check (points) | id | measures | must be | right within | wrong beyond "
-           "|\n|---|---|---|---|---|---|\n" +
+    return fmt::format("{} point{}.\n\n", points(entry.points), entry.points == 1 ? "" : "s") +
+           "| check (points) | id | measures | must be | right within | wrong beyond |\n|---|---|---|---|---|---|\n" +
            rows;
 }
 

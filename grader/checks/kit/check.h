@@ -24,9 +24,9 @@ struct Observation {
     Rows inputs, outputs;
 };
 
-/// Calls the fragment on rows of numbers; probes.h gives the layout of each fragment's rows.
+/// Calls the fragment on rows of numbers; probes.h says what is in a row.
 struct Probe {
-    std::string fragment;
+    std::string fragment;                    // all_checks fills it in
     std::function<Rows(Generator&)> inputs;  // fresh ones for each replicate
 };
 
@@ -52,13 +52,14 @@ struct Statistic {
 };
 
 struct Check {
-    std::string name;                // "penumbra_width"
-    std::string fragment;            // whose points it decides
-    std::vector<std::string> needs;  // other fragments that it runs: while one of them fails, this check is blocked
+    std::string name;      // "penumbra_width"
+    std::string fragment;  // whose points it decides; all_checks fills it in
     std::variant<Probe, Render> experiment;
     std::vector<Statistic> statistics;
-    int share = 1;                   // of the fragment's points
+    int share = 1;  // of the fragment's points
 };
+
+using Checks = std::vector<Check>;
 
 /// All checks, in the order of the assignment, with the parameters that the grading seed draws.
 std::vector<Check> all_checks(std::uint64_t seed);

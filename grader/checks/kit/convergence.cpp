@@ -73,8 +73,7 @@ Hint order_hint(const std::string& what, double due) {
 
 }  // namespace
 
-Check error_orders(Generator& random, const std::string& fragment, std::vector<std::string> needs,
-                   const SamplesOfASquare& samples) {
+Check error_orders(Generator& random, const SamplesOfASquare& samples) {
     const double turn = between(random, 0.3, 1.27), beside = between(random, 0.1, 0.35);
     const vec2 across(std::cos(turn), std::sin(turn));
     const auto inputs = [=](Generator& draws) {
@@ -89,7 +88,7 @@ Check error_orders(Generator& random, const std::string& fragment, std::vector<s
     const Integrand2d plane = [=](vec2 p) { return rt::dot(p - 0.5, across); };
     const Integrand2d edge = [=](vec2 p) { return rt::dot(p - 0.5, across) > beside ? 1.0 : 0.0; };
     const double covered = beyond_edge(across, beside);
-    return probe_check("convergence", fragment, std::move(needs), inputs,
+    return probe_check("convergence", inputs,
                        {order(
                             "power of N with which the error of a slope of brightness falls", -1,
                             [=](const Observation& seen) { return slope_of(seen, samples, plane, 0); },
@@ -100,8 +99,7 @@ Check error_orders(Generator& random, const std::string& fragment, std::vector<s
                             order_hint("of an edge", -0.75))});
 }
 
-Check rings(Generator& random, const std::string& fragment, std::vector<std::string> needs,
-            const SamplesOfASquare& samples) {
+Check rings(Generator& random, const SamplesOfASquare& samples) {
     constexpr int pixels = 96, n = 16;
     // about one ring to a cell: where all cells of a regular grid see the same
     constexpr double fineness = 4, film = 200;  // [1/pixel], [pixel]
@@ -150,7 +148,7 @@ Check rings(Generator& random, const std::string& fragment, std::vector<std::str
             "many pictures are averaged. Do samples fall everywhere in their cells, and the cells on all of the pixel?",
             value);
     };
-    return probe_check("fine_rings", fragment, std::move(needs), inputs, {left});
+    return probe_check("fine_rings", inputs, {left});
 }
 
 Statistic error_order(std::string what, int count, int repeated, std::function<double(const Row&, const Row&)> error,

@@ -17,12 +17,10 @@ struct SamplesOfASquare {
 };
 
 /// G3: the slope of log error against log samples, for a plane and for a tilted edge.
-Check error_orders(Generator& random, const std::string& fragment, std::vector<std::string> needs,
-                   const SamplesOfASquare& samples);
+Check error_orders(Generator& random, const SamplesOfASquare& samples);
 
 /// A2: what is left of rings too fine for the pixels, in many pixels whose place is known.
-Check rings(Generator& random, const std::string& fragment, std::vector<std::string> needs,
-            const SamplesOfASquare& samples);
+Check rings(Generator& random, const SamplesOfASquare& samples);
 
 /// G3 of a fragment that adds up by itself: so many estimates on each of the levels, one after the other.
 ///

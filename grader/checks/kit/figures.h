@@ -1,19 +1,17 @@
 #pragma once
 
-#include "checks/kit/check.h"
+#include "checks/kit/outline.h"
 
-/// Pictures of one bright figure, and of plain surfaces: the feature that a fragment makes.
+/// What checks of where things are seen look at: a bright figure before a camera that looks down.
 namespace grade {
 
-Check slanted_quad(Generator& random, const std::string& fragment,
-                   std::vector<std::string> needs);  // camera_ray, hit_quad
-Check edge_noise(Generator& random);       // stratified_2d
-Check open_sky(Generator& random);         // cosine_hemisphere
-Check silhouette(Generator& random);       // hit_sphere
-Check two_triangles(Generator& random);    // hit_triangle
-Check mirror_image(Generator& random);     // mirror_direction
-Check through_a_slab(Generator& random);   // refracted_direction
-Check bright_slab(Generator& random);      // fresnel_dielectric
-Check invisible_glass(Generator& random, const std::string& fragment);  // whitted, fresnel_dielectric
+inline constexpr const char* bright_lamp = "[materials.lamp]\nemission = 1\n\n";
+
+View view_down(const Place& place, double height, double vfov);
+
+/// A quad near the middle of the plane z, turned by any angle, whose front is up.
+rt::Quad any_quad(Generator& random, const Place& place, double z, double size);
+
+Check slanted_quad(Generator& random);
 
 }  // namespace grade

@@ -1,7 +1,8 @@
+#include "checks/kit/lens_pictures.h"
+
 #include <fmt/format.h>
 
 #include "checks/kit/draw.h"
-#include "checks/kit/pictures.h"
 #include "checks/kit/render_check.h"
 #include "rt/files/scene_reader.h"
 #include "statistics/blob.h"
@@ -61,8 +62,7 @@ Check two_colors(Generator& random) {
         of_picture(
             "D4", "red less green, from the middle of the blur outwards [blur radius^2]",
             [=](const rt::Image& i) { return moments(i).square; }, 0, 0.3, hint)};
-    return render_check("two_colors", "lens_ray", {"uniform_disk", "hit_quad", "light_sample", "direct_light", "shadow_ray"},
-                        {scene, 24, "random"}, statistics);
+    return render_check("two_colors", {scene, 24, "random"}, statistics);
 }
 
 /// A small lamp out of focus that flies by: the variances that pixel, lens and time add to its picture.
@@ -104,8 +104,7 @@ Check adding_up(Generator& random) {
                     value);
             });
     };
-    return render_check("adding_up", "lens_ray", {"uniform_disk", "shutter_time", "moved", "emission_counts"},
-                        {scene, 64, "sobol"},
+    return render_check("adding_up", {scene, 64, "sobol"},
                         {statistic("variance along the way of a lamp out of focus, over the sum of its parts", along,
                                    streak_variance(length, blur, lamp)),
                          statistic("variance across the way of a lamp out of focus, over the sum of its parts",

@@ -56,11 +56,10 @@ std::vector<Statistic> figure_statistics(const rt::Camera& camera, const Sight& 
             by_ratio("the light of the " + figure, {{0, "it is not seen"}}))};
 }
 
-Check figure_check(const std::string& name, const std::string& fragment, std::vector<std::string> needs,
-                   const std::string& scene, const std::string& figure, std::function<Sight(const rt::Camera&)> sight) {
+Check figure_check(const std::string& name, const std::string& scene, const std::string& figure,
+                   std::function<Sight(const rt::Camera&)> sight) {
     const rt::Camera camera = rt::parse_scene(scene, name).camera;
-    return render_check(name, fragment, std::move(needs), {scene, 16, "sobol"},
-                        figure_statistics(camera, sight(camera), figure));
+    return render_check(name, {scene, 16, "sobol"}, figure_statistics(camera, sight(camera), figure));
 }
 
 }  // namespace grade

@@ -12,8 +12,8 @@ using Sight = std::function<double(rt::vec2 film)>;
 /// Compares the figure's light (its sum), its place (centroid) and its size (variance about the centroid, per axis).
 std::vector<Statistic> figure_statistics(const rt::Camera& camera, const Sight& sight, const std::string& figure);
 
-Check figure_check(const std::string& name, const std::string& fragment, std::vector<std::string> needs,
-                   const std::string& scene, const std::string& figure, std::function<Sight(const rt::Camera&)> sight);
+Check figure_check(const std::string& name, const std::string& scene, const std::string& figure,
+                   std::function<Sight(const rt::Camera&)> sight);
 
 /// Whether the point where a line meets the plane of a quad is on it.
 bool on_quad(const rt::Quad& quad, rt::vec3 origin, rt::vec3 direction);

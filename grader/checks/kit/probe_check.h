@@ -7,11 +7,10 @@
 
 namespace grade {
 
-/// A check that calls its fragment; all.cpp fills in the fragment.
-inline Check probe_check(std::string name, std::string fragment, std::vector<std::string> needs,
-                         std::function<Rows(Generator&)> inputs, std::vector<Statistic> statistics, int share = 1) {
-    return {std::move(name),       fragment, std::move(needs), Probe{fragment, std::move(inputs)},
-            std::move(statistics), share};
+/// A check that calls its fragment.
+inline Check probe_check(std::string name, std::function<Rows(Generator&)> inputs, std::vector<Statistic> statistics,
+                         int share = 1) {
+    return {std::move(name), {}, Probe{{}, std::move(inputs)}, std::move(statistics), share};
 }
 
 /// So many rows.

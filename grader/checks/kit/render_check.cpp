@@ -60,11 +60,8 @@ rt::vec3 seen_on_plane(const rt::Camera& camera, rt::vec2 film, rt::vec3 point, 
     return camera.eye + rt::dot(point - camera.eye, normal) / rt::dot(d, normal) * d;
 }
 
-Check render_check(std::string name, std::string fragment, std::vector<std::string> needs, Render render,
-                   std::vector<Statistic> statistics, int share) {
-    for (const char* always_needed : {"camera_ray", "film_sample", "pixel_mean"})
-        if (fragment != always_needed) needs.push_back(always_needed);
-    return {std::move(name), std::move(fragment), std::move(needs), std::move(render), std::move(statistics), share};
+Check render_check(std::string name, Render render, std::vector<Statistic> statistics, int share) {
+    return {std::move(name), {}, std::move(render), std::move(statistics), share};
 }
 
 Statistic of_picture(std::string id, std::string what, std::function<double(const rt::Image&)> number, double truth,

@@ -26,6 +26,7 @@ std::string sphere(const std::string& material, rt::vec3 center, double radius, 
 std::string disc(const std::string& material, rt::vec3 center, rt::vec3 normal, double radius,
                  rt::vec3 velocity = rt::vec3(0));
 std::string quad(const std::string& material, rt::vec3 center, rt::vec3 u, rt::vec3 v, rt::vec3 velocity = rt::vec3(0));
+inline std::string quad(const std::string& material, const rt::Quad& q) { return quad(material, q.center, q.u, q.v); }
 
 /// A scene is set up in a frame of its own, and stands anywhere, turned in any way: place({x, y, z}) is in the world.
 struct Place {
@@ -52,9 +53,8 @@ double over_pixel(int x, int y, F f, int n = 4) {
     return sum / (n * n);
 }
 
-/// A check that renders. All pictures need what makes a picture, `needs` names the rest.
-Check render_check(std::string name, std::string fragment, std::vector<std::string> needs, Render render,
-                   std::vector<Statistic> statistics, int share = 1);
+/// A check that renders.
+Check render_check(std::string name, Render render, std::vector<Statistic> statistics, int share = 1);
 
 /// A number of the picture; a tenth of delta is right in any case.
 Statistic of_picture(std::string id, std::string what, std::function<double(const rt::Image&)> number, double truth,

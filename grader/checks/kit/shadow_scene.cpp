@@ -131,8 +131,7 @@ double floor_radiance(const ShadowScene& s, double x, double y, bool blocked) {
     return s.albedo / rt::pi * s.radiance * sum / (rings * turns);
 }
 
-Check shadow_check(Generator& random, const std::string& name, const std::string& fragment,
-                   std::vector<std::string> needs, const ShadowScene& s) {
+Check shadow_check(Generator& random, const std::string& name, const ShadowScene& s) {
     const double camera_height = 0.8 * s.blocker_height;
     const std::string scene = text(random, s, camera_height);
     const rt::Camera camera = rt::parse_scene(scene, name).camera;
@@ -175,9 +174,7 @@ Check shadow_check(Generator& random, const std::string& name, const std::string
         0, 0.6,
         always("the shadow's edge is shifted: the light is sampled more on one side, or the ray starts too far from "
                "the floor"));
-    if (!s.kind)
-        return render_check(name, fragment, std::move(needs), {scene, 32, "sobol"},
-                            {darkness, brightness_of_lit, place});
+    if (!s.kind) return render_check(name, {scene, 32, "sobol"}, {darkness, brightness_of_lit, place});
     Statistic width = of_picture(
         "L3", "width of the penumbra, over what must be",
         [=](const rt::Image& image) {
@@ -190,8 +187,7 @@ Check shadow_check(Generator& random, const std::string& name, const std::string
                   {0.5, "is the light's half-width used as its width, or its diameter as its radius?"},
                   {0.816, "samples crowd in the middle of the light"}},
                  "are samples spread evenly over the light?"));
-    return render_check(name, fragment, std::move(needs), {scene, 32, "sobol"},
-                        {darkness, brightness_of_lit, width, place});
+    return render_check(name, {scene, 32, "sobol"}, {darkness, brightness_of_lit, width, place});
 }
 
 }  // namespace grade

@@ -27,7 +27,6 @@ double penumbra_of(const ShadowScene& scene);
 double floor_radiance(const ShadowScene& scene, double x, double y, bool blocked);
 
 /// The check: umbra 0 (L4), lit floor (L1), width and place of the penumbra (L3).
-Check shadow_check(Generator& random, const std::string& name, const std::string& fragment,
-                   std::vector<std::string> needs, const ShadowScene& scene);
+Check shadow_check(Generator& random, const std::string& name, const ShadowScene& scene);
 
 }  // namespace grade

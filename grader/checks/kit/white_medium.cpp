@@ -1,20 +1,15 @@
+#include "checks/kit/white_medium.h"
+
 #include <fmt/format.h>
 
 #include "checks/kit/draw.h"
-#include "checks/kit/pictures.h"
 #include "checks/kit/render_check.h"
 #include "statistics/projection.h"
 #include "statistics/region.h"
 
 namespace grade {
 
-/// A ball of medium where light comes from everywhere alike, seen from so far that its rays are parallel. Red is not
-/// absorbed and cannot be seen. Of green and blue, albedos 1 - e and 1 - 2e, a little is lost at each scattering: from
-///
-///     1 - E (1 - e)^N = e E N - e^2 E N (N - 1)/2 + ...
-///
-/// for both of them follows E N, the mean number of scatterings.
-Check white_medium(Generator& random, const std::string& fragment) {
+Check white_medium(Generator& random) {
     const Place place = any_place(random);
     const double g = (chance(random, 0.5) ? 1 : -1) * between(random, 0.3, 0.5), extinction = between(random, 1, 1.6);
     const double around = log_between(random, 0.3, 3);
@@ -58,11 +53,7 @@ Check white_medium(Generator& random, const std::string& fragment) {
                   {1 / (extinction * extinction),
                    "is the free flight multiplied by the extinction? It must be divided by it"},
                   {1 / extinction, "is the extinction used?"}}));
-    std::vector<std::string> needs = {"hit_sphere", "refracted_direction", "fresnel_dielectric", "whitted",
-                                      "emission_counts"};
-    for (const char* other : {"free_flight", "scatter_direction"})
-        if (fragment != other) needs.push_back(other);
-    return render_check("white_medium", fragment, needs, {scene, 32, "sobol"}, {red, count});
+    return render_check("white_medium", {scene, 32, "sobol"}, {red, count});
 }
 
 }  // namespace grade

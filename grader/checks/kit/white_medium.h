@@ -1,0 +1,15 @@
+#pragma once
+
+#include "checks/kit/check.h"
+
+namespace grade {
+
+/// A ball of medium where light comes from everywhere alike, seen from so far that its rays are parallel. Red is not
+/// absorbed and cannot be seen. Of green and blue, albedos 1 - e and 1 - 2e, a little is lost at each scattering: from
+///
+///     1 - E (1 - e)^N = e E N - e^2 E N (N - 1)/2 + ...
+///
+/// for both of them follows E N, the mean number of scatterings.
+Check white_medium(Generator& random);
+
+}  // namespace grade

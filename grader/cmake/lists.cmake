@@ -1,0 +1,54 @@
+# The lists of fragments, made from starter/rt/fragments.h, assignment.toml and the files of checks/.
+
+# expect_in(names others message): an error for each of the names that is not among the others; in the message, NAME
+# stands for it. Indented, since CMake breaks other lines.
+function(expect_in names others message)
+    set(missing ${${names}})
+    list(REMOVE_ITEM missing ${${others}})
+    foreach(name IN LISTS missing)
+        string(REPLACE "NAME" ${name} text "${message}")
+        message(SEND_ERROR "  ${text}")
+    endforeach()
+endfunction()
+
+# make_lists(folder): writes there
+#
+#     checks/fragment_checks.h   the checks, in the order of the assignment
+#     child/each_fragment.h      the fragments, as functions
+function(make_lists folder)
+    set(header ${PROJECT_SOURCE_DIR}/starter/rt/fragments.h)
+    set(assignment ${PROJECT_SOURCE_DIR}/assignment.toml)
+    # as add_renderer has it for the header
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${assignment})
+
+    # one declaration a line
+    file(STRINGS ${header} declared REGEX "^[A-Za-z].*\\(.*\\);$")
+    list(TRANSFORM declared REPLACE "^[^(]* ([A-Za-z0-9_]+)\\(.*" "\\1")
+    list(REMOVE_ITEM declared report_not_started)
+
+    # { name = "phong", points = 3 }, and no comment
+    file(READ ${assignment} text)
+    string(REGEX REPLACE "#[^\n]*" "" text "${text}")
+    string(REGEX MATCHALL "{[^}]*name *= *\"[A-Za-z0-9_]+\"" assigned "${text}")
+    list(TRANSFORM assigned REPLACE ".*\"([A-Za-z0-9_]+)\"$" "\\1")
+
+    file(GLOB checked RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}/checks CONFIGURE_DEPENDS checks/*.cpp)
+    list(TRANSFORM checked REPLACE "\\.cpp$" "")
+
+    expect_in(declared assigned
+        "assignment.toml: does not list the fragment NAME of fragments.h; expected { name = \"NAME\", points = ... }")
+    expect_in(assigned declared
+        "starter/rt/fragments.h: does not declare the fragment NAME of assignment.toml; expected it, on one line")
+    expect_in(declared checked
+        "grader/checks/NAME.cpp: is missing; expected the checks of the fragment NAME of fragments.h")
+    expect_in(checked declared
+        "grader/checks/NAME.cpp: no fragment is named NAME; expected one of fragments.h, or the file in checks/kit")
+
+    foreach(name IN LISTS assigned)
+        string(APPEND functions "Checks check_${name}(Generator& random);\n")
+        string(APPEND entries "    {\"${name}\", check_${name}},\n")
+        string(APPEND visits "    visit(\"${name}\", rt::${name});\n")
+    endforeach()
+    configure_file(checks/fragment_checks.h.in ${folder}/checks/fragment_checks.h @ONLY)
+    configure_file(child/each_fragment.h.in ${folder}/child/each_fragment.h @ONLY)
+endfunction()

@@ -1,0 +1,54 @@
+#include <algorithm>
+#include <filesystem>
+#include <regex>
+#include <set>
+
+#include "assignment.h"
+#include "build/files.h"
+#include "catch.h"
+#include "checks/kit/check.h"
+#include "child/probes.h"
+
+using namespace grade;
+
+namespace {
+
+/// The functions that a header declares, but for report_not_started.
+std::set<std::string> declared(const std::string& path) {
+    const std::string text = read_text(path).value();
+    const std::regex declaration("\\n[A-Za-z][^\\n;(]* (\\w+)\\([^;{]*\\);");
+    std::set<std::string> names;
+    for (std::sregex_iterator match(text.begin(), text.end(), declaration), end; match != end; ++match)
+        names.insert((*match)[1]);
+    names.erase("report_not_started");
+    return names;
+}
+
+/// The files of a folder, without .cpp.
+std::set<std::string> sources(const fs::path& folder) {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.path().extension() == ".cpp") names.insert(entry.path().stem());
+    return names;
+}
+
+}  // namespace
+
+TEST_CASE("what fragments.h declares is what the assignment lists, with a solution and a file of checks for each") {
+    const std::set<std::string> fragments = declared("starter/rt/fragments.h");
+    const auto names = read_assignment("assignment.toml").names();
+    CHECK(std::set<std::string>(names.begin(), names.end()) == fragments);
+    CHECK(sources("solution") == fragments);
+    CHECK(sources("grader/checks") == fragments);
+}
+
+TEST_CASE("each fragment has a probe, a check, and points unless it is given") {
+    const auto checks = all_checks(1);
+    for (const Fragment& fragment : read_assignment("assignment.toml").fragments) {
+        CAPTURE(fragment.name);
+        CHECK_THROWS_AS(probe(fragment.name, {}), std::out_of_range);  // the row is too short
+        CHECK(std::ranges::count(checks, fragment.name, &Check::fragment) > 0);
+        CHECK((fragment.points > 0) != fragment.given);
+    }
+    CHECK_THROWS_AS(probe("no_such", {}), std::invalid_argument);
+}

@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# lists_test.sh: the lists of fragments that the build makes follow fragments.h, assignment.toml and checks/; where these do
+# not agree, the build says so.
+set -uo pipefail
+# shellcheck source=tests/expect.sh
+. "$(dirname "$0")/expect.sh"
+
+# A project of its own with nothing but the lists.
+mkdir -p "$work/starter/rt" "$work/grader"
+cp -r grader/checks grader/child grader/cmake "$work/grader"
+cat >"$work/CMakeLists.txt" <<'CMAKE'
+cmake_minimum_required(VERSION 3.22)
+project(lists NONE)
+add_subdirectory(grader)
+CMAKE
+cat >"$work/grader/CMakeLists.txt" <<'CMAKE'
+include(cmake/lists.cmake)
+make_lists(${CMAKE_CURRENT_BINARY_DIR})
+CMAKE
+checks=$work/build/grader/checks/fragment_checks.h functions=$work/build/grader/child/each_fragment.h
+fresh() { cp starter/rt/fragments.h "$work/starter/rt" && cp assignment.toml "$work"; }
+configure=(cmake -S "$work" -B "$work/build")
+
+fresh
+expect 0 "Generating done" "${configure[@]}"
+solutions=(solution/*.cpp)
+expect 0 "${#solutions[@]}" grep -c 'visit("\(.*\)", rt::\1);' "$functions"
+
+# a new fragment: a declaration, a line of the assignment, a file of checks
+declare_one() { sed -i 's|^// 3 sampling|Real fog(Real extinction, Real way);\n&|' "$work/starter/rt/fragments.h"; }
+assign_one() { sed -i 's|.*name = "whitted", points.*|&\n  { points = 2, name = "fog" }, # { name = "mist" }|' "$work/assignment.toml"; }
+declare_one
+expect 1 'assignment.toml: does not list the fragment fog of fragments.h; expected { name = "fog", points = ... }' "${configure[@]}"
+expect 1 'grader/checks/fog.cpp: is missing; expected the checks of the fragment fog of fragments.h' "${configure[@]}"
+touch "$work/grader/checks/fog.cpp"
+assign_one
+expect 0 "Generating done" "${configure[@]}"
+expect 0 'Checks check_fog(Generator& random);' cat "$checks"
+expect 0 'visit("fog", rt::fog);' cat "$functions"
+expect 0 $'{"whitted", check_whitted},\n    {"fog", check_fog},' cat "$checks"
+
+fresh
+expect 1 'grader/checks/fog.cpp: no fragment is named fog; expected one of fragments.h, or the file in checks/kit' "${configure[@]}"
+assign_one
+expect 1 'starter/rt/fragments.h: does not declare the fragment fog of assignment.toml; expected it, on one line' "${configure[@]}"
+rm "$work/grader/checks/fog.cpp"
+
+# the order is the assignment's
+fresh
+sed -i 's/"phong"/"here"/; s/"shadow_ray"/"phong"/; s/"here"/"shadow_ray"/' "$work/assignment.toml"
+expect 0 "Generating done" "${configure[@]}"
+expect 0 $'check_shadow_ray},\n    {"phong", check_phong},' cat "$checks"
+
+[ $failures = 0 ] && echo "all as expected"
+exit $((failures > 0))
