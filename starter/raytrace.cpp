@@ -179,7 +179,9 @@ int run(const Options& o) {
     if (bar) fmt::print(stderr, "\r\033[K");
     rt::write_exr(o.out, rendering.image);
     rt::write_png(std::filesystem::path(o.out).replace_extension(".png").string(), rendering.image, scene.exposure);
-    if (interrupted) fmt::print(stderr, "{}: interrupted; what was not rendered yet is black\n", o.out);
+    if (rendering.done < 1)
+        fmt::print(stderr, "{}: {} after {:.3g} % of the picture; what is missing is black\n", o.out,
+                   interrupted ? "interrupted" : "the time was over", 100 * rendering.done);
     if (!o.quiet) report(o.out, rendering);
     if (rendering.fault.empty()) return ok;
     report_fault(o, settings, scene, rendering.fault);

@@ -29,8 +29,8 @@ struct Worker {
 
     explicit Worker(const World& world) : world(world) {}
 
-    /// The means of some pixels with n samples each.
-    void render(const std::vector<PixelWork>& pixels, int n, Sampler sampler, Color* means);
+    /// The means of some pixels with n samples each, from the sample of index `from` on.
+    void render(const std::vector<PixelWork>& pixels, int n, Sampler sampler, Color* means, int from = 0);
 
 private:
     Queue now, next;
@@ -38,9 +38,9 @@ private:
     Surfaces surfaces;
     Colors found;  // what each lane of a batch adds to its sample
 
-    void first_wave(const std::vector<PixelWork>& pixels, Pattern pattern);
+    void first_wave(const std::vector<PixelWork>& pixels, Pattern pattern, int from);
     void follow(Batch& batch, Pattern pattern, int wave);
-    void find_fault(const std::vector<PixelWork>& pixels, int n);
+    void find_fault(const std::vector<PixelWork>& pixels, int n, int from);
 };
 
 }  // namespace rt
