@@ -128,6 +128,7 @@ Rendering render(const Scene& scene, const RenderSettings& settings) {
     arena.execute([&] {
         (sampling_of(settings).passes ? render_until : render_at_once)(settings, passes, watch, start, result);
     });
+    result.stopped = settings.stop && settings.stop();
     result.rays = passes.rays;
     result.fault = passes.fault;
     result.fault_slice = passes.fault_slice;

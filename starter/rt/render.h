@@ -43,6 +43,7 @@ struct Rendering {
     Image image;           // of the crop
     std::uint64_t samples = 0;  // a pixel, in all passes
     Real done = 1;         // share of the pixels that are there; the others are black
+    bool stopped = false;  // RenderSettings::stop has ended it
     RayCounts rays{};
     Real wall_seconds = 0, cpu_seconds = 0;  // of rendering alone
     Real rmse = std::numeric_limits<Real>::quiet_NaN();  // estimated from pixels that are rendered twice; nan: unknown
