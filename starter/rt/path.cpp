@@ -24,14 +24,16 @@ void Worker::first_wave(const std::vector<PixelWork>& pixels, Pattern pattern, i
     for (int slot = 0; slot < all; slot += lanes) {
         const int count = std::min(lanes, all - slot);
         for (int i = 0; i < count; ++i) {
-            const PixelWork& work = pixels[std::size_t(pixel)];
-            extents[i] = {vec2(work.x, work.y), vec2(work.x + 1, work.y + 1)};
-            keys[i] = work.key;
+            const PixelWork& of = pixels[std::size_t(pixel)];
+            extents[i] = {vec2(of.x, of.y), vec2(of.x + 1, of.y + 1)};
+            keys[i] = of.key;
             samples[i] = from + sample;
             if (++sample == n) sample = 0, ++pixel;
         }
-        camera_stage(world, {extents, keys, samples, slot, count, pattern}, first, chunk);
+        const CameraWork work{extents, keys, samples, slot, count, pattern};
+        camera_stage(world, work, first, chunk);
         first.count = count;
+        if (trace) trace_camera(world, work, first, *trace);
         follow(first, pattern, 0);
     }
 }
@@ -40,13 +42,13 @@ void Worker::follow(Batch& batch, Pattern pattern, int wave) {
     nearest_stage(world, batch);
     medium_stage(world, pattern, wave, batch, next, chunk);
     surface_stage(world, batch, surfaces);
-    if (trace) *trace += describe_wave(world, wave, batch, surfaces);
     found = Colors{};
     emission_stage(world, batch, surfaces, found);
     direct_stage(world, pattern, wave, batch, surfaces, shadow, found, chunk);
     for (int i = 0; i < batch.count; ++i) chunk.radiance[std::size_t(batch.slot[i])] += found.at(i);
-    if (trace) *trace += describe_light(batch, chunk);
+    if (trace) trace_wave({world, pattern, wave, batch, surfaces}, *trace);
     scatter_stage(world, pattern, wave, batch, surfaces, next, chunk);
+    if (trace) trace_ways({world, pattern, wave, batch, surfaces}, *trace);
 }
 
 void Worker::render(const std::vector<PixelWork>& pixels, int n, Sampler sampler, Color* means, int from) {

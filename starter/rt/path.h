@@ -20,12 +20,14 @@ inline Bits pixel_key(const Camera& camera, Bits seed, int x, int y) {
     return combine(seed, Bits(y) * Bits(camera.size.x) + Bits(x));
 }
 
+struct Trace;
+
 /// What one thread needs to follow paths: the stages' batches, kept from chunk to chunk.
 struct Worker {
     const World& world;
     Chunk chunk;
     std::string fault;  // the first sample that was no finite number
-    std::string* trace = nullptr;  // where each stage's values are told; none: not told
+    Trace* trace = nullptr;  // where the fragments' answers are told; none: not told
 
     explicit Worker(const World& world) : world(world) {}
 
