@@ -2,6 +2,7 @@
 
 #include <sys/resource.h>
 #include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -27,19 +28,18 @@ Real cpu_seconds() {
     return seconds(used.ru_utime) + seconds(used.ru_stime);
 }
 
-/// The sum of all passes, each counted by its samples; and a second one of the pixels that are rendered twice.
+/// The sum of all passes, each counted by its samples; and at the end a second one of the pixels that are rendered twice.
 struct Total {
     std::uint64_t samples = 0;
-    std::vector<Sum> sums;  // channel by channel, the control's second ones at the end
+    std::vector<Color> sums;
 
-    explicit Total(std::size_t colors) : sums(3 * colors) {}
+    explicit Total(std::size_t colors) : sums(colors, Color(0)) {}
 
     void add(const Color* means, int count) {
-        for (std::size_t i = 0; i < sums.size(); ++i) sums[i].add(Real(count) * means[i / 3][int(i % 3)]);
+        tbb::parallel_for(std::size_t(0), sums.size(), [&](std::size_t k) { sums[k] += Real(count) * means[k]; });
         samples += std::uint64_t(count);
     }
-    Color sum(std::size_t k) const { return {sums[3 * k].value(), sums[3 * k + 1].value(), sums[3 * k + 2].value()}; }
-    Color mean(std::size_t k) const { return sum(k) / Real(samples); }
+    Color mean(std::size_t k) const { return sums[k] / Real(samples); }
 };
 
 /// Root mean square over pixels and channels of the error of one of two independent estimates: its variance is half of that
@@ -86,7 +86,7 @@ void render_until(const RenderSettings& settings, Passes& passes, Watch& watch, 
         const auto finished = [&](std::size_t first, std::size_t last, Real) {
             if (watch.paints())
                 watch.paint(first, last, [&](std::size_t k) {
-                    return (total.sum(k) + Real(count) * passes.means()[k]) / Real(total.samples + std::uint64_t(count));
+                    return (total.sums[k] + Real(count) * passes.means()[k]) / Real(total.samples + std::uint64_t(count));
                 });
             const Real spent = seconds_since(start), of_error = sqr(limits.error / so_far.rmse),
                        share = std::min<Real>(1, std::max(spent / limits.time, of_error));
@@ -103,7 +103,7 @@ void render_until(const RenderSettings& settings, Passes& passes, Watch& watch, 
                       [&](std::size_t i) { return total.mean(pixels + i); });
         so_far = {total.samples, seconds, (seconds - so_far.seconds) / count, std::isnan(r.rmse) ? inf : r.rmse};
     }
-    for (std::size_t k = 0; k < pixels; ++k) r.image.pixels[k] = total.mean(k);
+    tbb::parallel_for(std::size_t(0), pixels, [&](std::size_t k) { r.image.pixels[k] = total.mean(k); });
     r.samples = total.samples;
 }
 

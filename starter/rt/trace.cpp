@@ -13,8 +13,9 @@ PixelTrace trace_paths(const Scene& scene, const RenderSettings& settings, int x
     worker.trace = &traced.trace;
     const Bits key = pixel_key(scene.camera, combine(settings.seed, 0), x, y);
     worker.render({{x, y, key}}, settings.samples, settings.sampler, &traced.mean);
-    for (std::size_t k = 0; k < traced.trace.samples.size(); ++k)
-        tell(traced.trace.samples[k], "gathered", "{}", text(worker.chunk.radiance[k]));
+    traced.radiance = worker.chunk.radiance;
+    for (std::size_t k = 0; k < traced.radiance.size(); ++k)
+        tell(traced.trace.samples[k], "gathered", "{}", text(traced.radiance[k]));
     return traced;
 }
 

@@ -45,6 +45,7 @@ void trace_ways(const Wave& wave, Trace& trace);
 /// The trace of a pixel, and its colour as the picture has it.
 struct PixelTrace {
     Trace trace;
+    std::vector<Color> radiance;  // of each sample, as the stages have gathered it
     Color mean{0};
 };
 PixelTrace trace_paths(const Scene& scene, const RenderSettings& settings, int x, int y);
