@@ -4,12 +4,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <atomic>
 #include <cerrno>
-#include <chrono>
 #include <csignal>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <new>
@@ -18,8 +15,11 @@
 #include "rt/files/image.h"
 #include "rt/files/mitsuba.h"
 #include "rt/plan.h"
-#include "rt/render.h"
 #include "rt/files/scene_reader.h"
+#include "rt/render.h"
+#include "rt/show/bar.h"
+#include "rt/show/onlookers.h"
+#include "rt/show/report.h"
 
 namespace {
 
@@ -27,7 +27,7 @@ namespace {
 enum Exit { ok = 0, not_finite = 1, bad_input = 2, no_output = 3 };
 
 struct Options {
-    std::string scene, out, mitsuba;
+    std::string scene, out, mitsuba, preview, tev;
     std::optional<int> samples;
     std::optional<std::string> sampler;
     std::optional<rt::Real> exposure;
@@ -49,12 +49,15 @@ void describe_options(CLI::App& app, Options& o) {
     app.add_option("--size", o.size, "size of the film, WIDTHxHEIGHT")
         ->delimiter('x')->expected(2)->check(CLI::Range(1, 65536));
     app.add_option("--crop", o.crop, "render this part only, X,Y,WIDTH,HEIGHT")->delimiter(',')->expected(4);
-    app.add_option("--pixel", o.pixel, "print every intermediate value of this pixel's paths, X,Y")
+    app.add_option("--pixel", o.pixel, "print what each fragment answers along this pixel's paths, X,Y")
         ->delimiter(',')->expected(2);
-    app.add_option("--time-limit", o.settings.time_limit, "render passes until this time is over [s]")->check(positive);
-    app.add_option("--target-error", o.settings.target_error, "render passes until the RMSE is this small")
+    app.add_option("--time-limit", o.settings.time_limit, "render pass after pass until this time is over [s]")->check(positive);
+    app.add_option("--target-error", o.settings.target_error, "render pass after pass until the RMSE is this small")
         ->check(positive);
     app.add_option("--exposure", o.exposure, "factor for the preview")->check(positive);
+    app.add_flag("--preview{auto}", o.preview, "draw the picture into the terminal while it is made; =blocks, =kitty or =sixel: so")
+        ->check(CLI::IsMember({"auto", "blocks", "kitty", "sixel"}));
+    app.add_option("--tev", o.tev, "show the picture in the viewer tev while it is made, HOST:PORT");
     app.add_flag("--plan", o.plan, "print what this scene needs and what is left out");
     app.add_option("--export-mitsuba", o.mitsuba, "write the scene for Mitsuba 3: NAME.xml, with its meshes beside it");
     app.add_flag("--quiet", o.quiet, "print nothing but errors");
@@ -100,7 +103,7 @@ rt::RenderSettings make_settings(const Options& o, const rt::Scene& scene) {
 void check_output(const std::string& out) {
     const std::filesystem::path path(out);
     if (out.empty())
-        throw UsageError("no output; expected -o NAME.exr, --plan, --pixel X,Y or --export-mitsuba NAME.xml");
+        throw UsageError("no output; expected -o NAME.exr, --preview, --tev HOST:PORT, --plan, --pixel X,Y or --export-mitsuba NAME.xml");
     if (path.extension() != ".exr") throw UsageError(out + ": unknown kind of image; expected -o NAME.exr");
     const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
     if (access(folder.c_str(), W_OK) != 0)
@@ -110,80 +113,61 @@ void check_output(const std::string& out) {
 
 std::atomic<bool> interrupted = false;
 
-/// A bar with the time left, ten times a second at most.
-void show_progress(rt::Real done, rt::Real seconds_left) {
-    using Clock = std::chrono::steady_clock;
-    static Clock::time_point last{};
-    if (Clock::now() - last < std::chrono::milliseconds(100)) return;
-    last = Clock::now();
-    const int width = 40, full = int(done * width);
-    const auto bar = std::string(std::size_t(full), '#') + std::string(std::size_t(width - full), '.');
-    const auto left = seconds_left < 1e6 ? fmt::format("{:.0f} s left", seconds_left) : std::string();
-    fmt::print(stderr, "\r[{}] {:3.0f} % {}{}\033[K", bar, 100 * done, left, interrupted ? ", stopping" : "");
-    std::fflush(stderr);
+/// The first Ctrl-C ends soon and writes what is there, the second ends at once.
+void listen_for_interrupts() {
+    struct sigaction action {};
+    action.sa_handler = [](int) { interrupted = true; };
+    action.sa_flags = int(SA_RESETHAND);
+    sigaction(SIGINT, &action, nullptr);
 }
 
-std::string in_words(std::uint64_t n) {
-    if (n < 100000) return fmt::format("{}", n);
-    return n < 100000000 ? fmt::format("{:.3g} M", 1e-6 * double(n)) : fmt::format("{:.4g} M", 1e-6 * double(n));
+rt::ShowOptions make_show_options(const Options& o, const rt::Scene& scene, const rt::RenderSettings& settings) {
+    rt::ShowOptions show{o.preview, scene.exposure, {}, o.out.empty() ? o.scene : o.out, scene.camera.size};
+    if (settings.crop) show.corner = {settings.crop->x, settings.crop->y};
+    if (o.tev.empty()) return show;
+    show.tev = rt::tev_address(o.tev);
+    if (!show.tev) throw UsageError("--tev: " + o.tev + " is no address; expected HOST:PORT, such as localhost:14158");
+    return show;
 }
 
-void report(const std::string& out, const rt::Rendering& r) {
-    fmt::print("{}: {} x {} pixels, {} samples a pixel\n", out, r.image.width, r.image.height, r.samples);
-    fmt::print("error    {:.3g} estimated RMSE\n", r.rmse);
-    fmt::print("time     {:.4f} s CPU, {:.4f} s wall\n", r.cpu_seconds, r.wall_seconds);
-    fmt::print("rays    ");
-    const char* comma = " ";
-    for (std::size_t i = 0; i < r.rays.size(); ++i) {
-        if (r.rays[i] > 0) fmt::print("{}{} {}", comma, in_words(r.rays[i]), rt::ray_kind_names[i]);
-        if (r.rays[i] > 0) comma = ", ";
+int render(const Options& o, const rt::Scene& scene, rt::RenderSettings settings) {
+    const rt::ShowOptions show = make_show_options(o, scene, settings);
+    listen_for_interrupts();
+    rt::Onlookers onlookers(show);
+    const bool bar = !o.quiet && isatty(STDERR_FILENO);
+    if (bar) settings.progress = [](rt::Real done, rt::Real left) { rt::show_bar(done, left, interrupted); };
+    if (onlookers.any()) settings.show = [&](const rt::Image& image) { onlookers.show(image); };
+    settings.stop = [] { return interrupted.load(); };
+
+    const rt::Rendering rendering = rt::render(scene, settings);
+    if (bar) rt::clear_bar();
+    onlookers.finish(rendering.image);
+    if (!o.out.empty()) {
+        rt::write_exr(o.out, rendering.image, rt::label_of(o.scene, scene.camera.size, settings, rendering));
+        rt::write_png(std::filesystem::path(o.out).replace_extension(".png").string(), rendering.image, scene.exposure);
     }
-    const auto samples = double(r.rays[std::size_t(rt::RayKind::camera)]);
-    fmt::print("\nspeed    {:.3g} M samples per CPU second\n", 1e-6 * samples / std::max(r.cpu_seconds, 1e-9));
-}
-
-/// The command which shows how a number that is none came about; the fault begins with "pixel X,Y".
-void report_fault(const Options& o, const rt::RenderSettings& settings, const rt::Scene& scene,
-                  const std::string& fault) {
-    int x = 0, y = 0;
-    std::sscanf(fault.c_str(), "pixel %d,%d", &x, &y);
-    fmt::print(stderr,
-               "{}: {}; expected a finite number\n"
-               "To see how it came about: raytrace {} --pixel {},{} --seed {} --samples {} --sampler {} --size {}x{}{}\n",
-               o.scene, fault, o.scene, x, y, settings.seed, settings.samples, rt::sampler_names[std::size_t(settings.sampler)], scene.camera.size.x,
-               scene.camera.size.y, rt::sampling_of(settings).passes ? " --time-limit 1" : "");
+    if (rendering.done < 1)
+        fmt::print(stderr, "{}: {} after {:.3g} % of the picture; what is missing is black\n", show.name,
+                   interrupted ? "interrupted" : "the time was over", 100 * rendering.done);
+    if (!o.quiet) fmt::print("{}", rt::report(show.name, settings, rendering));
+    if (rendering.fault.empty()) return ok;
+    fmt::print(stderr, "{}", rt::report_fault(o.scene, scene.camera.size, settings, rendering));
+    return not_finite;
 }
 
 int run(const Options& o) {
     const rt::Scene scene = read_scene(o);
-    rt::RenderSettings settings = make_settings(o, scene);
+    const rt::RenderSettings settings = make_settings(o, scene);
     if (o.plan) fmt::print("{}", rt::describe(rt::make_plan(scene, rt::sampling_of(settings)), scene));
     if (!o.pixel.empty()) {
         check_inside(o.pixel, scene.camera.size, "pixel");
         fmt::print("{}", rt::trace_pixel(scene, settings, o.pixel[0], o.pixel[1]));
     }
     if (!o.mitsuba.empty()) rt::export_mitsuba(scene, o.mitsuba);
-    if (o.out.empty() && (o.plan || !o.pixel.empty() || !o.mitsuba.empty())) return ok;
-    check_output(o.out);
-
-    const bool bar = !o.quiet && isatty(STDERR_FILENO);
-    if (bar) settings.progress = show_progress;
-    // The first Ctrl-C ends soon and writes what is there, the second ends at once.
-    settings.stop = [] { return interrupted.load(); };
-    struct sigaction action {};
-    action.sa_handler = [](int) { interrupted = true; };
-    action.sa_flags = int(SA_RESETHAND);
-    sigaction(SIGINT, &action, nullptr);
-
-    const rt::Rendering rendering = rt::render(scene, settings);
-    if (bar) fmt::print(stderr, "\r\033[K");
-    rt::write_exr(o.out, rendering.image);
-    rt::write_png(std::filesystem::path(o.out).replace_extension(".png").string(), rendering.image, scene.exposure);
-    if (interrupted) fmt::print(stderr, "{}: interrupted; what was not rendered yet is black\n", o.out);
-    if (!o.quiet) report(o.out, rendering);
-    if (rendering.fault.empty()) return ok;
-    report_fault(o, settings, scene, rendering.fault);
-    return not_finite;
+    const bool shows = !o.preview.empty() || !o.tev.empty();
+    if (o.out.empty() && !shows && (o.plan || !o.pixel.empty() || !o.mitsuba.empty())) return ok;
+    if (!o.out.empty() || !shows) check_output(o.out);
+    return render(o, scene, settings);
 }
 
 }  // namespace

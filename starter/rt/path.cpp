@@ -14,7 +14,7 @@ constexpr int longest_path = 1 << 20;
 
 }  // namespace
 
-void Worker::first_wave(const std::vector<PixelWork>& pixels, Pattern pattern) {
+void Worker::first_wave(const std::vector<PixelWork>& pixels, Pattern pattern, int from) {
     const int n = pattern.n;
     Extent extents[lanes];
     Bits keys[lanes]{};
@@ -24,14 +24,16 @@ void Worker::first_wave(const std::vector<PixelWork>& pixels, Pattern pattern) {
     for (int slot = 0; slot < all; slot += lanes) {
         const int count = std::min(lanes, all - slot);
         for (int i = 0; i < count; ++i) {
-            const PixelWork& work = pixels[std::size_t(pixel)];
-            extents[i] = {vec2(work.x, work.y), vec2(work.x + 1, work.y + 1)};
-            keys[i] = work.key;
-            samples[i] = sample;
+            const PixelWork& of = pixels[std::size_t(pixel)];
+            extents[i] = {vec2(of.x, of.y), vec2(of.x + 1, of.y + 1)};
+            keys[i] = of.key;
+            samples[i] = from + sample;
             if (++sample == n) sample = 0, ++pixel;
         }
-        camera_stage(world, {extents, keys, samples, slot, count, pattern}, first, chunk);
+        const CameraWork work{extents, keys, samples, slot, count, pattern};
+        camera_stage(world, work, first, chunk);
         first.count = count;
+        if (trace) trace_camera(world, work, first, *trace);
         follow(first, pattern, 0);
     }
 }
@@ -40,22 +42,22 @@ void Worker::follow(Batch& batch, Pattern pattern, int wave) {
     nearest_stage(world, batch);
     medium_stage(world, pattern, wave, batch, next, chunk);
     surface_stage(world, batch, surfaces);
-    if (trace) *trace += describe_wave(world, wave, batch, surfaces);
     found = Colors{};
     emission_stage(world, batch, surfaces, found);
     direct_stage(world, pattern, wave, batch, surfaces, shadow, found, chunk);
     for (int i = 0; i < batch.count; ++i) chunk.radiance[std::size_t(batch.slot[i])] += found.at(i);
-    if (trace) *trace += describe_light(batch, chunk);
+    if (trace) trace_wave({world, pattern, wave, batch, surfaces}, *trace);
     scatter_stage(world, pattern, wave, batch, surfaces, next, chunk);
+    if (trace) trace_ways({world, pattern, wave, batch, surfaces}, *trace);
 }
 
-void Worker::render(const std::vector<PixelWork>& pixels, int n, Sampler sampler, Color* means) {
+void Worker::render(const std::vector<PixelWork>& pixels, int n, Sampler sampler, Color* means, int from) {
     const Pattern pattern{pattern_of(sampler, n), n};
     const std::size_t all = pixels.size() * std::size_t(n);
     chunk.radiance.assign(all, Color(0));
     chunk.weight.resize(all);
     next.clear();
-    first_wave(pixels, pattern);
+    first_wave(pixels, pattern, from);
     for (int wave = 1; next.used > 0 && wave < longest_path; ++wave) {
         std::swap(now, next);
         next.clear();
@@ -63,16 +65,16 @@ void Worker::render(const std::vector<PixelWork>& pixels, int n, Sampler sampler
     }
     for (std::size_t k = 0; k < pixels.size(); ++k) {
         means[k] = film_stage(world, &chunk.radiance[k * std::size_t(n)], &chunk.weight[k * std::size_t(n)], n);
-        if (fault.empty() && !std::isfinite(means[k].x + means[k].y + means[k].z)) find_fault(pixels, n);
+        if (fault.empty() && !std::isfinite(means[k].x + means[k].y + means[k].z)) find_fault(pixels, n, from);
     }
 }
 
-void Worker::find_fault(const std::vector<PixelWork>& pixels, int n) {
+void Worker::find_fault(const std::vector<PixelWork>& pixels, int n, int from) {
     for (std::size_t slot = 0; slot < chunk.radiance.size(); ++slot) {
         const Color c = chunk.radiance[slot];
         if (std::isfinite(c.x + c.y + c.z)) continue;
         const PixelWork& pixel = pixels[slot / std::size_t(n)];
-        fault = fmt::format("pixel {},{}, sample {}: radiance {} {} {}", pixel.x, pixel.y, slot % std::size_t(n), c.x,
+        fault = fmt::format("pixel {},{}, sample {}: radiance {} {} {}", pixel.x, pixel.y, std::size_t(from) + slot % std::size_t(n), c.x,
                             c.y, c.z);
         return;
     }

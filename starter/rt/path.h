@@ -20,17 +20,19 @@ inline Bits pixel_key(const Camera& camera, Bits seed, int x, int y) {
     return combine(seed, Bits(y) * Bits(camera.size.x) + Bits(x));
 }
 
+struct Trace;
+
 /// What one thread needs to follow paths: the stages' batches, kept from chunk to chunk.
 struct Worker {
     const World& world;
     Chunk chunk;
     std::string fault;  // the first sample that was no finite number
-    std::string* trace = nullptr;  // where each stage's values are told; none: not told
+    Trace* trace = nullptr;  // where the fragments' answers are told; none: not told
 
     explicit Worker(const World& world) : world(world) {}
 
-    /// The means of some pixels with n samples each.
-    void render(const std::vector<PixelWork>& pixels, int n, Sampler sampler, Color* means);
+    /// The means of some pixels with n samples each, from the sample of index `from` on.
+    void render(const std::vector<PixelWork>& pixels, int n, Sampler sampler, Color* means, int from = 0);
 
 private:
     Queue now, next;
@@ -38,9 +40,9 @@ private:
     Surfaces surfaces;
     Colors found;  // what each lane of a batch adds to its sample
 
-    void first_wave(const std::vector<PixelWork>& pixels, Pattern pattern);
+    void first_wave(const std::vector<PixelWork>& pixels, Pattern pattern, int from);
     void follow(Batch& batch, Pattern pattern, int wave);
-    void find_fault(const std::vector<PixelWork>& pixels, int n);
+    void find_fault(const std::vector<PixelWork>& pixels, int n, int from);
 };
 
 }  // namespace rt

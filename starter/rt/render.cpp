@@ -1,24 +1,23 @@
 #include "rt/render.h"
 
-#include <fmt/format.h>
 #include <sys/resource.h>
-#include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <mutex>
 
-#include "rt/path.h"
+#include "rt/passes/pass.h"
+#include "rt/passes/watch.h"
 
 namespace rt {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// A pass that was expected to be over in time may take so much longer, before it is given up.
+constexpr Real grace = 1.05;
 
 Real seconds_since(Clock::time_point start) { return std::chrono::duration<Real>(Clock::now() - start).count(); }
 
@@ -29,119 +28,110 @@ Real cpu_seconds() {
     return seconds(used.ru_utime) + seconds(used.ru_stime);
 }
 
-/// Which pixels of the crop are rendered twice to estimate the error: every so many, at least a few hundred in all.
-int control_stride(std::size_t pixels) { return int(std::clamp<std::size_t>(pixels / 512, 1, 31)); }
+/// The sum of all passes, each counted by its samples; and at the end a second one of the pixels that are rendered twice.
+struct Total {
+    std::uint64_t samples = 0;
+    std::vector<Color> sums;
 
-/// One pass over the crop, with what it adds up.
-struct Pass {
-    const World& world;
-    const RenderSettings& settings;
-    Crop crop;
-    std::mutex mutex;
-    RayCounts rays{};
-    std::string fault;
-    std::atomic<std::size_t> done{0};
-    std::atomic<bool> stopped{false};
+    explicit Total(std::size_t colors) : sums(colors, Color(0)) {}
 
-    void run(std::uint64_t seed, const std::vector<std::size_t>& pixels, std::vector<Color>& means,
-             const std::function<void(std::size_t)>& progress) {
-        const int chunk = std::max(1, chunk_samples / settings.samples);
-        const std::size_t chunks = (pixels.size() + std::size_t(chunk) - 1) / std::size_t(chunk);
-        tbb::enumerable_thread_specific<Worker> workers([&] { return Worker(world); });
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chunks), [&](const auto& range) {
-            Worker& worker = workers.local();
-            for (std::size_t c = range.begin(); c < range.end(); ++c) {
-                if (settings.stop && settings.stop()) stopped = true;
-                if (stopped) return;
-                const std::size_t first = c * std::size_t(chunk),
-                                  last = std::min(pixels.size(), first + std::size_t(chunk));
-                std::vector<PixelWork> work;
-                for (std::size_t k = first; k < last; ++k) {
-                    const int x = crop.x + int(pixels[k] % std::size_t(crop.width)),
-                              y = crop.y + int(pixels[k] / std::size_t(crop.width));
-                    work.push_back({x, y, pixel_key(world.scene.camera, seed, x, y)});
-                }
-                worker.render(work, settings.samples, settings.sampler, &means[first]);
-                const std::size_t so_far = done += last - first;
-                if (!worker.fault.empty() || progress) {
-                    const std::lock_guard lock(mutex);
-                    if (fault.empty()) fault = worker.fault;
-                    if (progress) progress(so_far);
-                }
-            }
-        });
-        for (const Worker& worker : workers)
-            for (std::size_t k = 0; k < rays.size(); ++k) rays[k] += worker.chunk.rays[k];
+    void add(const Color* means, int count) {
+        tbb::parallel_for(std::size_t(0), sums.size(), [&](std::size_t k) { sums[k] += Real(count) * means[k]; });
+        samples += std::uint64_t(count);
     }
+    Color mean(std::size_t k) const { return sums[k] / Real(samples); }
 };
 
-/// Mean over pixels and channels of half the squared difference of two independent estimates: the variance of one.
-Real variance(const std::vector<Color>& a, const std::vector<Color>& b) {
+/// Root mean square over pixels and channels of the error of one of two independent estimates: its variance is half of that
+/// of their difference.
+template <class First, class Second>
+Real rmse(const std::vector<std::size_t>& control, First first, Second second) {
     Sum squares;
-    for (std::size_t i = 0; i < a.size(); ++i) squares.add(dot(a[i] - b[i], a[i] - b[i]) / 6);
-    return squares.value() / Real(a.size());
+    for (std::size_t i = 0; i < control.size(); ++i) {
+        const Color d = first(control[i]) - second(i);
+        squares.add(dot(d, d) / 6);
+    }
+    return control.empty() ? std::numeric_limits<Real>::quiet_NaN() : std::sqrt(squares.value() / Real(control.size()));
+}
+
+/// One pass with all samples.
+void render_at_once(const RenderSettings& settings, Passes& passes, Watch& watch, Clock::time_point start, Rendering& r) {
+    const auto finished = [&](std::size_t first, std::size_t last, Real share) {
+        if (watch.paints()) watch.paint(first, last, [&](std::size_t k) { return passes.means()[k]; });
+        watch.look(share, seconds_since(start) * (1 - share) / share);
+    };
+    const bool whole = passes.run({settings.sampler, settings.seed, 0, settings.samples},
+                                  [&] { return settings.stop && settings.stop(); }, finished);
+    std::copy(passes.means(), passes.means() + passes.pixels(), r.image.pixels.begin());
+    r.samples = std::uint64_t(settings.samples);
+    r.done = whole ? 1 : Real(passes.done()) / Real(passes.pixels() + passes.control().size());
+    if (whole)
+        r.rmse = rmse(passes.control(), [&](std::size_t k) { return passes.means()[k]; },
+                      [&](std::size_t i) { return passes.again()[i]; });
+}
+
+/// Pass after pass until a limit. Of the first one, what is there in time is better than nothing; of a later one, half would
+/// make the picture uneven.
+void render_until(const RenderSettings& settings, Passes& passes, Watch& watch, Clock::time_point start, Rendering& r) {
+    const Limits limits{settings.time_limit, settings.target_error};
+    const std::size_t pixels = passes.pixels();
+    Total total(pixels + passes.control().size());
+    SoFar so_far;
+    for (int pass = 0;; ++pass) {
+        const int count = next_pass(limits, so_far);
+        if (count == 0) break;
+        const Slice slice = next_slice(settings.sampler, settings.seed, pass, total.samples, count);
+        const Real deadline = pass == 0 ? limits.time : grace * limits.time;
+        const auto stop = [&] { return (settings.stop && settings.stop()) || seconds_since(start) > deadline; };
+        const auto finished = [&](std::size_t first, std::size_t last, Real) {
+            if (watch.paints())
+                watch.paint(first, last, [&](std::size_t k) {
+                    return (total.sums[k] + Real(count) * passes.means()[k]) / Real(total.samples + std::uint64_t(count));
+                });
+            const Real spent = seconds_since(start), of_error = sqr(limits.error / so_far.rmse),
+                       share = std::min<Real>(1, std::max(spent / limits.time, of_error));
+            watch.look(share, share > 0 ? spent * (1 - share) / share : inf);
+        };
+        const bool whole = passes.run(slice, stop, finished);
+        if (!whole && pass > 0) break;
+        total.add(passes.means(), count);
+        if (!whole) r.done = Real(passes.done()) / Real(pixels + passes.control().size());
+        if (!whole) break;
+
+        const Real seconds = seconds_since(start);
+        r.rmse = rmse(passes.control(), [&](std::size_t k) { return total.mean(k); },
+                      [&](std::size_t i) { return total.mean(pixels + i); });
+        so_far = {total.samples, seconds, (seconds - so_far.seconds) / count, std::isnan(r.rmse) ? inf : r.rmse};
+    }
+    tbb::parallel_for(std::size_t(0), pixels, [&](std::size_t k) { r.image.pixels[k] = total.mean(k); });
+    r.samples = total.samples;
 }
 
 }  // namespace
 
 Rendering render(const Scene& scene, const RenderSettings& settings) {
-    World world = make_world(scene, sampling_of(settings));
+    const World world = make_world(scene, sampling_of(settings));
     const ivec2 size = scene.camera.size;
     const Crop crop = settings.crop.value_or(Crop{0, 0, size.x, size.y});
     const auto start = Clock::now();
     const Real cpu_start = cpu_seconds();
 
-    std::vector<std::size_t> all(std::size_t(crop.width) * std::size_t(crop.height));
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-    std::vector<std::size_t> control;
-    if (settings.estimate_error)
-        for (std::size_t i = 0; i < all.size(); i += std::size_t(control_stride(all.size()))) control.push_back(i);
-
-    Rendering result;
-    result.image = Image(crop.width, crop.height);
-    result.rmse = std::numeric_limits<Real>::quiet_NaN();
-    const bool limited = settings.time_limit < inf || settings.target_error > 0;
     // More threads than cores only where they are asked for.
     std::optional<tbb::global_control> most;
     if (settings.threads > 0) most.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(settings.threads));
     tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
-    Pass pass{world, settings, crop, {}, {}, {}, {}, {}};
-    std::vector<Color> means(all.size()), first(control.size()), again(control.size());
-    std::vector<Sum> sums(limited ? 3 * all.size() : 0);  // of the passes, channel by channel
-    Real of_one_pass = 0;
-    int passes = 0;
-    const auto progress = [&](std::size_t done) {
-        const Real spent = seconds_since(start);
-        Real share = Real(done) / Real(all.size());
-        if (settings.time_limit < inf) share = std::min<Real>(1, spent / settings.time_limit);
-        if (settings.progress) settings.progress(share, share > 0 ? spent * (1 - share) / share : inf);
-    };
-    do {
-        pass.done = 0;
-        arena.execute([&] {
-            pass.run(combine(settings.seed, Bits(passes)), all, means,
-                     settings.progress ? progress : std::function<void(std::size_t)>{});
-        });
-        // Of the first pass, what is there is better than nothing; of a later one, half a pass would be uneven.
-        if (pass.stopped && passes > 0) break;
-        if (!limited) result.image.pixels = means;
-        for (std::size_t i = 0; i < sums.size(); ++i) {
-            sums[i].add(means[i / 3][int(i % 3)]);
-            result.image.pixels[i / 3][int(i % 3)] = sums[i].value() / Real(passes + 1);
-        }
-        if (passes == 0 && settings.estimate_error && !pass.stopped) {
-            for (std::size_t i = 0; i < control.size(); ++i) first[i] = means[control[i]];
-            arena.execute([&] { pass.run(combine(~settings.seed, 0), control, again, {}); });
-            of_one_pass = variance(first, again);
-        }
-        ++passes;
-        if (settings.estimate_error && !pass.stopped) result.rmse = std::sqrt(of_one_pass / passes);
-    } while (limited && seconds_since(start) < settings.time_limit && !(result.rmse <= settings.target_error) &&
-             !pass.stopped);
 
-    result.samples = std::uint64_t(settings.samples) * std::uint64_t(passes);
-    result.rays = pass.rays;
-    result.fault = pass.fault;
+    Rendering result;
+    result.image = Image(crop.width, crop.height);
+    Passes passes(world, settings, crop);
+    Watch watch(settings, crop.width, crop.height);
+    arena.execute([&] {
+        (sampling_of(settings).passes ? render_until : render_at_once)(settings, passes, watch, start, result);
+    });
+    result.stopped = settings.stop && settings.stop();
+    result.rays = passes.rays;
+    result.fault = passes.fault;
+    result.fault_slice = passes.fault_slice;
     result.wall_seconds = seconds_since(start);
     result.cpu_seconds = cpu_seconds() - cpu_start;
     return result;

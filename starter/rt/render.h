@@ -6,6 +6,7 @@
 #include <string>
 
 #include "rt/files/image.h"
+#include "rt/passes/schedule.h"
 #include "rt/plan.h"
 #include "rt/ray.h"
 #include "rt/scene.h"
@@ -25,10 +26,14 @@ struct RenderSettings {
     bool one_of_many = false;   // pictures with other seeds are averaged with this one: one sample a pixel is random, too
     std::optional<Crop> crop;   // default: the whole film
     bool estimate_error = true; // renders some pixels twice
-    Real time_limit = inf;      // [s]; passes of `samples` samples follow each other until then
-    Real target_error = 0;      // RMSE; passes follow each other until it is reached. With neither limit: one pass
+    // With a limit, passes follow each other until it is reached, and `samples` does not count; else one pass.
+    Real time_limit = inf;      // of rendering, with the estimate of the error [s]
+    Real target_error = 0;      // RMSE
+    // Asked and told now and then, by any thread, but never by two at once:
     std::function<void(Real done, Real seconds_left)> progress;  // done: share of the work, 0 to 1
-    std::function<bool()> stop;  // asked by any thread now and then; true: end soon, and keep what is there
+    std::function<void(const Image&)> show;                      // the picture of the crop; black where nothing is yet
+    // Asked by any thread; true: end soon, and keep what is there.
+    std::function<bool()> stop;
 };
 
 inline Sampling sampling_of(const RenderSettings& s) {
@@ -38,13 +43,16 @@ inline Sampling sampling_of(const RenderSettings& s) {
 struct Rendering {
     Image image;           // of the crop
     std::uint64_t samples = 0;  // a pixel, in all passes
+    Real done = 1;         // share of the pixels that are there; the others are black
+    bool stopped = false;  // RenderSettings::stop has ended it
     RayCounts rays{};
     Real wall_seconds = 0, cpu_seconds = 0;  // of rendering alone
-    Real rmse = 0;         // estimated from independent repetitions of some pixels, mean over channels; nan: unknown
+    Real rmse = std::numeric_limits<Real>::quiet_NaN();  // estimated from pixels that are rendered twice; nan: unknown
     std::string fault;     // the first sample that was no finite number, with its pixel; empty: none
+    std::optional<Slice> fault_slice;  // the samples it is one of
 };
 
-/// Renders a scene. The image depends on scene, samples, seed and sampler only: not on threads.
+/// Renders a scene. Without limits, the image depends on scene, samples, seed and sampler only: not on threads.
 Rendering render(const Scene& scene, const RenderSettings& settings);
 
 /// Every intermediate value of the paths through one pixel, as text.

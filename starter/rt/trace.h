@@ -1,17 +1,53 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "rt/batch.h"
-#include "rt/world.h"
+#include "rt/render.h"
+#include "rt/stages/stages.h"
 
-/// What raytrace --pixel prints: the values of each lane of a batch, in words.
+/// What raytrace --pixel tells: along the paths of a pixel, each fragment that is called, and what it answers.
+///
+/// The stages are not touched: where a trace is asked for, the fragments are asked once more, for one lane after another, with
+/// the same arguments and random numbers. Rays, hits and weights are the stages' own.
 namespace rt {
 
-/// The rays of a wave and what they met.
-std::string describe_wave(const World& world, int wave, const Batch& batch, const Surfaces& surfaces);
+/// What is told of one sample of the pixel.
+struct Told {
+    std::string text;
+    Color light{0};  // the sum of what the text says is added
+};
 
-/// The radiance that each lane's sample has gathered so far.
-std::string describe_light(const Batch& batch, const Chunk& chunk);
+struct Trace {
+    std::vector<Told> samples;  // by slot
+
+    Told& of(const Batch& b, int i) { return samples[std::size_t(b.slot[i])]; }
+};
+
+/// What stages work on: a batch of rays, and what they have met.
+struct Wave {
+    const World& world;
+    Pattern pattern;
+    int number;
+    const Batch& batch;
+    const Surfaces& surfaces;
+};
+
+/// The first rays: through which point of the film, of the lens, at which time.
+void trace_camera(const World& world, const CameraWork& work, const Batch& batch, Trace& trace);
+
+/// What the rays of a wave meet, what shines there, and what lights it.
+void trace_wave(const Wave& wave, Trace& trace);
+
+/// How the paths go on.
+void trace_ways(const Wave& wave, Trace& trace);
+
+/// The trace of a pixel, and its colour as the picture has it.
+struct PixelTrace {
+    Trace trace;
+    std::vector<Color> radiance;  // of each sample, as the stages have gathered it
+    Color mean{0};
+};
+PixelTrace trace_paths(const Scene& scene, const RenderSettings& settings, int x, int y);
 
 }  // namespace rt

@@ -2,15 +2,19 @@
 
 #include <OpenEXR/ImfArray.h>
 #include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfDoubleAttribute.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfIntAttribute.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStringAttribute.h>
 #include <fmt/format.h>
 #include <png.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <bit>
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
@@ -42,16 +46,27 @@ void replace_file(const std::string& path, Write write) {
     }
 }
 
-std::uint8_t to_srgb(Real linear) {
-    const Real x = linear > 0 ? std::min(linear, 1.0) : 0;  // a NaN becomes black
-    const Real encoded = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
-    return std::uint8_t(encoded * 255 + 0.5);
-}
-
 /// The nearest float; a finite number stays finite.
 float to_float(Real x) {
     constexpr Real most = std::numeric_limits<float>::max();
     return float(std::isfinite(x) ? std::clamp(x, -most, most) : x);
+}
+
+/// The header of a picture in its film.
+Imf::Header header_of(const Image& image, const Label& label) {
+    const ivec2 film = label.film == ivec2(0) ? ivec2(image.width, image.height) : label.film, corner = label.corner;
+    const Imath::Box2i display({0, 0}, {film.x - 1, film.y - 1}),
+        data({corner.x, corner.y}, {corner.x + image.width - 1, corner.y + image.height - 1});
+    Imf::Header header(display, data);
+    for (const auto& [name, value] : label.attributes) {
+        if (const int* number = std::get_if<int>(&value)) header.insert(name, Imf::IntAttribute(*number));
+        if (const double* number = std::get_if<double>(&value)) header.insert(name, Imf::DoubleAttribute(*number));
+        if (const std::string* text = std::get_if<std::string>(&value)) header.insert(name, Imf::StringAttribute(*text));
+    }
+    header.compression() = Imf::ZIP_COMPRESSION;
+    header.zipCompressionLevel() = 1;  // noise hardly shrinks, however long one tries
+    for (const char* name : channels) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    return header;
 }
 
 /// The three channels as they lie in an array of floats, R G B after each other.
@@ -68,17 +83,20 @@ Imf::FrameBuffer frame(std::vector<float>& samples, const Imath::Box2i& window) 
 
 }  // namespace
 
-void write_exr(const std::string& path, const Image& image) {
+std::uint8_t to_srgb(Real linear) {
+    const Real x = linear > 0 ? std::min(linear, 1.0) : 0;
+    const Real encoded = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
+    return std::uint8_t(encoded * 255 + 0.5);
+}
+
+void write_exr(const std::string& path, const Image& image, const Label& label) {
     if (image.width < 1 || image.height < 1) fail(path, "cannot be written", "the image has no pixels");
     replace_file(path, [&](const std::string& temporary) {
         std::vector<float> samples;
         samples.reserve(image.pixels.size() * 3);
         for (const Color& c : image.pixels)
             for (int i = 0; i < 3; ++i) samples.push_back(to_float(c[i]));
-        Imf::Header header(image.width, image.height);
-        header.compression() = Imf::ZIP_COMPRESSION;
-        header.zipCompressionLevel() = 1;  // noise hardly shrinks, however long one tries
-        for (const char* name : channels) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+        const Imf::Header header = header_of(image, label);
         Imf::OutputFile file(temporary.c_str(), header);
         file.setFrameBuffer(frame(samples, header.dataWindow()));
         file.writePixels(image.height);
@@ -110,6 +128,37 @@ Image read_exr(const std::string& path) {
     } catch (const std::exception& error) {
         fail(path, "cannot be read", error.what());
     }
+}
+
+Label read_label(const std::string& path) {
+    try {
+        const Imf::InputFile file(path.c_str());
+        const Imf::Header& header = file.header();
+        const Imath::Box2i display = header.displayWindow(), data = header.dataWindow();
+        Label label{{data.min.x - display.min.x, data.min.y - display.min.y},
+                    {display.max.x - display.min.x + 1, display.max.y - display.min.y + 1}};
+        for (auto it = header.begin(); it != header.end(); ++it) {
+            if (const auto* number = dynamic_cast<const Imf::IntAttribute*>(&it.attribute()))
+                label.attributes.emplace_back(it.name(), number->value());
+            if (const auto* number = dynamic_cast<const Imf::DoubleAttribute*>(&it.attribute()))
+                label.attributes.emplace_back(it.name(), number->value());
+            if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&it.attribute()))
+                label.attributes.emplace_back(it.name(), text->value());
+        }
+        return label;
+    } catch (const std::exception& error) {
+        fail(path, "cannot be read", error.what());
+    }
+}
+
+std::uint64_t hash_of(const Image& image) {
+    // After Fowler, Noll and Vo's 1a, a float at a time.
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    const auto add = [&](std::uint64_t bits) { hash = (hash ^ bits) * 0x100000001b3u, hash ^= hash >> 32; };
+    add(std::uint64_t(image.width));
+    for (const Color& c : image.pixels)
+        for (int i = 0; i < 3; ++i) add(std::isnan(c[i]) ? 0x7fc00000u : std::bit_cast<std::uint32_t>(to_float(c[i])));
+    return hash;
 }
 
 std::string png_bytes(const Image& image, Real exposure) {

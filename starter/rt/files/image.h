@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "rt/math.h"
@@ -18,12 +21,28 @@ struct Image {
     const Color& at(int x, int y) const { return pixels[std::size_t(y) * width + x]; }
 };
 
+/// What an EXR file says of its picture.
+struct Label {
+    ivec2 corner{0};       // of the picture in the film: its data window
+    ivec2 film{0};         // size of the film, the display window; 0: the picture is all of it
+    std::vector<std::pair<std::string, std::variant<int, double, std::string>>> attributes{};  // name and value
+};
+
 /// Writes FLOAT channels R, G, B. Throws std::runtime_error that names the path and the cause; an older file at the
 /// path stays whole until the new one is complete.
-void write_exr(const std::string& path, const Image& image);
+void write_exr(const std::string& path, const Image& image, const Label& label = {});
 
-/// Reads channels R, G, B. Throws std::runtime_error that names the path and the cause.
+/// Reads channels R, G, B of the data window. Throws std::runtime_error that names the path and the cause.
 Image read_exr(const std::string& path);
+
+/// The label of a file: the attributes that a label can hold, in the order of their names. Throws as read_exr.
+Label read_label(const std::string& path);
+
+/// A number for the pixels as an EXR file holds them: equal pictures have equal hashes, whenever and however they were made.
+std::uint64_t hash_of(const Image& image);
+
+/// A channel as a screen shows it; a NaN is black.
+std::uint8_t to_srgb(Real linear);
 
 /// Writes an 8-bit sRGB preview of exposure * image. Errors as write_exr.
 void write_png(const std::string& path, const Image& image, Real exposure = 1);

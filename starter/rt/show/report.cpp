@@ -1,0 +1,71 @@
+#include "rt/show/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace rt {
+namespace {
+
+std::string in_words(std::uint64_t n) {
+    if (n < 100000) return fmt::format("{}", n);
+    return n < 100000000 ? fmt::format("{:.3g} M", 1e-6 * double(n)) : fmt::format("{:.4g} M", 1e-6 * double(n));
+}
+
+std::string name_of(Sampler sampler) { return std::string( sampler_names[std::size_t(sampler)]); }
+
+/// The pattern that the samples really had.
+Sampler sampler_used(const RenderSettings& s) {
+    return sampling_of(s).passes ? next_slice(s.sampler, s.seed, 0, 0, 1).sampler : pattern_of(s.sampler, s.samples);
+}
+
+}  // namespace
+
+std::string report(const std::string& name, const RenderSettings& settings, const Rendering& r) {
+    std::string text = fmt::format("{}: {} x {} pixels, {} {} a pixel\n", name, r.image.width, r.image.height, r.samples,
+                                   r.samples == 1 ? "sample" : "samples");
+    const bool known = !std::isnan(r.rmse);
+    text += known ? fmt::format("error    {:.3g} estimated RMSE\n", r.rmse) : "error    unknown\n";
+    text += fmt::format("time     {:.4f} s CPU, {:.4f} s wall\n", r.cpu_seconds, r.wall_seconds);
+    text += "rays    ";
+    const char* comma = " ";
+    for (std::size_t i = 0; i < r.rays.size(); ++i) {
+        if (r.rays[i] > 0) text += fmt::format("{}{} {}", comma, in_words(r.rays[i]), ray_kind_names[i]);
+        if (r.rays[i] > 0) comma = ", ";
+    }
+    const auto samples = double(r.rays[std::size_t(RayKind::camera)]);
+    text += fmt::format("\nspeed    {:.3g} M samples per CPU second\n", 1e-6 * samples / std::max(r.cpu_seconds, 1e-9));
+    text += fmt::format("hash     {:016x}\n", hash_of(r.image));
+    const bool early = settings.time_limit < inf && r.wall_seconds < 0.9 * settings.time_limit;
+    if (early && !(r.rmse <= settings.target_error) && !r.stopped)
+        text += fmt::format("limit    another sample of every pixel does not fit into {:g} s\n", settings.time_limit);
+    return text;
+}
+
+Label label_of(const std::string& scene, ivec2 film, const RenderSettings& settings, const Rendering& r) {
+    Label label;
+    label.film = film;
+    if (settings.crop) label.corner = {settings.crop->x, settings.crop->y};
+    label.attributes = {{"renderer", fmt::format("Penumbra {}", version)},
+                        {"scene", scene},
+                        {"samples", fmt::format("{}", r.samples)},
+                        {"seed", fmt::format("{}", settings.seed)},
+                        {"sampler", name_of(sampler_used(settings))},
+                        {"error", r.rmse},
+                        {"cpu_seconds", r.cpu_seconds},
+                        {"wall_seconds", r.wall_seconds}};
+    return label;
+}
+
+std::string report_fault(const std::string& scene, ivec2 film, const RenderSettings& settings, const Rendering& r) {
+    int x = 0, y = 0;
+    std::sscanf(r.fault.c_str(), "pixel %d,%d", &x, &y);
+    const Slice slice = r.fault_slice.value_or(Slice{settings.sampler, settings.seed, 0, settings.samples});
+    return fmt::format("{}: {}; expected a finite number\n"
+                       "To see how it came about: raytrace {} --pixel {},{} --seed {} --samples {} --sampler {} --size {}x{}{}\n",
+                       scene, r.fault, scene, x, y, slice.seed, slice.first + slice.count, name_of(slice.sampler), film.x, film.y,
+                       sampling_of(settings).passes ? " --time-limit 1" : "");
+}
+
+}  // namespace rt

@@ -1,0 +1,165 @@
+#include "rt/lamps/importance.h"
+#include "rt/stages/lamps.h"
+#include "rt/trace/words.h"
+
+namespace rt {
+namespace {
+
+/// The lane that is told of.
+struct Lane {
+    const Wave& wave;
+    int i;
+    Told& told;
+
+    const World& world() const { return wave.world; }
+    const Material& material() const { return world().scene.materials[std::size_t(wave.surfaces.material[i])]; }
+    Hit hit() const { return wave.surfaces.hit(i); }
+    vec3 normal() const { return wave.surfaces.normal(i); }
+    vec3 to_viewer() const { return -vec3(wave.batch.dx[i], wave.batch.dy[i], wave.batch.dz[i]); }
+    vec2 numbers(int dimension) const {
+        Numbers u;
+        draw_2d(wave.pattern, wave_dimension(world(), wave.number, dimension, wave.pattern.n), wave.batch.key,
+                wave.batch.sample, wave.batch.count, u);
+        return u.at(i);
+    }
+};
+
+/// Sends the shadow ray, and adds the light if it arrives.
+void tell_shadow(const Lane& lane, const Ray& ray, vec3 to_light, Color light) {
+    Told& told = lane.told;
+    if (light == Color(0)) return tell(told, "", "none, so no shadow ray is sent");
+    const std::string along = ray.direction == to_light ? "" : fmt::format(" along {}", text(ray.direction));
+    const std::string sent = fmt::format("from {}{} to {}", text(ray.origin), along, distance_text(ray.far));
+    Batch shadow{};
+    shadow.count = 1;
+    shadow.set_ray(0, ray);
+    shadow.time[0] = lane.wave.batch.time[lane.i];
+    any_hit_stage(lane.world(), shadow);
+    if (shadow.shape[0] != nothing) {
+        const Index id = shadow.shape[0];
+        return tell(told, "shadow_ray", "{}: stopped by shape {} ({}) at {} m", sent, id, hit_name(lane.world(), id), text(shadow.far[0]));
+    }
+    tell(told, "shadow_ray", "{}: arrives", sent);
+    const Index medium = lane.wave.batch.medium[lane.i];
+    if (medium != nothing) {
+        const Real left = exp(-lane.world().scene.materials[std::size_t(medium)].medium.extinction * ray.far);
+        tell(told, "medium", "leaves {} of it", text(left));
+        light = left * light;
+    }
+    tell_added(told, lane.wave.batch.weight(lane.i) * light);
+}
+
+void tell_point_light(const Lane& lane, const PointLight& lamp) {
+    const Material& m = lane.material();
+    const Hit hit = lane.hit();
+    const vec3 n = lane.normal(), to = lamp.directional ? lamp.position : lamp.position - hit.point;
+    const Real distance = std::sqrt(dot(to, to));
+    const vec3 to_light = to * (1 / distance);
+    Color light;
+    tell(lane.told, "to the light", "{}, {} away", text(to_light), distance_text(lamp.directional ? inf : distance));
+    if (m.specular == Color(0)) {
+        const Color irradiance = point_irradiance(lamp, hit.point, n);
+        light = irradiance * m.albedo / pi;
+        tell(lane.told, "point_irradiance", "{}, times albedo / pi: {}", text(irradiance), text(light));
+    } else {
+        const Color irradiance = point_irradiance(lamp, hit.point, to_light);
+        light = phong(m, Color(0), irradiance, n, to_light, lane.to_viewer());
+        tell(lane.told, "point_irradiance", "{} on a surface that faces the light", text(irradiance));
+        tell(lane.told, "phong", "{}", text(light));
+    }
+    tell_shadow(lane, shadow_ray(hit, to_light, lamp.directional ? inf : distance), to_light, light);
+}
+
+/// A point of a lamp, as the direct stage finds it.
+LightSample tell_point(const Lane& lane, const Emitter& lamp, vec2 u) {
+    const vec3 p = lane.hit().point;
+    const bool by_angle = lamp.kind == Kind::quad && lane.world().plan.solid_angle;
+    const LightSample sample = by_angle ? sample_light<By::solid_angle>(lamp, p, u) : sample_light<By::fragment>(lamp, p, u);
+    const bool wide = by_angle && seen_from(lamp.quad, p).is_wide();
+    tell(lane.told, wide ? "by solid angle" : "light_sample", "u {}: point {}", text(u), text(p + sample.distance * sample.direction));
+    tell(lane.told, "", "direction {}, distance {} m, density {} / sr", text(sample.direction), text(sample.distance), text(sample.density));
+    return sample;
+}
+
+/// What a glossy lobe reflects of a lamp, weighed against the rays of the lobe.
+Color tell_lobe(const Lane& lane, const Emitter& lamp, const LightSample& sample) {
+    const Material& m = lane.material();
+    const Color mirror = outgoing(m, lane.wave.batch, lane.wave.surfaces, lane.i).mirror;
+    const Real cosine = dot(lane.normal(), sample.direction);
+    const Real of_lobe = lobe_density(m.exponent, sample.direction, lane.normal(), lane.to_viewer());
+    const Real reflected = (m.exponent + 2) / (m.exponent + 1) * of_lobe * cosine / sample.density;
+    const Real weight = power_heuristic(sample.density, of_lobe);
+    const Real share = sample.density > 0 && cosine > 0 ? reflected * weight : 0;
+    const Color light = share * mirror * lamp.radiance;
+    tell(lane.told, "lobe", "density {} / sr, weight against the lobe's rays {}: {}", text(of_lobe), text(weight), text(light));
+    return light;
+}
+
+/// What direct_light reads of a material.
+Color tell_direct_light(const Lane& lane, const Emitter& lamp, const LightSample& sample) {
+    Material m;
+    m.albedo = lane.material().albedo;
+    if (lane.world().plan.phong) m.specular = lane.material().specular, m.shininess = lane.material().shininess;
+    const Color light = direct_light(m, lamp.radiance, sample, lane.normal(), lane.to_viewer());
+    tell(lane.told, "direct_light", "{}", text(light));
+    return light;
+}
+
+void tell_lamp(const Lane& lane, std::size_t lamp, Real probability, vec2 u) {
+    const World& world = lane.world();
+    const Material& m = lane.material();
+    const bool weighs = world.plan.weigh && world.reflectances[std::size_t(lane.wave.surfaces.material[lane.i]) + 1].lobe &&
+                        lane.wave.batch.depth[lane.i] < world.scene.depth;
+    const bool reflects = m.albedo != Color(0) || m.specular != Color(0);
+    if (!weighs && !reflects) return;
+    lane.told.text += world.plan.one_lamp ? fmt::format("  lamp {}, chosen with probability {}\n", lamp, text(probability))
+                                          : fmt::format("  lamp {}\n", lamp);
+    const Emitter& emitter = world.emitters[lamp];
+    LightSample sample = tell_point(lane, emitter, u);
+    sample.density *= probability;
+    const Ray ray = shadow_ray(lane.hit(), sample.direction, sample.distance);
+    if (weighs) tell_shadow(lane, ray, sample.direction, tell_lobe(lane, emitter, sample));
+    if (reflects) tell_shadow(lane, ray, sample.direction, tell_direct_light(lane, emitter, sample));
+}
+
+void tell_environment(const Lane& lane) {
+    lane.told.text += "  the environment\n";
+    const vec2 u = lane.numbers(environment_dimension);
+    const DirectionSample sample = cosine_hemisphere(u);
+    const vec3 direction = frame_about(lane.normal()).to_world(sample.direction);
+    const Color light = sample.direction.z / (pi * sample.density) * lane.material().albedo * lane.world().scene.environment;
+    tell(lane.told, "cosine_hemisphere", "u {}: {} about the normal, density {} / sr", text(u), text(sample.direction), text(sample.density));
+    tell(lane.told, "", "in the world {}: {}", text(direction), text(light));
+    tell_shadow(lane, shadow_ray(lane.hit(), direction, inf), direction, light);
+}
+
+}  // namespace
+
+void trace_lights(const Wave& wave, int i, Told& told) {
+    const World& world = wave.world;
+    const Lane lane{wave, i, told};
+    const Material& m = lane.material();
+    if (world.scene.ambient != Color(0) && m.ambient != Color(0)) {
+        const vec3 n = lane.normal();
+        const Color light = phong(m, world.scene.ambient, Color(0), n, n, n);
+        tell(told, "phong", "of ambient light: {}", text(light));
+        tell_added(told, wave.batch.weight(i) * light);
+    }
+    if (m.albedo != Color(0) || m.specular != Color(0))
+        for (std::size_t k = 0; k < world.scene.lights.size(); ++k) {
+            told.text += fmt::format("  light {}\n", k);
+            tell_point_light(lane, world.scene.lights[k]);
+        }
+    if (world.plan.one_lamp) {
+        Numbers choice;
+        draw_1d(wave.pattern, wave_dimension(world, wave.number, light_dimension + 1, wave.pattern.n), wave.batch.key,
+                wave.batch.sample, wave.batch.count, choice);
+        const LampTree::Choice chosen = world.lamp_tree.choose(lane.hit().point, choice.x[i]);
+        tell_lamp(lane, chosen.lamp, chosen.probability, lane.numbers(light_dimension));
+    } else if (world.plan.light) {
+        for (std::size_t l = 0; l < world.emitters.size(); ++l) tell_lamp(lane, l, 1, lane.numbers(light_dimension + int(l)));
+    }
+    if (world.plan.environment_lit && m.albedo != Color(0)) tell_environment(lane);
+}
+
+}  // namespace rt

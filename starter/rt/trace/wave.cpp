@@ -1,0 +1,90 @@
+#include "rt/lamps/importance.h"
+#include "rt/trace/words.h"
+
+namespace rt {
+namespace {
+
+constexpr const char* event_names[] = {"the camera", "a diffuse surface", "a mirror or glass", "a lobe", "a medium"};
+
+/// Who says that there is nothing along a ray.
+std::string witnesses(const RenderPlan& plan) {
+    std::string names;
+    const auto add = [&](bool on, const char* name) { names += on ? (names.empty() ? "" : ", ") + std::string(name) : ""; };
+    add(plan.spheres, "hit_sphere"), add(plan.triangles, "hit_triangle"), add(plan.quads, "hit_quad");
+    return names.empty() ? "there is nothing to meet" : names + " say so";
+}
+
+void tell_medium(const Wave& wave, int i, Told& told) {
+    const Batch& b = wave.batch;
+    if (b.medium[i] == nothing) return;
+    const Material& m = wave.world.scene.materials[std::size_t(b.medium[i])];
+    Numbers flight;
+    draw_1d(wave.pattern, wave_dimension(wave.world, wave.number, flight_dimension, wave.pattern.n), b.key, b.sample, b.count, flight);
+    const Real t = free_flight(m.medium.extinction, flight.x[i]);
+    tell(told, "free_flight", "in {}, u {}: {} m{}", m.name, text(flight.x[i]), text(t),
+         b.shape[i] == ended ? ", before any surface" : ", beyond the surface");
+}
+
+void tell_hit(const Wave& wave, int i, Told& told) {
+    const World& world = wave.world;
+    const Batch& b = wave.batch;
+    const Surfaces& s = wave.surfaces;
+    const SurfaceRecord& record = world.surfaces[std::size_t(b.shape[i])];
+    if (world.plan.time && record.velocity != vec3(0))
+        tell(told, "moved", "at {} s: {} is at {}", text(b.time[i]), text(record.center), text(moved(record.center, record.velocity, b.time[i])));
+    tell(told, hit_name(world, b.shape[i]), "{} m: shape {}, material {}, seen from {}", text(b.far[i]), b.shape[i],
+         world.scene.materials[std::size_t(s.material[i])].name, s.behind[i] ? "behind" : "the front");
+    tell(told, "", "point {}, normal {}", text(s.hit(i).point), text(s.normal(i)));
+}
+
+/// What a ray sees that shines.
+void tell_emission(const Wave& wave, int i, Told& told) {
+    const World& world = wave.world;
+    const Batch& b = wave.batch;
+    const Event from = Event(b.event[i]);
+    const auto counts = [&](bool sampled) {
+        if (!world.plan.counts_twice) return true;
+        const bool answer = emission_counts(from, sampled);
+        tell(told, "emission_counts", "from {}, {} by shadow rays: {}", event_names[b.event[i]],
+             sampled ? "looked for" : "not looked for", answer ? "yes" : "no");
+        return answer;
+    };
+    if (b.shape[i] == nothing) {
+        if (!world.plan.environment && world.scene.background == Color(0)) return;
+        const Color sky = world.plan.environment && counts(world.plan.environment_lit) ? world.scene.environment : Color(0);
+        const Color light = sky + (from == Event::camera ? world.scene.background : Color(0));
+        tell(told, "sky", "{}", text(light));
+        if (light != Color(0)) tell_added(told, b.weight(i) * light);
+        return;
+    }
+    if (b.shape[i] < 0 || !world.plan.emission || !wave.surfaces.shines[i]) return;
+    const SurfaceRecord& lamp = world.surfaces[std::size_t(b.shape[i])];
+    const bool sampled = lamp.emitter != nothing;
+    const Color emission = world.scene.materials[std::size_t(wave.surfaces.material[i])].emission;
+    tell(told, "shines", "{}", text(emission));
+    if (!counts(sampled)) return;
+    const bool weighed = world.plan.weigh && from == Event::lobe && b.density[i] > 0 && sampled;
+    const Real share = weighed ? power_heuristic(b.density[i], light_density(world, lamp, b.ray(i), b.far[i])) : 1;
+    if (weighed) tell(told, "lobe", "weight against the lamp's points {}", text(share));
+    tell_added(told, share * b.weight(i) * emission);
+}
+
+}  // namespace
+
+void trace_wave(const Wave& wave, Trace& trace) {
+    const Batch& b = wave.batch;
+    for (int i = 0; i < b.count; ++i) {
+        Told& told = trace.of(b, i);
+        if (wave.number > 0) {
+            const std::string along = wave.world.plan.split ? fmt::format(", along {}", text(vec3(b.dx[i], b.dy[i], b.dz[i]))) : "";
+            told.text += fmt::format(" ray {}, from {}{}, carries {}\n", wave.number, event_names[b.event[i]], along, text(b.weight(i)));
+        }
+        tell_medium(wave, i, told);
+        if (b.shape[i] == nothing) tell(told, "meets nothing", "{}", witnesses(wave.world.plan));
+        if (b.shape[i] >= 0) tell_hit(wave, i, told);
+        tell_emission(wave, i, told);
+        if (b.shape[i] >= 0) trace_lights(wave, i, told);
+    }
+}
+
+}  // namespace rt

@@ -1,0 +1,99 @@
+#include "rt/trace/words.h"
+
+namespace rt {
+namespace {
+
+enum class Way { mirror, glossy, glass, translucent, bounce, medium };
+
+constexpr const char* fragment_of[] = {"mirror_direction", "glossy_reflection", "refracted_direction", "translucency",
+                                       "color_bleeding",   "scatter_direction"};
+
+/// A way on from a lane, and how much of the light it would carry.
+struct Choice {
+    Way way;
+    Real share;
+};
+
+/// The ways on from a surface, and the fragments that say so.
+std::vector<Choice> ways_from(const Wave& wave, int i, Told& told) {
+    const World& world = wave.world;
+    const Batch& b = wave.batch;
+    const RenderPlan& plan = world.plan;
+    const Material& m = world.scene.materials[std::size_t(wave.surfaces.material[i])];
+    std::vector<Choice> ways;
+    Outgoing out{Color(1), Color(0), Color(0)};
+    if ((plan.specular || plan.lobe) && b.depth[i] < world.scene.depth) {
+        out = outgoing(m, b, wave.surfaces, i);
+        if (m.transmittance != Color(0)) {
+            const Real cosine = -dot(vec3(b.dx[i], b.dy[i], b.dz[i]), wave.surfaces.normal(i));
+            const bool behind = wave.surfaces.behind[i] != 0;
+            const Real from = behind ? m.ior : 1, to = behind ? 1 : m.ior;
+            tell(told, "fresnel_dielectric", "cosine {}, ior {} to {}: {}", text(cosine), text(from), text(to), text(fresnel_dielectric(cosine, from, to)));
+        }
+        tell(told, "whitted", "local {}, mirror {}, glass {}", text(out.local), text(out.mirror), text(out.glass));
+        const bool sharp = m.exponent == inf;
+        if (const Real share = largest(out.mirror); share > 0) ways.push_back({sharp ? Way::mirror : Way::glossy, share});
+        if (const Real share = largest(out.glass); share > 0) ways.push_back({sharp ? Way::glass : Way::translucent, share});
+    }
+    if (const Real share = b.bounce[i] < world.scene.bounces ? largest(out.local * m.albedo) : 0; share > 0)
+        ways.push_back({Way::bounce, share});
+    return ways;
+}
+
+/// Of several ways, unless all are followed, one is chosen, in proportion to what it carries.
+void choose(const Wave& wave, int i, std::vector<Choice>& ways, Told& told) {
+    if (ways.size() < 2 || wave.world.plan.split) return;
+    Numbers u;
+    draw_1d(wave.pattern, wave_dimension(wave.world, wave.number, choice_dimension, wave.pattern.n), wave.batch.key,
+            wave.batch.sample, wave.batch.count, u);
+    Real sum = 0, upto = 0;
+    for (const Choice& c : ways) sum += c.share;
+    const auto chosen = std::find_if(ways.begin(), ways.end() - 1, [&](const Choice& c) { return sum * u.x[i] < (upto += c.share); });
+    tell(told, "way on", "u {}: {}, with probability {}", text(u.x[i]), fragment_of[int(chosen->way)], text(chosen->share / sum));
+    ways = {*chosen};
+}
+
+/// What the fragment of a way answers.
+void tell_way(const Wave& wave, int i, Way way, Told& told) {
+    const Batch& b = wave.batch;
+    const Surfaces& s = wave.surfaces;
+    const Material& m = wave.world.scene.materials[std::size_t(s.material[i])];
+    const vec3 d(b.dx[i], b.dy[i], b.dz[i]), n = s.normal(i);
+    const Real from = s.behind[i] ? m.ior : 1, to = s.behind[i] ? 1 : m.ior;
+    const char* name = fragment_of[int(way)];
+    if (way == Way::mirror) return tell(told, name, "{}", text(mirror_direction(d, n)));
+    if (way == Way::glass) return tell(told, name, "ior {} to {}: {}", text(from), text(to), text(refracted_direction(d, n, from, to)));
+    Numbers u;
+    draw_2d(wave.pattern, wave_dimension(wave.world, wave.number, lobe_dimension, wave.pattern.n), b.key, b.sample, b.count, u);
+    const Scattered scattered = way == Way::glossy        ? glossy_reflection(d, n, m.exponent, u.at(i))
+                                : way == Way::translucent ? translucency(d, n, from, to, m.exponent, u.at(i))
+                                                          : color_bleeding(n, m.albedo, u.at(i));
+    tell(told, name, "u {}: direction {}, weight {}", text(u.at(i)), text(scattered.direction), text(scattered.weight));
+}
+
+/// A lane that a medium has scattered.
+void tell_scattering(const Wave& wave, int i, Told& told) {
+    const Batch& b = wave.batch;
+    if (b.medium[i] == nothing) return;
+    Numbers u;
+    draw_2d(wave.pattern, wave_dimension(wave.world, wave.number, phase_dimension, wave.pattern.n), b.key, b.sample, b.count, u);
+    const DirectionSample sample = scatter_direction(vec3(b.dx[i], b.dy[i], b.dz[i]),
+                                                     wave.world.scene.materials[std::size_t(b.medium[i])].medium.g, u.at(i));
+    tell(told, fragment_of[int(Way::medium)], "u {}: {}, density {} / sr", text(u.at(i)), text(sample.direction), text(sample.density));
+}
+
+}  // namespace
+
+void trace_ways(const Wave& wave, Trace& trace) {
+    const RenderPlan& plan = wave.world.plan;
+    for (int i = 0; i < wave.batch.count; ++i) {
+        Told& told = trace.of(wave.batch, i);
+        if (wave.batch.shape[i] == ended) tell_scattering(wave, i, told);
+        if (wave.batch.shape[i] < 0 || (!plan.specular && !plan.lobe && !plan.bounce)) continue;
+        std::vector<Choice> ways = ways_from(wave, i, told);
+        choose(wave, i, ways, told);
+        for (const Choice& c : ways) tell_way(wave, i, c.way, told);
+    }
+}
+
+}  // namespace rt
