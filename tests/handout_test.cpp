@@ -73,7 +73,7 @@ TEST_CASE("each statistic has a family, and each section to which a hint sends i
 TEST_CASE("the handout documents each key of a scene file") {
     std::set<std::string> keys;
     for (const char* file : {"scene_reader.cpp", "read_materials.cpp", "read_shapes.cpp"})
-        for (const auto& list : found(text_of(fs::path("starter/rt") / file), "only\\(\\{([^}]*)\\}"))
+        for (const auto& list : found(text_of(fs::path("starter/rt/files") / file), "only\\(\\{([^}]*)\\}"))
             for (const auto& key : found(list, "\"(\\w+)\"")) keys.insert(key);
     REQUIRE(keys.size() > 40);
     const std::string scene_files = handout().substr(handout().find("\n## Scene files"));
