@@ -98,16 +98,6 @@ sed -i 's|__builtin_trap|nothing_of_the_kind|' "$work/mine/light_sample.cpp"
 expect 0 "Did not build" "$grade" converge "$work/mine" "$work/tiny.toml" "${few[@]}"
 expect 0 "Nothing is filled in yet" "$grade" converge starter "$work/tiny.toml" "${few[@]}"
 
-# without a solution, the submission's own fragments make the reference
-sed 's|^solution_objects = .*|solution_objects = []|' "$1/toolchain.toml" >"$work/student.toml"
-mkdir "$work/own"
-cp solution/{camera_ray,film_sample,pixel_mean,hit_quad,hit_sphere,light_sample,direct_light,shadow_ray,stratified_2d}.cpp \
-    "$work/own"
-expect 0 "which shows no bias" "$grade" converge "$work/own" "$work/tiny.toml" "${few[@]}" \
-    --toolchain "$work/student.toml" --json "$work/d.json"
-expect 0 '"by": "submission"' cat "$work/d.json"
-expect 2 "nothing is filled in yet" "$grade" converge starter "$work/tiny.toml" --toolchain "$work/student.toml"
-
 # a budget leaves out the last levels
 expect 0 "random" "$grade" converge solution "$work/tiny.toml" --samples 1,4,16,64,256,1024,4096,16384 --budget 0.5 \
     --folder "$work/kept" --csv "$work/c.csv"

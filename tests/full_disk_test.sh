@@ -20,11 +20,11 @@ raytrace=$build/raytrace grade=$build/grader/grade
 
 expect 3 "No space left on device" "$raytrace" scenes/whitted.toml -o "$disk/a.exr"
 dd if=/dev/zero of="$disk/filler" bs=1k count=60 2>/dev/null
-expect 3 "a.json: cannot be written" "$grade" solution --only moved --json "$disk/a.json"
-expect 3 "index.html: cannot be written" "$grade" solution --only moved --html "$disk/page"
+expect 3 "a.json: cannot be written" "$grade" solution moved --json "$disk/a.json"
+expect 3 "index.html: cannot be written" "$grade" solution moved --html "$disk/page"
 expect 3 "s.json: cannot be written" "$grade" stress solution --only hit_sphere --trusted --json "$disk/s.json"
 expect 3 "cannot be written" "$grade" converge solution scenes/whitted.toml --samples 1,4 --replicates 2 --folder "$disk/kept"
-expect 3 "the disk is full" env TMPDIR="$disk" "$grade" solution --only moved
+expect 3 "the disk is full" env TMPDIR="$disk" "$grade" solution moved
 rmdir "$disk"/page 2>/dev/null
 expect 0 "filler" ls "$disk"
 left=$(find "$disk" -type f ! -name filler)

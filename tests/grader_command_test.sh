@@ -6,38 +6,33 @@ grade=$1/grader/grade
 # shellcheck source=tests/expect.sh
 . "$(dirname "$0")/expect.sh"
 
-expect 0 "2 of 2" "$grade" solution --only moved --seed 5 --json "$work/a.json" --html "$work/page"
+expect 0 "2 of 2" "$grade" solution moved --seed 5 --json "$work/a.json" --html "$work/page"
 expect 0 '"schema": "penumbra/result/v1"' cat "$work/a.json"
 expect 0 "data:image/png;base64," cat "$work/page/index.html"
-expect 0 "not started" "$grade" starter --only moved
-expect 1 "0 of 2" "$grade" starter --only moved --require 0.5
-expect 0 "2 of 2" "$grade" solution --only moved --require 2
+expect 0 "not started" "$grade" starter moved
+expect 1 "0 of 2" "$grade" starter moved --require 0.5
+expect 0 "2 of 2" "$grade" solution moved --require 2
 
 tar -C solution -czf "$work/s.tar.gz" moved.cpp
-expect 0 "2 of 2" "$grade" "$work/s.tar.gz" --only moved
+expect 0 "2 of 2" "$grade" "$work/s.tar.gz" moved
 printf 'no archive' >"$work/s.zip"
 expect 2 "s.zip: cannot be unpacked" "$grade" "$work/s.zip"
 expect 2 "not there" "$grade" "$work/none"
 expect 2 "holds no fragment" "$grade" "$work"
-expect 2 "no fragment has this name" "$grade" solution --only mooved
+expect 2 "mooved: no fragment has this name, and there is no such folder; expected moved?" "$grade" solution mooved
+expect 2 "one submission too many" "$grade" solution tests/example
 expect 2 "--jobs" "$grade" solution --jobs none
 expect 2 "there is no folder" "$grade" solution --json "$work/none/a.json"
-expect 2 "in student mode the seed is 1" "$grade" solution --mode student --seed 3
-expect 2 "none.toml" "$grade" solution --only moved --html "$work/page" --picture "$work/none.toml"
-expect 3 "the grader failed" "$grade" solution --only moved --toolchain "$work/none.toml"
+expect 2 "none.toml" "$grade" solution moved --html "$work/page" --picture "$work/none.toml"
+expect 3 "the grader failed" "$grade" solution moved --toolchain "$work/none.toml"
 
 # the same seed gives the same record, but for the times
-"$grade" solution --only moved --seed 5 --json "$work/b.json" --html "$work/page" >/dev/null 2>&1
+"$grade" solution moved --seed 5 --json "$work/b.json" --html "$work/page" >/dev/null 2>&1
 timeless() { grep -v '_seconds"\|"command"' "$1"; }
 expect 0 "" diff <(timeless "$work/a.json") <(timeless "$work/b.json")
 
-# in student mode, whose seed is always the same, what has not changed is not run again
-expect 0 "2 of 2" "$grade" solution --only moved --mode student
-expect 0 "checks as before" "$grade" solution --only moved --mode student
-expect 0 "2 of 2" "$grade" solution --only moved --mode student --fresh
-
 # a sandbox is stated, and so is its absence
-expect 0 "the submission is trusted" "$grade" solution --only moved --trusted
+expect 0 "the submission is trusted" "$grade" solution moved --trusted
 
 # known variants: really graded, kept, gone on with, and reported
 calibrate=("$grade" calibrate mirror_direction --folder "$work/calibration" --replicates 64 --gradings 1 --draws 1000)

@@ -100,12 +100,11 @@ Submission submission(const std::map<std::string, std::string>& changed) {
     return result;
 }
 
-Record graded(const Submission& submission, bool student = false) {
+Record graded(const Submission& submission) {
     GradingSettings settings;
     settings.only = {names.begin(), names.end()};
     settings.seed = 7;
-    settings.student = student;
-    settings.jobs = 2;
+    settings.build.jobs = 2;
     settings.time_limit = 1;
     return grade_submission(submission, read_assignment("assignment.toml"), toolchain(), toy_checks(), settings);
 }
@@ -217,13 +216,13 @@ TEST_CASE("a fragment that returns NaN is told for which arguments") {
     // d / 0 is inf or nan
     CHECK(fragment.verdict != Verdict::passed);
     const FragmentRecord nan = graded_mirror(mirror("return d * std::sqrt(-1.0 - dot(d, d));", "#include <cmath>\n"));
-    CHECK(nan.verdict == Verdict::not_an_image);
+    CHECK(nan.verdict == Verdict::not_finite);
     CHECK(first_message(nan).find("mirror_direction returned nan for (") != std::string::npos);
 }
 
 TEST_CASE("a fragment that keeps state is told so") {
     const FragmentRecord fragment = graded_mirror(mirror("static double k = 1; k *= 1.5; return k * d;"));
-    CHECK(fragment.verdict == Verdict::not_an_image);
+    CHECK(fragment.verdict == Verdict::failed);
     INFO(first_message(fragment));
     CHECK(first_message(fragment).find("again with the same arguments") != std::string::npos);
 }
@@ -259,14 +258,13 @@ TEST_CASE("the same submission and seed give the same record but for times") {
     CHECK(timeless(graded(same)) == timeless(graded(same)));
 }
 
-TEST_CASE("without a solution, only checks whose fragments have changed run again, and come out as they would alone") {
+TEST_CASE("only checks whose fragment has changed run again, and come out as they would alone") {
     const TemporaryFolder folder;
     const auto again = [&](const Submission& what, bool keep) {
         GradingSettings settings;
         settings.only = {names.begin(), names.end()};
-        settings.student = true;
-        settings.jobs = 2;
-        if (keep) settings.kept = Kept(folder.path(), toolchain());
+        settings.build.jobs = 2;
+        if (keep) settings.build.kept = Kept(folder.path(), toolchain());
         return grade_submission(what, read_assignment("assignment.toml"), toolchain(), toy_checks(), settings);
     };
     const auto verdicts = [](const Record& record) {
@@ -285,6 +283,7 @@ TEST_CASE("without a solution, only checks whose fragments have changed run agai
     const Submission wrong = submission({{"mirror_direction", mirror("return 2.0 * d;")}});
     const Record third = again(wrong, true);
     CHECK(of(third, "mirror_direction").verdict == Verdict::failed);
+    CHECK(third.reused == 2);
     CHECK(verdicts(third) == verdicts(again(wrong, false)));
     CHECK(again(wrong, true).reused == 3);
 }

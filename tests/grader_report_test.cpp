@@ -93,7 +93,7 @@ TEST_CASE("points are the share of passed checks") {
 TEST_CASE("the worst verdict of a fragment is told") {
     CHECK(worse(Verdict::passed, Verdict::inconclusive) == Verdict::inconclusive);
     CHECK(worse(Verdict::crashed, Verdict::failed) == Verdict::crashed);
-    CHECK(worse(Verdict::blocked, Verdict::failed) == Verdict::failed);
+    CHECK(worse(Verdict::inconclusive, Verdict::failed) == Verdict::failed);
 }
 
 namespace {
@@ -149,8 +149,8 @@ TEST_CASE("a diagnosis says where to read, in the record, in the table and as a 
     CHECK(diagnose(wrong).section == "lens_ray");
     CHECK(reading("lens_ray") == "handout.md, \"lens_ray\"");
     CHECK(anchor("What to use instead of an epsilon") == "what-to-use-instead-of-an-epsilon");
-    CHECK(diagnose(fragment_with(Verdict::not_an_image, "returned nan for (0)", {})).section == numbers_section);
-    CHECK(diagnose(fragment_with(Verdict::not_an_image, "another result when it runs again", {})).section ==
+    CHECK(diagnose(fragment_with(Verdict::not_finite, "returned nan for (0)", {})).section == numbers_section);
+    CHECK(diagnose(fragment_with(Verdict::failed, "another result when it runs again", {})).section ==
           rules_section);
     CHECK(diagnose(fragment_with(Verdict::failed, "", {failing("V0", "changes")})).section == rules_section);
     Record record;

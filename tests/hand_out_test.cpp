@@ -4,8 +4,11 @@
 #include <map>
 
 #include "assignment.h"
+#include "build/code_only.h"
 #include "build/files.h"
+#include "build/process.h"
 #include "build/strip.h"
+#include "build/toolchain.h"
 #include "catch.h"
 
 using namespace grade;
@@ -13,7 +16,7 @@ using namespace grade;
 namespace {
 
 std::string text_of(const fs::path& path) {
-    std::ifstream in(path);
+    std::ifstream in(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
@@ -22,37 +25,79 @@ std::string trimmed(const std::string& line) {
     return first == line.npos ? "" : line.substr(first);
 }
 
+/// Built by the target grade_kit; where it is not, there is nothing to hand out.
+fs::path built_kit() { return fs::path(GRADE_TOOLCHAIN).parent_path() / "kit.toml"; }
+
+/// Every name in the symbol table of an object.
+std::vector<std::string> names_in(const fs::path& object) {
+    const Ending nm = run({"/usr/bin/nm", "--all", "--format=posix", object.string()}, Limits{}, "/");
+    REQUIRE(nm.good());
+    std::vector<std::string> names;
+    std::istringstream lines(nm.out);
+    for (std::string line; std::getline(lines, line);) names.push_back(line.substr(0, line.find(' ')));
+    return names;
+}
+
 }  // namespace
 
-TEST_CASE("students get the project with fresh blanks, and no line of the solution's code") {
+TEST_CASE("students get a kit, and nothing of what they must write is in it") {
     const Assignment assignment = read_assignment("assignment.toml");
+    const Toolchain built = read_toolchain(built_kit());
     const TemporaryFolder temporary;
-    const fs::path folder = temporary.path() / "handed_out";
-    hand_out(".", assignment, folder);
+    const fs::path folder = temporary.path() / "handed_out", machine = folder / "grader" / kind_of_machine();
+    hand_out(".", assignment, built_kit(), folder);
 
-    for (const char* there :
-         {"grade", ".ci/prepare.sh", "handout.md", "scenes/whitted.toml", "starter/rt/math.h", "grader/build/strip.h"})
+    for (const char* there : {"grade", "handout.md", "scenes/whitted.toml", "starter/rt/math.h", "grader/include/glm/glm.hpp"})
         CHECK(fs::is_regular_file(folder / there));
-    for (const char* not_there : {"solution", "tests", "build", ".git"}) CHECK_FALSE(fs::exists(folder / not_there));
-    std::map<std::string, std::string> origin;  // of each line that a student must write
+    for (const char* there : {"grade", "libchild.a", "librt.a", "reference/phong.o", "toolchain.toml"})
+        CHECK(fs::is_regular_file(machine / there));
+    for (const char* not_there : {"solution", "tests", "build", ".git", "grader/checks", "scenes/render_pictures"})
+        CHECK_FALSE(fs::exists(folder / not_there));
+
+    // each line that a student must write, each comment and each string among them
+    std::map<std::string, std::string> origin;
     for (const Fragment& fragment : assignment.fragments) {
         const std::string file = fragment.name + ".cpp", solution = "solution/" + file;
         INFO(fragment.name);
         CHECK(text_of(folder / "starter/fragments" / file) == text_of(folder / "grader/blanks" / file));
         if (fragment.given) continue;
         CHECK(text_of(folder / "grader/blanks" / file).find("not_started(") != std::string::npos);
-        for (const auto& line : secrets(find_region(text_of(solution), solution))) origin[line] = solution;
+        const Marked marked = find_region(text_of(solution), solution);
+        for (const std::string& line : marked.region)
+            if (const std::string text = trimmed(line); code_only(text).size() > 8 || text.starts_with("//"))
+                origin[text] = solution;
     }
+    std::uintmax_t bytes = 0;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-        const std::string extension = entry.path().extension().string();
-        if (extension != ".cpp" && extension != ".h" && extension != ".md") continue;
-        std::ifstream in(entry.path());
-        int number = 0;
-        for (std::string line; std::getline(in, line);) {
-            ++number;
-            const auto secret = origin.find(trimmed(line));
-            INFO(entry.path() << ":" << number << ": " << line);
-            CHECK(secret == origin.end());
+        if (!entry.is_regular_file()) continue;
+        bytes += entry.file_size();
+        const std::string text = text_of(entry.path());
+        const bool is_source = entry.path().extension() == ".cpp" || entry.path().extension() == ".h";
+        for (const auto& [line, file] : origin) {
+            const std::size_t at = text.find(line);
+            if (at == text.npos) continue;
+            // the framework may say the same somewhere as a part of a longer line; a whole line may not
+            const std::size_t start = text.rfind('\n', at) + 1, end = text.find('\n', at);
+            const bool whole = !is_source || trimmed(text.substr(start, end - start)) == line;
+            INFO(entry.path() << " holds a line of " << file << ": " << line);
+            CHECK_FALSE((whole && entry.path().extension() != ".md" && entry.path().string().find("/glm/") == std::string::npos));
+        }
+    }
+    CHECK(bytes < 20'000'000);
+
+    for (const auto& [fragment, symbol] : built.symbols) {
+        INFO(fragment);
+        const fs::path object = machine / "reference" / (fragment + ".o");
+        for (const std::string& name : names_in(object)) {
+            INFO(name);
+            // sections, numbers in place of names, and what the fragment calls
+            const std::string plain = demangled(name);
+            CHECK((name.starts_with(".") || plain.starts_with("rt::") || plain.find_first_of("(:<") == plain.npos));
+        }
+        const std::string bytes_of_it = text_of(object);
+        for (const char* trace : {".debug_", "GCC: (", "solution", "/work/", "BEGIN"}) {
+            INFO(trace);
+            CHECK(bytes_of_it.find(trace) == std::string::npos);
         }
     }
 }
@@ -60,7 +105,7 @@ TEST_CASE("students get the project with fresh blanks, and no line of the soluti
 TEST_CASE("nothing is handed out into a folder that holds something") {
     const TemporaryFolder temporary;
     std::ofstream(temporary.path() / "mine.txt") << "do not touch";
-    CHECK_THROWS_WITH(hand_out(".", read_assignment("assignment.toml"), temporary.path()),
+    CHECK_THROWS_WITH(hand_out(".", read_assignment("assignment.toml"), built_kit(), temporary.path()),
                       temporary.path().string() + ": is not empty; expected a new folder");
     CHECK_FALSE(fs::exists(temporary.path() / "grade"));
 }

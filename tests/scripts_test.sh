@@ -84,8 +84,8 @@ lines() { echo "$("$@" 2>&1 >/dev/null | wc -l) lines"; }
 # help: no packages, no build
 begin
 echo cmake >"$stub/missing"
-expect 0 "--only FRAGMENT" in_it ./grade --help
-expect 0 "--only FRAGMENT" as_user ./grade stress -h
+expect 0 "[FRAGMENT...] [OPTIONS]" in_it ./grade --help
+expect 0 "picture SCENE" as_user ./grade stress -h
 expect 0 "ctest" in_it ./check --help
 expect 0 "" test ! -s "$stub/log"
 begin
@@ -96,7 +96,7 @@ expect 0 "graded $tree: stress --help" in_it ./grade stress --help
 expect 0 "" test ! -s "$stub/log"
 
 # what is graded, from wherever it is called
-expect 0 "graded $tree: $tree/starter" in_it ./grade
+expect 0 "graded $tree: " in_it ./grade
 expect 0 "graded $tree: a b.zip --seed 3" in_it ./grade "a b.zip" --yes --seed 3
 ln -sf "$tree/grade" "$work/elsewhere/link"
 ln -sf ../elsewhere/link "$work/stub/chained link"

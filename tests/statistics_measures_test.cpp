@@ -105,13 +105,14 @@ TEST_CASE("blobs: disc, square, and disc without its square root have the shapes
 TEST_CASE("what is no image is named, with the pixel") {
     Image image(4, 3);
     CHECK(!image_fault(image, 4, 3));
-    CHECK(image_fault(image, 3, 4) == "the image has 4 x 3 pixels; expected 3 x 4");
+    CHECK(image_fault(image, 3, 4)->words == "the image has 4 x 3 pixels; expected 3 x 4");
     image.at(2, 1).y = NAN;
-    CHECK(image_fault(image, 4, 3).value().find("pixel (2, 1), channel G, is not a number") == 0);
+    CHECK(image_fault(image, 4, 3).value().words.find("pixel (2, 1), channel G, is not a number") == 0);
     image.at(2, 1).y = INFINITY;
-    CHECK(image_fault(image, 4, 3).value().find("pixel (2, 1), channel G, is infinite") == 0);
+    CHECK(image_fault(image, 4, 3).value().words.find("pixel (2, 1), channel G, is infinite") == 0);
     image.at(2, 1).y = -1e-9;
-    CHECK(image_fault(image, 4, 3).value().find("pixel (2, 1), channel G, is negative") == 0);
+    CHECK(image_fault(image, 4, 3).value().words.find("pixel (2, 1), channel G, is negative") == 0);
+    CHECK(image_fault(image, 4, 3)->verdict == Verdict::failed);
 }
 
 TEST_CASE("an 8-bit picture is recognised, a float one and a flat one are not") {

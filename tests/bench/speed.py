@@ -64,7 +64,7 @@ def main():
             report(scene.stem, runs, "M samples per CPU second")
     grade = [words.build / "grader/grade", root / "solution", "--seed", "1"]
     for name in edited:
-        report(f"{name} edited, to its verdict", [seconds([*grade, "--only", name]) for _ in range(words.runs)], "s")
+        report(f"{name} edited, to its verdict", [seconds([*grade, name]) for _ in range(words.runs)], "s")
     report("the whole solution, all verdicts", [seconds(grade) for _ in range(words.runs)], "s")
     if words.builds:
         with tempfile.TemporaryDirectory() as work:
