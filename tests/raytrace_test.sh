@@ -73,6 +73,14 @@ for word in scene samples seed sampler error cpu_seconds wall_seconds "Penumbra 
     head -c 2000 "$work/a.exr" | grep -aqF "$word" || { echo "the EXR file does not say: $word"; status=1; }
 done
 
+# The handout shows what --pixel prints.
+"$raytrace" scenes/gallery/cornell.toml --pixel 120,330 --samples 1 >"$work/trace"
+sed -n '/--pixel 120,330/,/^`u`/p' handout.md | sed -n '/^```/,/^```/p' | grep -v '^```' >"$work/excerpt"
+[ "$(wc -l <"$work/excerpt")" -gt 5 ] || { echo "the handout shows no trace"; status=1; }
+while IFS= read -r line; do
+    grep -qxF -e "$line" "$work/trace" || { echo "--pixel does not print the handout's line: $line"; status=1; }
+done <"$work/excerpt"
+
 # A time limit is kept within ten per cent, whatever samples the scene asks for.
 # keeps SECONDS WORD...: raytrace WORD... --time-limit SECONDS
 keeps() {
