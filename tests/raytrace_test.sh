@@ -33,7 +33,8 @@ small="--size 32x24 --samples 4"
     expect 0 "no tev at localhost:1: " $scene -o "$work/c.exr" $small --tev localhost:1
     expect 0 "hash  " $scene $small --tev localhost:1
     expect 0 "" $scene -o "$work/b.exr" $small --quiet
-    expect 0 "samples a pixel" $scene -o "$work/c.exr" $small --time-limit 0.01
+    expect 0 "a pixel" $scene -o "$work/c.exr" $small --time-limit 0.01
+    expect 0 "1 sample a pixel" $scene -o "$work/c.exr" $small --time-limit 1e-9
     expect 0 "samples a pixel" $scene -o "$work/c.exr" $small --target-error 1
     expect 2 "scene is required"
     expect 2 "expected -o NAME.exr" $scene
@@ -75,7 +76,7 @@ done
 
 # The handout shows what --pixel prints.
 "$raytrace" scenes/gallery/cornell.toml --pixel 120,330 --samples 1 >"$work/trace"
-sed -n '/--pixel 120,330/,/^`u`/p' handout.md | sed -n '/^```/,/^```/p' | grep -v '^```' >"$work/excerpt"
+awk '/--pixel 120,330/ { near = 1 } /^```/ && near { ++fences; next } fences == 1' handout.md >"$work/excerpt"
 [ "$(wc -l <"$work/excerpt")" -gt 5 ] || { echo "the handout shows no trace"; status=1; }
 while IFS= read -r line; do
     grep -qxF -e "$line" "$work/trace" || { echo "--pixel does not print the handout's line: $line"; status=1; }

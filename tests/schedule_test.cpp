@@ -149,9 +149,10 @@ TEST_CASE("what is stopped in the middle leaves no uneven picture", "[schedule]"
 
 TEST_CASE("of a first pass that is not over in time, there is what was rendered, and how much", "[schedule]") {
     Scene scene = read_scene("scenes/gallery/cornell.toml");
-    scene.camera.size = {1000, 1000};
+    scene.camera.size = {2000, 2000};
+    scene.background = Color(1);
     RenderSettings settings;
-    settings.time_limit = 0.1;
+    settings.time_limit = 0.2;
     const Rendering r = render(scene, settings);
     INFO("done " << r.done << " after " << r.wall_seconds << " s");
     CHECK((r.done > 0 && r.done < 1));
