@@ -51,7 +51,7 @@ void describe_options(CLI::App& app, Options& o) {
     app.add_option("--crop", o.crop, "render this part only, X,Y,WIDTH,HEIGHT")->delimiter(',')->expected(4);
     app.add_option("--pixel", o.pixel, "print what each fragment answers along this pixel's paths, X,Y")
         ->delimiter(',')->expected(2);
-    app.add_option("--time-limit", o.settings.time_limit, "render pass after pass until this time is over [s]")->check(positive);
+    app.add_option("--time-limit", o.settings.time_limit, "render pass after pass, whatever --samples says, until this time is over [s]")->check(positive);
     app.add_option("--target-error", o.settings.target_error, "render pass after pass until the RMSE is this small")
         ->check(positive);
     app.add_option("--exposure", o.exposure, "factor for the preview")->check(positive);

@@ -148,3 +148,50 @@ TEST_CASE("exposure scales the preview, in linear light", "[image]") {
     CHECK(decoded(rt::png_bytes(image, 2)) == decoded(rt::png_bytes(doubled)));
     CHECK(decoded(rt::png_bytes(image, 2)) != decoded(rt::png_bytes(image)));
 }
+
+TEST_CASE("a part of a film keeps its place in the file, and reads back as the part", "[image]") {
+    const Folder folder;
+    rt::Image part(3, 2);
+    part.at(2, 1) = {1, 2, 3};
+    rt::write_exr(folder / "part.exr", part, {{5, 6}, {32, 24}, {}});
+    const rt::Image back = rt::read_exr(folder / "part.exr");
+    REQUIRE((back.width == 3 && back.height == 2));
+    CHECK(back.at(2, 1) == rt::Color(1, 2, 3));
+    const rt::Label label = rt::read_label(folder / "part.exr");
+    CHECK(label.corner == rt::ivec2(5, 6));
+    CHECK(label.film == rt::ivec2(32, 24));
+    rt::write_exr(folder / "all.exr", part);
+    CHECK(rt::read_label(folder / "all.exr").film == rt::ivec2(3, 2));
+    CHECK(rt::read_label(folder / "all.exr").corner == rt::ivec2(0, 0));
+}
+
+TEST_CASE("what a file says of its picture reads back as it was", "[image]") {
+    const Folder folder;
+    rt::Label label;
+    label.attributes = {{"error", 0.125}, {"passes", -3}, {"scene", std::string("a \"b\" ü.toml")}, {"seed", std::string()}};
+    rt::write_exr(folder / "a.exr", rt::Image(2, 2), label);
+    CHECK(rt::read_label(folder / "a.exr").attributes == label.attributes);
+}
+
+TEST_CASE("equal pictures have equal hashes, whatever is said of them; others have others", "[image]") {
+    const Folder folder;
+    rt::Image image(4, 3);
+    image.at(1, 1) = {0.1, 1e300, rt::inf};
+    const std::uint64_t hash = rt::hash_of(image);
+    rt::Label label;
+    label.attributes = {{"wall_seconds", 1.5}};
+    rt::write_exr(folder / "a.exr", image, label);
+    CHECK(rt::hash_of(rt::read_exr(folder / "a.exr")) == hash);
+    for (std::size_t k = 0; k < image.pixels.size(); ++k)
+        for (int i = 0; i < 3; ++i) {
+            rt::Image other = image;
+            other.pixels[k][i] += 1;
+            if (std::isfinite(image.pixels[k][i]) && image.pixels[k][i] < 1e9) CHECK(rt::hash_of(other) != hash);
+        }
+    rt::Image turned(3, 4);
+    turned.pixels = image.pixels;
+    CHECK(rt::hash_of(turned) != hash);
+    rt::Image swapped = image;
+    std::swap(swapped.at(0, 0), swapped.at(1, 1));
+    CHECK(rt::hash_of(swapped) != hash);
+}

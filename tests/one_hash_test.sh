@@ -42,8 +42,9 @@ for scene in $scenes; do
         threads_of_it="1 2 3 7 16"
         case $renderer in *_O*) threads_of_it="1 7" ;; esac
         for threads in $threads_of_it; do
-            "$renderer" "$scene" -o "$work/image.exr" --size 48x48 --samples 20 --threads "$threads" --quiet || exit 1
-            hash=$(sha256sum <"$work/image.exr" | cut -c 1-16)
+            "$renderer" "$scene" -o "$work/image.exr" --size 48x48 --samples 20 --threads "$threads" >"$work/said" || exit 1
+            hash=$(sed -n 's/^hash *//p' "$work/said")
+            [ -n "$hash" ] || exit 1
             echo "$scene $(basename "$(dirname "$renderer")")/$(basename "$renderer") $threads threads: $hash"
             [ "${first:=$hash}" = "$hash" ] || status=1
             pictures=$((pictures + 1))

@@ -5,6 +5,7 @@
 #include "catch.h"
 #include "rt/show/encode.h"
 #include "rt/show/preview.h"
+#include "rt/show/report.h"
 #include "rt/show/terminal.h"
 #include "rt/show/tev.h"
 
@@ -164,4 +165,39 @@ TEST_CASE("an address of tev is HOST:PORT", "[show]") {
         INFO(wrong);
         CHECK(!tev_address(wrong));
     }
+}
+
+TEST_CASE("a number that is none is reported with the command that shows its sample, whichever pass it was in", "[show]") {
+    RenderSettings settings;
+    settings.sampler = Sampler::orthogonal;
+    settings.seed = 7;
+    settings.time_limit = 5;
+    Rendering rendering;
+    rendering.fault = "pixel 3,4, sample 100: radiance nan 0 0";
+    rendering.fault_slice = next_slice(settings.sampler, settings.seed, 6, 64, 64);
+    CHECK(report_fault("a.toml", {10, 20}, settings, rendering) ==
+          "a.toml: pixel 3,4, sample 100: radiance nan 0 0; expected a finite number\n"
+          "To see how it came about: raytrace a.toml --pixel 3,4 --seed 7 --samples 128 --sampler sobol --size 10x20 --time-limit 1\n");
+}
+
+TEST_CASE("a picture that ends long before its time limit says why, unless it was reached or stopped", "[show]") {
+    RenderSettings settings;
+    settings.time_limit = 1;
+    Rendering r;
+    r.image = Image(1, 1);
+    r.samples = 1, r.wall_seconds = 0.6, r.rmse = 0.1;
+    const auto says = [&] { return report("a.exr", settings, r).find("does not fit into 1 s") != std::string::npos; };
+    CHECK(says());
+    r.stopped = true;
+    CHECK(!says());
+    r.stopped = false, settings.target_error = 0.2;
+    CHECK(!says());
+    settings.target_error = 0, r.wall_seconds = 0.95;
+    CHECK(!says());
+}
+
+TEST_CASE("an error that is not known is not given as a number", "[show]") {
+    Rendering r;
+    r.image = Image(1, 1);
+    CHECK(report("a.exr", {}, r).find("error    unknown") != std::string::npos);
 }

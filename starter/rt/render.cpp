@@ -16,7 +16,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A pass that was expected to be over in time may take so much longer, before it is given up.
+/// A pass that is not over in time may take so much longer, before it is given up.
 constexpr Real grace = 1.05;
 
 Real seconds_since(Clock::time_point start) { return std::chrono::duration<Real>(Clock::now() - start).count(); }
@@ -81,8 +81,7 @@ void render_until(const RenderSettings& settings, Passes& passes, Watch& watch, 
         const int count = next_pass(limits, so_far);
         if (count == 0) break;
         const Slice slice = next_slice(settings.sampler, settings.seed, pass, total.samples, count);
-        const Real deadline = pass == 0 ? limits.time : grace * limits.time;
-        const auto stop = [&] { return (settings.stop && settings.stop()) || seconds_since(start) > deadline; };
+        const auto stop = [&] { return (settings.stop && settings.stop()) || seconds_since(start) > grace * limits.time; };
         const auto finished = [&](std::size_t first, std::size_t last, Real) {
             if (watch.paints())
                 watch.paint(first, last, [&](std::size_t k) {

@@ -68,9 +68,10 @@ def named(raytrace, scene, options=()):
 
 
 def draw(program, scene, out, options=()):
-    """The picture's bytes, and the blanks that were called."""
+    """The hash of the picture, and the blanks that were called."""
     done = subprocess.run(
         [program, scene, "-o", out, "--threads", "1", *options], capture_output=True, text=True, check=False
     )
     text = done.stdout + done.stderr
-    return (out.read_bytes() if out.exists() else text.encode()), set(re.findall(r"(\w+)\.cpp.*not started", text))
+    hashed = re.search(r"^hash +(\w+)$", done.stdout, re.M)
+    return (hashed.group(1) if hashed else text), set(re.findall(r"(\w+)\.cpp.*not started", text))

@@ -37,7 +37,7 @@ bool Passes::run(const Slice& slice, const std::function<bool()>& stop, const Fi
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, (items + chunk - 1) / chunk), [&](const auto& range) {
         Worker& worker = workers.local();
         for (std::size_t c = range.begin(); c < range.end(); ++c) {
-            if (stop()) stopped = true;
+            if (done > 0 && stop()) stopped = true;
             if (stopped) return;
             const std::size_t first = c * chunk, last = std::min(items, first + chunk);
             std::vector<PixelWork> pixels;

@@ -18,7 +18,7 @@ public:
 
     Passes(const World& world, const RenderSettings& settings, Crop crop);
 
-    /// Renders a pass, and tells what is finished, thread by thread. Returns whether all of it was; stop may end it before.
+    /// Renders a pass, and tells what is finished, thread by thread. Returns whether all of it was; stop may end it before, though something is always done.
     bool run(const Slice& slice, const std::function<bool()>& stop, const Finished& finished);
 
     std::size_t pixels() const { return pixels_; }

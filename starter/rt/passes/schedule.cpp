@@ -24,8 +24,10 @@ int next_pass(const Limits& limits, const SoFar& so_far) {
         most = std::min(most, std::max(wanting, samples / 8));
     }
     most = std::min(most, limits.time / (passes_in_time * so_far.per_sample));
-    const int count = int(std::bit_floor(unsigned(std::max<Real>(most, 1))));
-    return so_far.seconds + count * so_far.per_sample <= limits.time ? count : 0;
+    const int most_samples = int(std::bit_floor(unsigned(std::max<Real>(most, 1))));
+    for (int count = most_samples; count >= std::max(1, most_samples / 4); count /= 2)
+        if (so_far.seconds + count * so_far.per_sample <= limits.time) return count;
+    return 0;
 }
 
 Slice next_slice(Sampler sampler, Bits seed, int pass, std::uint64_t samples, int count) {

@@ -31,9 +31,9 @@ struct SoFar {
 
 /// How many samples a pixel the next pass takes; 0: enough.
 ///
-/// The first pass takes one. Each further one doubles the samples, but it takes at most a twelfth of the time limit, since
-/// so much may be left over at the end; nor more than the error still asks for, which falls at least as 1/sqrt(samples).
-/// Powers of two: a piece of a Sobol' sequence of that length is as even as the whole.
+/// The first pass takes one. Each further one doubles the samples, but it takes at most a twelfth of the time limit, and at
+/// the end a half or a quarter of that if it has to fit; nor more than the error still asks for, which falls at least as
+/// 1/sqrt(samples). Powers of two: a piece of a Sobol' sequence of that length is as even as the whole.
 int next_pass(const Limits& limits, const SoFar& so_far);
 
 /// Pass number `pass` of a picture, after so many samples.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <climits>
 #include <cstdio>
 
 namespace rt {
@@ -49,12 +50,13 @@ Label label_of(const std::string& scene, ivec2 film, const RenderSettings& setti
     if (settings.crop) label.corner = {settings.crop->x, settings.crop->y};
     label.attributes = {{"renderer", fmt::format("Penumbra {}", version)},
                         {"scene", scene},
-                        {"samples", fmt::format("{}", r.samples)},
+                        {"samples", int(std::min<std::uint64_t>(r.samples, INT_MAX))},
                         {"seed", fmt::format("{}", settings.seed)},
                         {"sampler", name_of(sampler_used(settings))},
-                        {"error", r.rmse},
                         {"cpu_seconds", r.cpu_seconds},
                         {"wall_seconds", r.wall_seconds}};
+    if (!std::isnan(r.rmse)) label.attributes.emplace_back("error", r.rmse);
+    if (r.done < 1) label.attributes.emplace_back("done", r.done);
     return label;
 }
 
