@@ -106,7 +106,7 @@ Record graded(const Submission& submission) {
     settings.seed = 7;
     settings.build.jobs = 2;
     settings.time_limit = 1;
-    return grade_submission(submission, read_assignment("assignment.toml"), toolchain(), toy_checks(), settings);
+    return grade_submission(submission, read_assignment("assignment.toml"), toolchain(), ready(toy_checks()), settings);
 }
 
 const FragmentRecord& of(const Record& record, const std::string& name) {
@@ -265,7 +265,7 @@ TEST_CASE("only checks whose fragment has changed run again, and come out as the
         settings.only = {names.begin(), names.end()};
         settings.build.jobs = 2;
         if (keep) settings.build.kept = Kept(folder.path(), toolchain());
-        return grade_submission(what, read_assignment("assignment.toml"), toolchain(), toy_checks(), settings);
+        return grade_submission(what, read_assignment("assignment.toml"), toolchain(), ready(toy_checks()), settings);
     };
     const auto verdicts = [](const Record& record) {
         std::vector<Verdict> all;

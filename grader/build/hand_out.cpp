@@ -177,8 +177,8 @@ fs::path folder_of_glm(const Toolchain& built) {
     command.push_back((built.includes.front() / "rt/math.h").string());
     std::istringstream words(must_run(command));
     for (std::string word; words >> word;)
-        if (const auto at = word.find("/glm/glm.hpp"); at != word.npos) return word.substr(0, at);
-    throw std::runtime_error("GLM's headers are not found; expected glm/glm.hpp among those of rt/math.h");
+        if (const auto at = word.find("/glm/"); at != word.npos) return word.substr(0, at);
+    throw std::runtime_error("GLM's headers are not found; expected glm/ among those of rt/math.h");
 }
 
 void write_machine(const Toolchain& built, const fs::path& program, const fs::path& machine) {
@@ -237,7 +237,7 @@ void hand_out(const fs::path& project, const Assignment& assignment, const fs::p
     write_text(folder / ".gitignore", "build*/\n");
     write_starter(blanks, (folder / "starter/fragments").string());
     write_starter(blanks, (folder / "grader/blanks").string());
-    fs::copy(folder_of_glm(built) / "glm", folder / "grader/include/glm", fs::copy_options::recursive);
+    copy_folder(folder_of_glm(built) / "glm", folder / "grader/include/glm");
     write_machine(built, program, folder / "grader" / kind_of_machine());
     for (const fs::path& kit : others) add_machines(kit, folder);
 }

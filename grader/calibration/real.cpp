@@ -86,7 +86,7 @@ std::vector<RealGrading> grade_changed(const Workshop& workshop, const std::map<
         const auto& checks = workshop.checks(seed);
         settings.statistics = noisy_statistics(checks);
         const Record record =
-            grade_programs(programs, workshop.assignment(), workshop.chain(), checks, settings, silent);
+            grade_programs(programs, workshop.assignment(), workshop.chain(), ready(checks), settings, silent);
         RealGrading grading;
         for (const FragmentRecord& fragment : record.fragments)
             grading.fragments.push_back(

@@ -12,12 +12,11 @@ add_framework(rt_baseline rt_baseline_speed)
 add_child(child_baseline rt_baseline)
 
 add_library(solution_baseline OBJECT ${solution_sources})
-target_precompile_headers(solution_baseline PRIVATE ${PROJECT_SOURCE_DIR}/starter/rt/fragments.h)
 add_library(blanks_baseline OBJECT ${blank_sources})
-target_precompile_headers(blanks_baseline REUSE_FROM solution_baseline)
 add_dependencies(blanks_baseline blank_sources)
 foreach(objects solution_baseline blanks_baseline)
     target_link_libraries(${objects} PRIVATE rt_baseline rt_baseline_speed)
+    precompile_fragments_header(${objects} rt_baseline rt_baseline_speed)
 endforeach()
 
 add_library(grader_in_kit STATIC child/self_test.cpp build/no_archive.cpp)
@@ -28,6 +27,7 @@ add_dependencies(grade_kit child_baseline solution_baseline blanks_baseline)
 target_link_options(grade_kit PRIVATE -Wl,--disable-new-dtags)
 set_target_properties(grade_kit PROPERTIES BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH "$ORIGIN/lib")
 
-set_target_properties(rt_baseline child_baseline solution_baseline blanks_baseline grader_in_kit grade_kit blank_sources
+set_target_properties(rt_baseline child_baseline fragments_header_rt_baseline solution_baseline blanks_baseline grader_in_kit
+    grade_kit blank_sources
     PROPERTIES EXCLUDE_FROM_ALL ON)
 write_toolchain(${PROJECT_BINARY_DIR}/kit.toml child_baseline rt_baseline blanks_baseline solution_baseline "${libraries}")

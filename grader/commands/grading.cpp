@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <future>
 #include <random>
 
 #include "build/cache.h"
@@ -44,7 +45,8 @@ public:
         if (html_.empty() && chosen_.own && chosen_.fragments.empty() && !arguments.watch && cache_)
             html_ = *cache_ / "report";
         set_up();
-        checks_ = all_checks(settings_.seed);
+        // their closed forms take a while: meanwhile the fragments are compiled
+        checks_ = std::async(std::launch::async, all_checks, settings_.seed).share();
     }
 
     const Chosen& chosen() const { return chosen_; }
@@ -112,7 +114,7 @@ private:
     std::optional<fs::path> cache_;
     fs::path html_;
     GradingSettings settings_;
-    std::vector<Check> checks_;
+    FutureChecks checks_;
 };
 
 }  // namespace

@@ -140,7 +140,8 @@ int run_picture(const PictureArguments& arguments, const std::string& toolchain)
     rt::write_png(out.string(), side_by_side({shown(both.mine), shown(both.right), map.image}));
     fmt::print("{}: yours, the right one, the difference (blue: yours is darker; orange: brighter; full colour at "
                "±{:.2g})\n{}\n", out.string(), map.full, in_words(both.mine, both.right));
-    fmt::print("CPU time: yours {:.3g} s, the right one {:.3g} s\n", both.mine_seconds, both.right_seconds);
+    if (both.right_seconds > 0)
+        fmt::print("CPU time: yours {:.3g} s, the right one {:.3g} s\n", both.mine_seconds, both.right_seconds);
     return 0;
 }
 

@@ -24,12 +24,14 @@ struct Task {
 /// Everything that one grading shares. The steps are below, in their order.
 class Grading {
 public:
-    Grading(Programs& programs, const Assignment& assignment, const Toolchain& chain, const std::vector<Check>& checks,
+    Grading(Programs& programs, const Assignment& assignment, const Toolchain& chain, const FutureChecks& checks,
             const GradingSettings& settings, Progress& progress);
 
     Record run();
 
 private:
+    void compile();
+    void add_checks();
     std::vector<Task> recall();
     void link(std::vector<Task>& open);
     void judge_all(const std::vector<Task>& open);
@@ -39,18 +41,19 @@ private:
 
     Programs& programs_;
     const Toolchain& chain_;
+    const FutureChecks checks_;
     const GradingSettings& settings_;
     Progress& progress_;
     Record record_;
     std::vector<Task> tasks_;
     CheckSettings check_settings_;
-    int links_expected_ = 0;
+    int links_expected_ = 0, checks_expected_ = 0;
     std::mutex lock_;
 };
 
 Grading::Grading(Programs& programs, const Assignment& assignment, const Toolchain& chain,
-                 const std::vector<Check>& checks, const GradingSettings& settings, Progress& progress)
-    : programs_(programs), chain_(chain), settings_(settings), progress_(progress) {
+                 const FutureChecks& checks, const GradingSettings& settings, Progress& progress)
+    : programs_(programs), chain_(chain), checks_(checks), settings_(settings), progress_(progress) {
     record_.submission = programs.submission();
     record_.title = assignment.title;
     record_.seed = settings.seed;
@@ -58,24 +61,26 @@ Grading::Grading(Programs& programs, const Assignment& assignment, const Toolcha
     record_.toolchain = chain.description;
     record_.version = PENUMBRA_VERSION;
 
-    check_settings_.seed = settings.seed;
-    check_settings_.pictures = settings.pictures;
-    check_settings_.statistics.statistics = settings.statistics > 0 ? settings.statistics : noisy_statistics(checks);
-    check_settings_.statistics.cap = settings.replicates;
-
     for (const Fragment& fragment : assignment.fragments) {
         if (fragment.given || (!settings.only.empty() && !settings.only.contains(fragment.name))) continue;
         FragmentRecord record;
         record.name = fragment.name, record.part = fragment.part, record.max_points = fragment.points;
-        for (const Check& check : checks)
-            if (check.fragment == fragment.name) record.checks.push_back(blank_record(check));
         record_.fragments.push_back(std::move(record));
     }
-    for (FragmentRecord& fragment : record_.fragments)
-        for (CheckRecord& check : fragment.checks) {
-            const auto same = [&](const Check& c) { return c.fragment == fragment.name && c.name == check.name; };
-            tasks_.push_back({&*std::ranges::find_if(checks, same), &fragment, &check});
-        }
+}
+
+void Grading::add_checks() {
+    const std::vector<Check>& checks = checks_.get();
+    check_settings_.seed = settings_.seed;
+    check_settings_.pictures = settings_.pictures;
+    check_settings_.statistics.statistics = settings_.statistics > 0 ? settings_.statistics : noisy_statistics(checks);
+    check_settings_.statistics.cap = settings_.replicates;
+    for (FragmentRecord& fragment : record_.fragments) {
+        std::vector<const Check*> own;
+        for (const Check& check : checks)
+            if (check.fragment == fragment.name) own.push_back(&check), fragment.checks.push_back(blank_record(check));
+        for (std::size_t i = 0; i < own.size(); ++i) tasks_.push_back({own[i], &fragment, &fragment.checks[i]});
+    }
 }
 
 void Grading::finish(FragmentRecord& fragment) {
@@ -153,7 +158,7 @@ void Grading::judge_all(const std::vector<Task>& open) {
     for (const Task& task : open) ++left[task.check->fragment];
     for (FragmentRecord& fragment : record_.fragments)
         if (left[fragment.name] == 0) finish(fragment);
-    progress_.expect(Work::check, int(open.size()) - int(tasks_.size()));
+    progress_.expect(Work::check, int(open.size()) - checks_expected_);
     in_parallel(int(open.size()), settings_.build.jobs, [&](int i) {
         const Task& task = open[std::size_t(i)];
         progress_.tell(key_of(*task.check));
@@ -168,24 +173,30 @@ void Grading::judge_all(const std::vector<Task>& open) {
     });
 }
 
-Record Grading::run() {
-    if (settings_.partial) settings_.partial(record_);
+void Grading::compile() {
+    constexpr int checks_of_a_fragment = 3;  // about: they are not made yet
     std::set<std::string> wanted;
     for (const FragmentRecord& fragment : record_.fragments) wanted.insert(fragment.name);
     links_expected_ = programs_.to_compile(wanted);
     const bool draws = !settings_.own_scene.empty();
     if (draws)
         for (const auto& [name, object] : chain_.solution_objects) wanted.insert(name);
+    checks_expected_ = checks_of_a_fragment * links_expected_;
     progress_.expect(Work::compile, programs_.to_compile(wanted));
     progress_.expect(Work::link, links_expected_);
-    progress_.expect(Work::check, int(tasks_.size()));
+    progress_.expect(Work::check, checks_expected_);
     progress_.expect(Work::picture, draws);
-
     programs_.compile(wanted);
+}
+
+Record Grading::run() {
+    if (settings_.partial) settings_.partial(record_);
+    compile();
+    add_checks();
     std::vector<Task> open = recall();
     link(open);
     judge_all(open);
-    if (draws) {
+    if (!settings_.own_scene.empty()) {
         progress_.tell("drawing the submission's own picture");
         add_own_picture(record_, programs_, settings_.own_scene, settings_.seed, settings_.time_limit);
         progress_.done(Work::picture);
@@ -196,18 +207,24 @@ Record Grading::run() {
 }  // namespace
 
 Record grade_programs(Programs& programs, const Assignment& assignment, const Toolchain& chain,
-                      const std::vector<Check>& checks, const GradingSettings& settings, Progress& progress) {
+                      const FutureChecks& checks, const GradingSettings& settings, Progress& progress) {
     return Grading(programs, assignment, chain, checks, settings, progress).run();
 }
 
 Record grade_submission(const Submission& submission, const Assignment& assignment, const Toolchain& chain,
-                        const std::vector<Check>& checks, const GradingSettings& settings) {
+                        const FutureChecks& checks, const GradingSettings& settings) {
     const auto start = Clock::now();
     Progress progress(settings.progress);
     Programs programs(submission, chain, settings.build, progress);
     Record record = grade_programs(programs, assignment, chain, checks, settings, progress);
     record.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
     return record;
+}
+
+FutureChecks ready(std::vector<Check> checks) {
+    std::promise<std::vector<Check>> made;
+    made.set_value(std::move(checks));
+    return made.get_future().share();
 }
 
 }  // namespace grade

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <future>
 #include <set>
 #include <string>
 
@@ -25,15 +26,21 @@ struct GradingSettings {
     std::function<void(const Record&)> partial;                                 // after each fragment; likewise
 };
 
+/// Checks that may still be made: their closed forms take a while, in which fragments can be compiled.
+using FutureChecks = std::shared_future<std::vector<Check>>;
+
 /// Grades a submission: compiles its fragments, links each with the solution's others, runs the checks on them, and
 /// judges what comes back. Whatever a fragment does costs that fragment only. Throws std::runtime_error where the
 /// machine fails.
 Record grade_submission(const Submission& submission, const Assignment& assignment, const Toolchain& chain,
-                        const std::vector<Check>& checks, const GradingSettings& settings);
+                        const FutureChecks& checks, const GradingSettings& settings);
 
 /// The same with fragments that are compiled already, as far as they are needed: the same programs may be graded with
 /// many seeds.
 Record grade_programs(Programs& programs, const Assignment& assignment, const Toolchain& chain,
-                      const std::vector<Check>& checks, const GradingSettings& settings, Progress& progress);
+                      const FutureChecks& checks, const GradingSettings& settings, Progress& progress);
+
+/// Checks that are made.
+FutureChecks ready(std::vector<Check> checks);
 
 }  // namespace grade

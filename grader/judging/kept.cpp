@@ -135,22 +135,40 @@ void Kept::keep_object(const std::string& fragment, const std::string& text, con
     if (const auto bytes = read_text(object)) write_text(path(fragment + ".o", text), *bytes);
 }
 
-std::optional<CheckRecord> Kept::check(const std::string& key, const std::string& made_from) const {
+void Kept::write(const std::string& name, const std::string& made_from, const nlohmann::json& json) const {
+    if (folder_.empty()) return;
+    forget(folder_, name);
+    const std::vector<std::uint8_t> bytes = Json::to_cbor(json);
+    write_text(path(name, made_from), {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+template <class Value>
+std::optional<Value> Kept::read(const std::string& name, const std::string& made_from,
+                                Value (*from)(const nlohmann::json&)) const {
     if (folder_.empty()) return std::nullopt;
-    const auto bytes = read_text(path(key, made_from), std::uint64_t(1) << 30);
+    const auto bytes = read_text(path(name, made_from), std::uint64_t(1) << 30);
     if (!bytes) return std::nullopt;
     try {
-        return check_record(Json::from_cbor(*bytes));
+        return from(Json::from_cbor(*bytes));
     } catch (const std::exception&) {
         return std::nullopt;  // a broken file is as good as none
     }
 }
 
+std::optional<CheckRecord> Kept::check(const std::string& key, const std::string& made_from) const {
+    return read<CheckRecord>(key, made_from, check_record);
+}
+
 void Kept::keep_check(const std::string& key, const std::string& made_from, const CheckRecord& record) const {
-    if (folder_.empty() || !stays(record.verdict)) return;
-    forget(folder_, key);
-    const std::vector<std::uint8_t> bytes = Json::to_cbor(to_json(record));
-    write_text(path(key, made_from), {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    if (stays(record.verdict)) write(key, made_from, to_json(record));
+}
+
+std::optional<rt::Image> Kept::picture(const std::string& name, const std::string& made_from) const {
+    return read<rt::Image>(name, made_from, image);
+}
+
+void Kept::keep_picture(const std::string& name, const std::string& made_from, const rt::Image& picture) const {
+    write(name, made_from, to_json(picture));
 }
 
 }  // namespace grade

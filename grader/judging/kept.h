@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
@@ -26,10 +27,18 @@ public:
     /// A check's record. made_from: settings and sources.
     std::optional<CheckRecord> check(const std::string& key, const std::string& made_from) const;
 
+    /// A picture; made_from: all that it depends on beside the framework.
+    std::optional<rt::Image> picture(const std::string& name, const std::string& made_from) const;
+    void keep_picture(const std::string& name, const std::string& made_from, const rt::Image& picture) const;
+
     /// Only verdicts that do not depend on how busy the machine is.
     void keep_check(const std::string& key, const std::string& made_from, const CheckRecord& record) const;
 
 private:
+    template <class Value>
+    std::optional<Value> read(const std::string& name, const std::string& made_from,
+                              Value (*from)(const nlohmann::json&)) const;
+    void write(const std::string& name, const std::string& made_from, const nlohmann::json& json) const;
     fs::path path(const std::string& name, const std::string& made_from) const;
 
     fs::path folder_;  // empty: nothing is kept

@@ -1,5 +1,7 @@
 #include "judging/own_picture.h"
 
+#include <fmt/format.h>
+
 #include "build/runner.h"
 #include "judging/parallel.h"
 #include "rt/files/scene_reader.h"
@@ -12,18 +14,26 @@ Compared draw_compared(Programs& programs, const fs::path& mine, const fs::path&
     const rt::Scene parsed = rt::parse_scene(text, scene.string());
     const Render experiment{text, settings.samples > 0 ? settings.samples : parsed.samples,
                             std::string(rt::sampler_names[std::size_t(parsed.sampler)]), settings.size};
-    const fs::path meshes = fs::absolute(scene).parent_path(), right = programs.with({}).program;
+    const fs::path meshes = fs::absolute(scene).parent_path();
     Compared result;
     result.exposure = parsed.exposure;
-    in_parallel(2, 2, [&](int i) {
-        Runner runner(programs.copy_for(i == 0 ? "mine" : "right", i == 0 ? mine : right), programs.sandbox(), meshes,
-                      settings.time_limit);
+    const auto draw = [&](const char* name, const fs::path& program, rt::Image& image, std::string& fault, double& seconds) {
+        Runner runner(programs.copy_for(name, program), programs.sandbox(), meshes, settings.time_limit);
         auto outcome = runner.render(experiment, settings.seed);
-        (i == 0 ? result.mine_seconds : result.right_seconds) = runner.seconds();
-        if (const Fault* fault = std::get_if<Fault>(&outcome))
-            (i == 0 ? result.mine_fault : result.right_fault) = fault->message;
-        else (i == 0 ? result.mine : result.right) = std::move(std::get<rt::Image>(outcome));
+        seconds = runner.seconds();
+        if (const Fault* bad = std::get_if<Fault>(&outcome)) fault = bad->message;
+        else image = std::move(std::get<rt::Image>(outcome));
+    };
+    // the right one is the same each time
+    const std::string from = fmt::format("{} {} {} {}x{} {}\n{}", meshes.string(), settings.seed, experiment.samples,
+                                         settings.size.x, settings.size.y, experiment.sampler, text);
+    const auto before = programs.kept().picture("right_picture", from);
+    if (before) result.right = *before;
+    in_parallel(before ? 1 : 2, 2, [&](int i) {
+        if (i == 0) draw("mine", mine, result.mine, result.mine_fault, result.mine_seconds);
+        else draw("right", programs.with({}).program, result.right, result.right_fault, result.right_seconds);
     });
+    if (!before && result.right_fault.empty()) programs.kept().keep_picture("right_picture", from, result.right);
     return result;
 }
 

@@ -28,6 +28,7 @@ Programs::Programs(const Submission& submission, const Toolchain& chain, const B
     work_ = settings.keep.empty() ? temporary_.path() : fs::absolute(settings.keep);
     fs::create_directories(work_);
     sandbox_ = find_sandbox(settings.trusted || chain.is_kit);
+    if (chain.is_kit) sandbox_.description = "resource limits only: the code that a kit runs is its owner's";
 }
 
 fs::path Programs::folder(const std::string& name) const {

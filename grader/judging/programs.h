@@ -54,6 +54,7 @@ public:
 
     const std::string& submission() const { return submission_.name; }
     const Sandbox& sandbox() const { return sandbox_; }
+    const Kept& kept() const { return settings_.kept; }
     const std::map<std::string, Problem>& problems() const { return problems_; }
     std::string complaint(const std::string& fragment) const;  // of its problem; empty: none
     bool has(const std::string& fragment) const { return objects_.contains(fragment); }

@@ -21,20 +21,21 @@ function(add_fragments name folder)
     add_library(${name} OBJECT ${fragments})
     target_compile_options(${name} PRIVATE -Wno-unused-parameter)  # a blank uses none of its parameters
     target_link_libraries(${name} PRIVATE rt rt_speed rt_warnings)
-    precompile_fragments_header(${name})
+    precompile_fragments_header(${name} rt rt_speed)
 endfunction()
 
-# precompile_fragments_header(name): what every fragment includes, compiled once for all sets of fragments, for a target
-# of its own: CMake counts it among that target's objects.
-function(precompile_fragments_header name)
-    if(NOT TARGET fragments_header)
-        set(source ${CMAKE_CURRENT_BINARY_DIR}/fragments_header.cpp)
+# precompile_fragments_header(name rt speed): what every fragment includes, compiled once for all sets of fragments with
+# these options, for a target of its own: CMake counts it among that target's objects.
+function(precompile_fragments_header name rt speed)
+    set(header fragments_header_${rt})
+    if(NOT TARGET ${header})
+        set(source ${CMAKE_CURRENT_BINARY_DIR}/${header}.cpp)
         file(CONFIGURE OUTPUT ${source} CONTENT "// What fragments include, compiled in advance.\n")
-        add_library(fragments_header OBJECT ${source})
-        target_link_libraries(fragments_header PRIVATE rt rt_speed rt_warnings)
-        target_precompile_headers(fragments_header PRIVATE ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../rt/fragments.h)
+        add_library(${header} OBJECT ${source})
+        target_link_libraries(${header} PRIVATE ${rt} ${speed} rt_warnings)
+        target_precompile_headers(${header} PRIVATE ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../rt/fragments.h)
     endif()
-    target_precompile_headers(${name} REUSE_FROM fragments_header)
+    target_precompile_headers(${name} REUSE_FROM ${header})
 endfunction()
 
 # add_renderer(name fragments [LINKED]): the program `name`, with the target that add_fragments has made.
