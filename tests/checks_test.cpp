@@ -181,6 +181,7 @@ TEST_CASE("a picture that the solution draws under one seed does not pass under 
         CAPTURE(name);
         rt::RenderSettings settings;
         settings.samples = render->samples, settings.threads = 1, settings.estimate_error = false;
+        settings.one_of_many = true;
         settings.sampler = *rt::sampler_named(render->sampler);
         Observation copied;
         copied.image = rt::render(rt::parse_scene(render->scene, "scenes/scene.toml"), settings).image;

@@ -1,9 +1,13 @@
 #include "rt/plan.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
+#include <set>
 
 #include "build/files.h"
 #include "catch.h"
+#include "rt/calls.h"
 #include "rt/render.h"
 #include "rt/files/scene_reader.h"
 
@@ -44,6 +48,13 @@ std::string changed(std::string text, const std::string& from, const std::string
     const std::size_t at = text.find(from);
     REQUIRE(at != text.npos);
     return text.replace(at, from.size(), to);
+}
+
+/// The fragments that a plan's stages call.
+std::set<std::string> called(const RenderPlan& plan) {
+    std::set<std::string> names;
+    for (const Calls& calls : calls_of(plan)) names.insert(calls.fragments.begin(), calls.fragments.end());
+    return names;
 }
 
 bool same(const Rendering& a, const Rendering& b) { return a.image.pixels == b.image.pixels && a.rays == b.rays; }
@@ -124,4 +135,117 @@ material = "lamp"
                                     "emission = [1, 1, 1]\n[materials.mirror]"))));
     // and what is really there does
     CHECK(!same(plain, drawn(changed(text, camera, camera + "lens_radius = 0.1\nfocus = 3\n"))));
+}
+
+TEST_CASE("there is an integral over the pixel where it has more than one sample, in one pass or in many") {
+    const Scene scene = read_scene("scenes/depth_of_field.toml");
+    const auto plan = [&](int samples, bool passes) { return make_plan(scene, {samples, passes, scene.sampler}); };
+    for (const bool passes : {false, true})
+        for (const int samples : {1, 2, 16}) {
+            CAPTURE(samples, passes);
+            const bool several = samples > 1 || passes;
+            CHECK(plan(samples, passes).pixel == several);
+            CHECK(called(plan(samples, passes)).contains("film_sample") == several);
+            CHECK(called(plan(samples, passes)).contains("pixel_mean") == several);
+            // without it, the lens has the first of the pattern's dimensions
+            CHECK(plan(samples, passes).pairs[pixel_dimension] == (several ? 0 : -1));
+            CHECK(plan(samples, passes).pairs[lens_dimension] == (several ? 1 : 0));
+        }
+    CHECK(sampling_of(RenderSettings{.samples = 1}).passes == false);
+    CHECK(sampling_of(RenderSettings{.samples = 1, .time_limit = 1}).passes);
+    CHECK(sampling_of(RenderSettings{.samples = 1, .target_error = 0.1}).passes);
+    CHECK(make_plan(scene, sampling_of(RenderSettings{.samples = 1, .one_of_many = true})).pixel);
+}
+
+TEST_CASE("one sample goes through the pixel's centre: nothing is random, unless it is one of many passes") {
+    Scene scene = read_scene("scenes/whitted.toml");
+    scene.camera.size = {32, 24};
+    const auto drawn = [&](std::uint64_t seed, Sampler sampler, Real error) {
+        return render(scene, {.samples = 1, .seed = seed, .sampler = sampler, .target_error = error}).image.pixels;
+    };
+    const auto picture = drawn(1, Sampler::uniform, 0);
+    for (const Sampler sampler : {Sampler::random, Sampler::stratified, Sampler::sobol, Sampler::orthogonal}) {
+        CAPTURE(sampler_names[std::size_t(sampler)]);
+        CHECK(drawn(1, sampler, 0) == picture);
+        CHECK(drawn(2, sampler, 0) == picture);
+        CHECK(drawn(1, sampler, 1e9) != picture);
+    }
+    // the ray through the centre, in a picture whose pixels are a third as large
+    scene.camera.size = {96, 72};
+    const auto finer = drawn(1, Sampler::random, 0);
+    CHECK(finer[std::size_t(3 * 12 + 1) * 96 + 3 * 16 + 1] == picture[12 * 32 + 16]);
+}
+
+TEST_CASE("what is told of a pixel is what was drawn") {
+    Scene scene = read_scene("scenes/whitted.toml");
+    scene.camera.size = {32, 24};
+    const auto told = [&](const RenderSettings& settings) { return trace_pixel(scene, settings, 20, 11); };
+    for (const int samples : {1, 4}) {
+        const RenderSettings settings{.samples = samples, .seed = 3};
+        const Color c = render(scene, settings).image.at(20, 11);
+        CHECK(told(settings).ends_with(fmt::format("mean ({:.17g}, {:.17g}, {:.17g})\n", c.x, c.y, c.z)));
+    }
+    CHECK(told({.samples = 1, .seed = 3}) == told({.samples = 1, .seed = 4}));
+    CHECK(told({.samples = 1, .seed = 3}) != told({.samples = 1, .seed = 3, .target_error = 1}));
+}
+
+TEST_CASE("emission_counts is asked where diffuse rays go and something shines that shadow rays may have found") {
+    struct Case {
+        std::string scene;
+        bool asked;
+    };
+    const std::string floor = R"(
+[camera]
+eye = [0, 1, 5]
+target = [0, 0, 0]
+[materials.floor]
+albedo = 0.5
+[materials.mirror]
+reflectance = 0.5
+[materials.lamp]
+emission = 5
+[[shape]]
+type = "sphere"
+center = [0, 0, 0]
+radius = 1
+material = "floor"
+)",
+                      lamp = "[[shape]]\ntype = \"sphere\"\ncenter = [0, 3, 0]\nradius = 1\nmaterial = \"lamp\"\n",
+                      bounces = "[render]\nbounces = 2\n", mirror = changed(floor, "\"floor\"\n", "\"mirror\"\n");
+    const Case cases[] = {{bounces + floor + lamp, true},
+                          {"environment = 1\n" + bounces + floor, true},
+                          {bounces + changed(floor, "emission = 5", "emission = 5\nsampled = false") + lamp, true},
+                          {"background = 1\n" + bounces + floor, false},
+                          {bounces + floor, false},
+                          {floor + lamp, false},
+                          {"environment = 1\n" + floor + lamp, false},
+                          {bounces + mirror + lamp, false},
+                          {"environment = 1\n" + bounces + mirror, false}};
+    for (const Case& c : cases) {
+        CAPTURE(c.scene);
+        const RenderPlan plan = make_plan(parse_scene(c.scene, "scene.toml"));
+        CHECK(plan.counts_twice == c.asked);
+        CHECK(called(plan).contains("emission_counts") == c.asked);
+    }
+}
+
+TEST_CASE("the plan names the fragments that its stages call") {
+    const auto names = [](const std::string& scene, const Sampling& sampling) {
+        return called(make_plan(read_scene("scenes/" + scene + ".toml"), sampling));
+    };
+    using Names = std::set<std::string>;
+    Names whitted{"camera_ray", "hit_sphere", "hit_quad", "point_irradiance", "phong", "shadow_ray",
+                  "mirror_direction", "refracted_direction", "fresnel_dielectric", "whitted"};
+    CHECK(names("whitted", {1, false, Sampler::stratified}) == whitted);
+    whitted.insert({"film_sample", "pixel_mean"});
+    CHECK(names("whitted", {4, false, Sampler::stratified}) == whitted);
+    CHECK(names("whitted", {1, true, Sampler::random}) == whitted);
+
+    Names penumbra{"camera_ray", "hit_quad", "light_sample", "direct_light", "shadow_ray", "film_sample", "pixel_mean"};
+    CHECK(names("penumbra", {4, false, Sampler::orthogonal}) == penumbra);
+    penumbra.insert("stratified_2d");
+    CHECK(names("penumbra", {4, false, Sampler::stratified}) == penumbra);
+    CHECK(names("penumbra", {4, false, Sampler::uniform}) == penumbra);
+    CHECK(names("environment", {1, false, Sampler::sobol}) ==
+          Names{"camera_ray", "hit_sphere", "hit_quad", "cosine_hemisphere", "shadow_ray"});
 }

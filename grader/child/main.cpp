@@ -71,6 +71,7 @@ std::string render(rt::Scene scene, const std::string& payload) {
     settings.sampler = rt::Sampler(request.sampler);
     settings.threads = 1;
     settings.estimate_error = false;
+    settings.one_of_many = true;  // of some replicates
     if (request.seconds > 0) settings.time_limit = request.seconds;
     if (request.width > 0 && request.height > 0) scene.camera.size = {request.width, request.height};
     const rt::Rendering rendering = rt::render(scene, settings);

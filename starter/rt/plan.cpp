@@ -100,7 +100,7 @@ RenderPlan make_plan(const Scene& scene, const Sampling& sampling) {
     }
     plan.bvh = count > shapes_without_tree;
     plan.sampling = sampling;
-    plan.pixel = sampling.samples > 1 || sampling.passes;
+    plan.pixel = sampling.samples > 1 || sampling.passes || sampling.one_of_many;
     plan.lens = scene.camera.lens_radius > 0;
     plan.time = moves && scene.shutter.close > scene.shutter.open;
     plan.point_lights = !scene.lights.empty();
@@ -132,8 +132,7 @@ std::string describe(const RenderPlan& plan, const Scene& scene) {
     text += fmt::format("integrals\n");
     const Sampling& sampling = plan.sampling;
     row("pixel", plan.pixel,
-        fmt::format("{} a pixel{}", sampling.samples > 1 ? fmt::format("{} samples", sampling.samples) : "one sample",
-                    sampling.passes ? ", pass after pass" : ""),
+        sampling.passes ? "pass after pass, until a limit" : fmt::format("{} samples a pixel", sampling.samples),
         "one sample a pixel, through its centre");
     row("lens", plan.lens, fmt::format("radius {:g} m", scene.camera.lens_radius), "a pinhole");
     row("time", plan.time, fmt::format("{:g} s to {:g} s", scene.shutter.open, scene.shutter.close),
@@ -177,8 +176,9 @@ std::string describe(const RenderPlan& plan, const Scene& scene) {
     text += fmt::format("dimensions       {} for the camera, {} for each wave\n", camera, wave);
     const std::size_t shadow = scene.lights.size() + std::size_t(lamps) + plan.environment_lit;
     const int waves = 1 + (plan.bounce ? scene.bounces : 0);
-    text += fmt::format("rays per pixel   {} camera, at most {} shadow where no path meets mirrors, glass or media\n",
-                        sampling.samples, std::size_t(sampling.samples) * shadow * std::size_t(waves));
+    const int samples = sampling.passes ? 1 : sampling.samples;
+    text += fmt::format("rays per {:<7} {} camera, at most {} shadow where no path meets mirrors, glass or media\n",
+                        sampling.passes ? "sample" : "pixel", samples, std::size_t(samples) * shadow * std::size_t(waves));
     text += "fragments that the stages call\n";
     for (const Calls& calls : calls_of(plan))
         if (!calls.fragments.empty()) text += fmt::format("  {:<14} {}\n", calls.stage, fmt::join(calls.fragments, ", "));

@@ -23,6 +23,7 @@ struct Sampling {
     int samples = 1;       // a pixel, in one pass
     bool passes = false;   // more passes may follow
     Sampler sampler = Sampler::orthogonal;
+    bool one_of_many = false;  // the mean of pictures with other seeds is what counts
 };
 
 /// As the scene says.
@@ -32,7 +33,7 @@ inline Sampling sampling_of(const Scene& scene) { return {scene.samples, false, 
 /// number, casts no ray and has no dimension in the sampling pattern.
 struct RenderPlan {
     // the integrals
-    bool pixel = false;   // more than one sample a pixel; else the ray goes through its centre, and there is no mean
+    bool pixel = false;   // more than one sample a pixel, in all; else the ray goes through its centre, and there is no mean
     bool light = false;   // emitters with extent are sampled
     bool lobe = false;    // glossy or translucent surfaces
     bool lens = false;

@@ -23,6 +23,7 @@ struct RenderSettings {
     std::uint64_t seed = 0;
     int threads = 0;  // 0: one for each core
     Sampler sampler = Sampler::orthogonal;
+    bool one_of_many = false;   // pictures with other seeds are averaged with this one: one sample a pixel is random, too
     std::optional<Crop> crop;   // default: the whole film
     bool estimate_error = true; // renders some pixels twice
     // With a limit, passes follow each other until it is reached, and `samples` does not count; else one pass.
@@ -36,7 +37,7 @@ struct RenderSettings {
 };
 
 inline Sampling sampling_of(const RenderSettings& s) {
-    return {s.samples, s.time_limit < inf || s.target_error > 0, s.sampler};
+    return {s.samples, s.time_limit < inf || s.target_error > 0, s.sampler, s.one_of_many};
 }
 
 struct Rendering {

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """What a scene does not need is not there: plan_test.py BUILD
 
-1. Each scene's picture is the same, bit by bit, drawn by a program without the fragments of the integrals and stages
-   that its plan leaves out: blanks stand in their places, and each would say that it was called.
+1. Each scene's picture is the same, bit by bit, drawn by a program without the fragments that its plan does not name:
+   blanks stand in their places, and each would say that it was called. Each fragment that the plan does name is called.
 2. A Whitted scene drawn by the stages compiled with a plan whose other members are constants, so that the compiler
    removes what they switch on: the same bits as by the stages as they are, which need at most 2 % more instructions.
    Instructions are counted by valgrind, where it is there.
@@ -18,26 +18,25 @@ import sys
 import tempfile
 import tomllib
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+from programs import ROOT, Programs, draw, fragments_in_order, named
+
 MOST = 1.02  # instructions, as a ratio
 
-# By what the table of --plan calls them: the fragments that nothing else needs.
-ONLY_FOR = {
-    "lens": {"lens_ray"},
-    "time": {"shutter_time"},
-    "light": {"light_sample"},
-    "lobe": {"glossy_reflection", "translucency"},
-    "bounce": {"color_bleeding"},
-    "medium": {"free_flight", "scatter_direction"},
-    "scatter": {"whitted", "fresnel_dielectric", "mirror_direction", "refracted_direction"},
-    "emission": {"emission_counts"},
-    "direct": {"direct_light", "shadow_ray", "point_irradiance", "phong"},
-    "surface": {"hit_sphere", "hit_triangle", "hit_quad"},
-}
-NEVER = {"integrate_uniform", "integrate_monte_carlo", "integrate_stratified"}
+# What the stages need besides themselves.
+TRACE = [f"trace/{name}" for name in ("camera", "lights", "wave", "ways")]
+BESIDE_STAGES = ["tree/bvh", "lamps/lamp_tree", "path", "calls", "plan", *TRACE, "world"]
+
+# What a picture is drawn with.
+SMALL = ["--size", "24x24"]
+SETTINGS = [
+    ["--samples", "4"],
+    ["--samples", "1"],
+    ["--samples", "4", "--sampler", "stratified"],
+]
 
 # Of the plan, what a Whitted scene without a tree does not have.
 ABSENT = [
+    "pixel",
     "light",
     "lobe",
     "lens",
@@ -51,6 +50,9 @@ ABSENT = [
     "solid_angle",
     "one_lamp",
     "environment_lit",
+    "counts_twice",
+    "glossy",
+    "translucent",
     "bvh",
     "triangles",
     "discs",
@@ -74,65 +76,44 @@ def expect(holds, what):
         print(f"FAILED: {what}", flush=True)
 
 
-def unneeded(raytrace, scene):
-    """The fragments that a scene's plan has no use for."""
-    table = subprocess.run([raytrace, scene, "--plan"], capture_output=True, text=True, check=True).stdout
-    on = dict(re.findall(r"^  (\w+) +(on|-) ", table, re.MULTILINE))
-    missing = [row for row in ONLY_FOR if row not in on]
-    expect(not missing, f"--plan has no rows {missing}")
-    return NEVER | {f for row, fragments in ONLY_FOR.items() if on.get(row) == "-" for f in fragments}
+def same_without(build, scenes, work):
+    """Part 1. Pictures that leave out the same share a program; of each, whether it is the same, and what it calls."""
+    programs = Programs(build)
+    pictures = [(scene, options) for scene in scenes for options in SETTINGS]
+    names = [named(build / "raytrace", *picture) for picture in pictures]
+    groups = {}
+    for picture, fragments in zip(pictures, names):
+        groups.setdefault(frozenset(programs.with_called(fragments)), []).append(picture)
 
+    def draw_group(job):
+        number, (fragments, group) = job
+        program = programs.link(fragments, work / f"only-{number}")
+        out = work / f"{number}.exr"
+        for scene, options in group:
+            usual, _ = draw(build / "raytrace_linked", scene, out, SMALL + options)
+            out.unlink(missing_ok=True)
+            other, blanks = draw(program, scene, out, SMALL + options)
+            said = f"{scene.relative_to(ROOT)}, {' '.join(options)}"
+            expect(usual == other, f"{said}: another picture without the fragments that its plan does not name")
+            expect(not blanks, f"{said}: calls {blanks}, which its plan does not name")
 
-def draw(program, scene, out):
-    """The picture's hash, and what was said."""
-    done = subprocess.run(
-        [program, scene, "-o", out, "--size", "24x24", "--samples", "4", "--threads", "1"],
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    hashed = re.search(r"^hash +(\w+)$", done.stdout, re.M)
-    return (hashed.group(1) if hashed else done.stderr), done.stdout + done.stderr
+    def draw_without(fragment):
+        program = programs.link(set(programs.filled) - {fragment}, work / f"without-{fragment}")
+        out = work / f"{fragment}.exr"
+        users = [picture for picture, fragments in zip(pictures, names) if fragment in fragments]
+        for scene, options in users:
+            _, blanks = draw(program, scene, out, SMALL + options)
+            said = f"{scene.relative_to(ROOT)}, {' '.join(options)}"
+            expect(fragment in blanks, f"{said}: does not call {fragment}, which its plan names")
 
-
-def link_line(build):
-    """How the build links the renderer from one object for each fragment."""
-    done = subprocess.run(
-        ["ninja", "-C", build, "-t", "commands", "-s", "raytrace_linked"], capture_output=True, text=True, check=True
-    )
-    return done.stdout.strip()
-
-
-def same_without(chain, build, scenes, work):
-    """Part 1. Scenes that leave out the same share a program."""
-    blanks = {pathlib.Path(o).name.split(".")[0]: o for o in chain["blank_objects"]}
-    link = link_line(build)
-    programs = {}
-    for scene in scenes:
-        programs.setdefault(frozenset(unneeded(build / "raytrace", scene)), []).append(scene)
-
-    def check(job):
-        number, (without, its_scenes) = job
-        program = work / f"without-{number}"
-        command = re.sub(r"\S*/(\w+)\.cpp\.o(?!\S)", lambda o: blanks[o[1]] if o[1] in without else o[0], link)
-        command = re.sub(r"-o \S+", f"-o {program}", command)
-        subprocess.run(command, shell=True, check=True, cwd=build)
-        said = []
-        for scene in its_scenes:
-            name = work / f"{number}-{scene.stem}.exr"
-            usual, _ = draw(build / "raytrace_linked", scene, name)
-            name.unlink(missing_ok=True)
-            other, text = draw(program, scene, name)
-            said.append((usual == other, scene, text))
-        return said
-
+    in_use = set().union(*names)
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for said in pool.map(check, enumerate(programs.items())):
-            for same, scene, text in said:
-                expect(same, f"{scene.relative_to(ROOT)}: another picture without what its plan leaves out")
-                called = re.findall(r"(\w+)\.cpp.*not started", text)
-                expect(not called, f"{scene.relative_to(ROOT)}: calls {called}, which its plan leaves out")
-    print(f"{len(scenes)} scenes: the same pictures from {len(programs)} programs without what their plans leave out")
+        list(pool.map(draw_group, enumerate(groups.items())))
+        list(pool.map(draw_without, sorted(in_use)))
+    nowhere = set(programs.filled) - programs.with_called(in_use)
+    expect(nowhere == set(fragments_in_order()["integrals"]), f"no picture calls {sorted(nowhere)}")
+    print(f"{len(pictures)} pictures of {len(scenes)} scenes: the same from {len(groups)} programs without the fragments that")
+    print(f"their plans do not name, and each of the {len(in_use)} that they name is called")
 
 
 def includes(files):
@@ -150,7 +131,7 @@ def compile_whitted(chain, shadow, program):
     stages.write_text('#include "rt/fragments.h"\nnamespace rt {\n' + "\n".join(declared) + "\n}\n" + includes(files))
     rest.write_text(
         includes(
-            [ROOT / "starter/rt" / f"{name}.cpp" for name in ("tree/bvh", "lamps/lamp_tree", "path", "plan", "trace", "world")]
+            [ROOT / "starter/rt" / f"{name}.cpp" for name in BESIDE_STAGES]
             + [ROOT / "tests/plan/whitted.cpp"]
         )
     )
@@ -222,9 +203,9 @@ def pure_whitted(chain, work):
 def main():
     build = pathlib.Path(sys.argv[1]).absolute()
     chain = tomllib.loads((build / "toolchain.toml").read_text())
-    scenes = sorted(ROOT.glob("scenes/*.toml")) + sorted(ROOT.glob("scenes/bench/*.toml"))
+    scenes = sorted(ROOT.glob("scenes/*.toml")) + sorted(ROOT.glob("scenes/*/*.toml"))
     with tempfile.TemporaryDirectory() as work:
-        same_without(chain, build, scenes, pathlib.Path(work))
+        same_without(build, scenes, pathlib.Path(work))
         pure_whitted(chain, pathlib.Path(work))
     return 1 if failures else 0
 
