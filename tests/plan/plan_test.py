@@ -23,8 +23,7 @@ from programs import ROOT, Programs, draw, fragments_in_order, named
 MOST = 1.02  # instructions, as a ratio
 
 # What the stages need besides themselves.
-TRACE = [f"trace/{name}" for name in ("camera", "lights", "wave", "ways")]
-BESIDE_STAGES = ["tree/bvh", "lamps/lamp_tree", "path", "calls", "plan", *TRACE, "world"]
+BESIDE_STAGES = ["tree/bvh", "lamps/lamp_tree", "path", "calls", "plan", "world"]
 
 # What a picture is drawn with.
 SMALL = ["--size", "24x24"]
