@@ -22,6 +22,9 @@ from programs import ROOT, Programs, draw, fragments_in_order, named
 
 MOST = 1.02  # instructions, as a ratio
 
+# What the stages need besides themselves.
+BESIDE_STAGES = ["tree/bvh", "lamps/lamp_tree", "path", "calls", "plan", "world"]
+
 # What a picture is drawn with.
 SMALL = ["--size", "24x24"]
 SETTINGS = [
@@ -127,7 +130,7 @@ def compile_whitted(chain, shadow, program):
     stages.write_text('#include "rt/fragments.h"\nnamespace rt {\n' + "\n".join(declared) + "\n}\n" + includes(files))
     rest.write_text(
         includes(
-            [ROOT / "starter/rt" / f"{name}.cpp" for name in ("tree/bvh", "lamps/lamp_tree", "path", "calls", "plan", "trace", "world")]
+            [ROOT / "starter/rt" / f"{name}.cpp" for name in BESIDE_STAGES]
             + [ROOT / "tests/plan/whitted.cpp"]
         )
     )

@@ -68,10 +68,10 @@ def named(raytrace, scene, options=()):
 
 
 def draw(program, scene, out, options=()):
-    """The hash of the picture, and the blanks that were called."""
+    """The picture's hash, and the blanks that were called."""
     done = subprocess.run(
         [program, scene, "-o", out, "--threads", "1", *options], capture_output=True, text=True, check=False
     )
     text = done.stdout + done.stderr
-    hashed = re.search(r"^hash +(\w+)$", done.stdout, re.M)
+    hashed = re.search(r"^hash +(\w+)$", done.stdout, re.MULTILINE)
     return (hashed.group(1) if hashed else text), set(re.findall(r"(\w+)\.cpp.*not started", text))

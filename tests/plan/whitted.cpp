@@ -3,6 +3,14 @@
 #include <cstdio>
 
 #include "rt/path.h"
+#include "rt/trace.h"
+
+// No trace is asked for.
+namespace rt {
+void trace_camera(const World&, const CameraWork&, const Batch&, Trace&) {}
+void trace_wave(const Wave&, Trace&) {}
+void trace_ways(const Wave&, Trace&) {}
+}  // namespace rt
 
 namespace {
 
