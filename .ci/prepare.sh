@@ -33,12 +33,12 @@ clear_line() {
 }
 
 # progress TEXT [MILESTONE]: how far it is. On a terminal in one line, which changes and goes; elsewhere in a line at each
-# new milestone and after ten seconds of silence.
+# new milestone and after 15 seconds of silence.
 progress() {
     if [ -n "$terminal" ]; then
         printf '\r\033[K%s' "$1" >&2
         shown=1
-    elif [ "${2-$milestone}" != "$milestone" ] || [ $((SECONDS - said_at)) -ge 10 ]; then
+    elif [ "${2-$milestone}" != "$milestone" ] || [ $((SECONDS - said_at)) -ge 15 ]; then
         say "$1"
         milestone=${2-$milestone}
     fi
@@ -200,7 +200,7 @@ missing_elsewhere() {
 can_build() {
     obstacle=$({
         mkdir -p "$build" && echo >"$build/.writable" && rm -f "$build/.writable"
-        for file in "$build"/.ninja_*; do [ ! -e "$file" ] || : >>"$file"; done
+        for file in "$build"/.ninja_* "$build/.lock"; do [ ! -e "$file" ] || : >>"$file"; done
     } 2>&1) && [ -z "$obstacle" ]
 }
 
@@ -224,6 +224,8 @@ built_elsewhere() {
 build_release() {
     local targets=()
     while [ $# -gt 0 ] && [ "$1" != -- ]; do targets+=("$1"); shift; done
+    exec {lock}>>"$build/.lock"
+    flock -n "$lock" || quietly "waiting for another build here" flock "$lock" || true
     if [ $# -gt 0 ] || [ ! -e "$build/build.ninja" ] || [ -e "$build/.configuring" ] || built_elsewhere; then
         configure "${@:2}"
     fi
@@ -233,7 +235,7 @@ build_release() {
         total=$(ninja -C "$build" -t commands "${targets[@]}" 2>/dev/null | wc -l) || total=0
         say "Building, the first time: $total steps, $(in_words $((total / processors)))."
     fi
-    NINJA_STATUS='[%f/%t] ' follow build_line cmake --build "$build" --target "${targets[@]}" && return
+    NINJA_STATUS='[%f/%t] ' follow build_line cmake --build "$build" --target "${targets[@]}" && exec {lock}>&- && return
     [ -z "$full" ] || give_up "The disk is full, so the build failed."
     give_up "The build failed (above). The next call goes on from here; after rm -r $build it starts afresh."
 }
@@ -252,10 +254,10 @@ build_line() {
         [[ $1 == FAILED:* ]] && skip=1 || skip=""
         return 0
     fi
-    # a second of one processor for a step, until ten of them have shown better
-    local text="building" tenth=$milestone
-    local left=$(((total - at) * (10 / processors + SECONDS - began) / (10 + at)))
-    [ "$total" = 0 ] || text+=": $at of $total"
+    # a second of one processor for a step, until dozens of them have shown better
+    local text="building: $((SECONDS - began)) s" tenth=$milestone
+    local left=$(((total - at) * (40 / processors + SECONDS - began) / (40 + at)))
+    [ "$total" = 0 ] || text="building: $at of $total"
     [ "$at" = "$total" ] || text+=", $(in_words $left) left"
     [ "$total" -lt 20 ] || tenth=$((10 * at / total))
     progress "$text" "$tenth"

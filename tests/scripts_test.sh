@@ -13,7 +13,7 @@ build=$tree/build/release
 
 # Only these programs are there, and the stand-ins.
 mkdir -p "$bin"
-for tool in bash cat chmod dirname env find grep mkdir mktemp readlink rm script sed sh sleep tail touch tr wc; do
+for tool in bash cat chmod dirname env find flock grep mkdir mktemp readlink rm script sed sh sleep tail touch tr wc; do
     ln -s "$(command -v $tool)" "$bin/$tool"
 done
 
@@ -129,10 +129,10 @@ expect 0 "0 lines" lines in_it ./grade
 expect 0 "building: 1 of 3, a few seconds left~" on_terminal "" ./grade
 expect 0 "1" grep -c "" <(on_terminal "" ./grade)
 # a slow one is not silent for longer than 10 s
-echo 'echo "[1/3] Building a.o"; sleep 11; echo "[2/3] Building b.o"' >"$stub/build"
+echo 'echo "[1/3] Building a.o"; sleep 16; echo "[2/3] Building b.o"' >"$stub/build"
 expect 0 "building: 1 of 3, a few seconds left" in_it ./grade
 begin
-{ cat "$stub/configure"; echo sleep 11; } >"$stub/slowly"
+{ cat "$stub/configure"; echo sleep 16; } >"$stub/slowly"
 mv "$stub/slowly" "$stub/configure"
 expect 0 "configuring: 1" in_it ./grade
 
@@ -149,6 +149,16 @@ expect 3 $'warning: unused' on_terminal "" ./grade
 steps 3
 expect 0 "graded" in_it ./grade
 expect 0 "1" grep -c "cmake --preset" "$stub/log"
+
+# two at once: the second waits for the first
+begin
+echo 'sleep 17; echo first >>"'"$stub"'/log"; exit 1' >"$stub/build"
+in_it ./grade >"$work/first" 2>&1 &
+for _ in {1..100}; do if called "cmake --build"; then break; fi; sleep 0.1; done
+steps 3
+expect 0 "waiting for another build here: 1" in_it ./grade
+expect 0 $'\nfirst\ncmake --build' grep -e "first" -e "cmake --build" "$stub/log"
+wait
 
 # interrupted
 begin
