@@ -30,7 +30,7 @@ Record record_with(const std::string& hostile) {
     check.statistics = {statistic};
     CheckRecord good = check;
     good.verdict = Verdict::passed, good.share = 1, good.message.clear();
-    record.fragments = {{"moved", "one", 0, 3, Verdict::failed, hostile, {}, {check, good}, 0, true}};
+    record.fragments = {{"moved", "one", 0, 3, Verdict::failed, hostile, {check, good}, 0, true}};
     record.fragments[0].points = points_of(record.fragments[0]);
     return record;
 }
