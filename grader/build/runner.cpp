@@ -101,7 +101,7 @@ Outcome<std::vector<double>> Runner::ask(const std::string& request, int kind, s
     return numbers_of(answer.payload);
 }
 
-Outcome<rt::Image> Runner::render(const Render& experiment, std::uint64_t seed, double seconds) {
+Outcome<rt::Image> Runner::render(const Render& experiment, std::uint64_t seed, bool one_of_many) {
     if (experiment.scene != scene_) {
         const rt::Scene scene = rt::parse_scene(experiment.scene, (meshes_ / "check.toml").string());
         size_ = scene.camera.size;
@@ -109,7 +109,7 @@ Outcome<rt::Image> Runner::render(const Render& experiment, std::uint64_t seed, 
         scene_ = experiment.scene;
     }
     const rt::ivec2 size = experiment.size.x > 0 ? experiment.size : size_;
-    const RenderRequest request{seed, experiment.samples, sampler_of(experiment.sampler), seconds, size.x, size.y};
+    const RenderRequest request{seed, experiment.samples, sampler_of(experiment.sampler), size.x, size.y, one_of_many};
     const std::size_t pixels = std::size_t(size.x) * std::size_t(size.y), count = image_head + 3 * pixels;
     auto outcome =
         ask(frame(FrameKind::render, bytes_of<RenderRequest>({&request, 1})), int(FrameKind::image), count);

@@ -32,9 +32,9 @@ public:
     /// seconds  CPU time for one answer
     Runner(const fs::path& program, const Sandbox& sandbox, const fs::path& meshes, double seconds);
 
-    /// seconds  above 0: passes of so many samples follow each other until then
+    /// one_of_many  a replicate: one sample a pixel is random then, too
     /// Throws rt::InputError for a scene that is none.
-    Outcome<rt::Image> render(const Render& experiment, std::uint64_t seed, double seconds = 0);
+    Outcome<rt::Image> render(const Render& experiment, std::uint64_t seed, bool one_of_many = true);
     Outcome<Rows> probe(const std::string& fragment, const Rows& rows);
 
     /// Calls whose arguments the child makes up.

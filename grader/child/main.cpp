@@ -71,8 +71,7 @@ std::string render(rt::Scene scene, const std::string& payload) {
     settings.sampler = rt::Sampler(request.sampler);
     settings.threads = 1;
     settings.estimate_error = false;
-    settings.one_of_many = true;  // of some replicates
-    if (request.seconds > 0) settings.time_limit = request.seconds;
+    settings.one_of_many = request.one_of_many != 0;
     if (request.width > 0 && request.height > 0) scene.camera.size = {request.width, request.height};
     const rt::Rendering rendering = rt::render(scene, settings);
     std::vector<double> numbers{double(rendering.image.width), double(rendering.image.height), rendering.cpu_seconds};

@@ -27,8 +27,8 @@ struct FrameHeader {
 struct RenderRequest {
     std::uint64_t seed;
     std::int32_t samples, sampler;
-    double seconds;  // above 0: passes of so many samples follow each other until then
-    std::int32_t width = 0, height = 0;  // 0: the scene's
+    std::int32_t width, height;  // 0: the scene's
+    std::int64_t one_of_many;    // 0 or 1: the mean of pictures with other seeds is what counts
 };
 
 /// Numbers of an image's frame before its pixels: width, height, CPU seconds, rays of each kind.

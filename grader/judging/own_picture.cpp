@@ -19,7 +19,7 @@ Compared draw_compared(Programs& programs, const fs::path& mine, const fs::path&
     result.exposure = parsed.exposure;
     const auto draw = [&](const char* name, const fs::path& program, rt::Image& image, std::string& fault, double& seconds) {
         Runner runner(programs.copy_for(name, program), programs.sandbox(), meshes, settings.time_limit);
-        auto outcome = runner.render(experiment, settings.seed);
+        auto outcome = runner.render(experiment, settings.seed, false);
         seconds = runner.seconds();
         if (const Fault* bad = std::get_if<Fault>(&outcome)) fault = bad->message;
         else image = std::move(std::get<rt::Image>(outcome));

@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+"""At home as in the office: same_test.py [--all] GRADE
+
+1. Wrong and right variants (tests/variants), one of each fragment at a time: the kit's record is the instructor's with that
+   seed, verdicts, points, numbers and hints. --all takes every variant, else some.
+2. One wrong fragment among right ones, at home: it alone loses points, and is named.
+"""
+
+import argparse
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+from kit import ROOT, SOLUTION, Kit, points_in_order, variant, without_times
+
+VARIANTS = ROOT / "tests/variants"
+# where a right fragment failed, or was blocked, for the mistake of another, when fragments were run with each other
+CULPRITS = """35_phong_no_inverse_pi 61_black_total_reflection 56_emission_counted_twice 89_far_ignored pixel_mean camera_ray
+    direct_light shutter_time moved fresnel_dielectric shadow_ray hit_quad light_sample film_sample""".split()
+
+failures = []
+
+
+def expect(holds, what):
+    if not holds:
+        failures.append(what)
+        print(f"FAILED: {what}", flush=True)
+
+
+def bundles(patches):
+    """Sets of variants, at most one of each fragment in each."""
+    waiting = {}
+    for patch in patches:
+        waiting.setdefault(variant(patch)[0], []).append(patch)
+    while waiting:
+        yield [of_one.pop(0) for of_one in waiting.values()]
+        waiting = {fragment: rest for fragment, rest in waiting.items() if rest}
+
+
+def graded_by_instructor(grade, folder, seed, names):
+    out = folder.parent / "office.json"
+    subprocess.run([grade, folder, *names, "--seed", str(seed), "--json", out], check=True, capture_output=True)
+    return json.loads(out.read_text())
+
+
+def difference(home, office):
+    for a, b in zip(home["fragments"], office["fragments"], strict=True):
+        if a != b:
+            keys = [k for k in a if a[k] != b[k]]
+            return f"{a['name']}: {[(k, a[k], b[k]) for k in keys if k != 'checks'] or keys}"
+    return f"{[k for k in home if home[k] != office[k]]}"
+
+
+def main():
+    words = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    words.add_argument("grade", type=pathlib.Path)
+    words.add_argument("--all", action="store_true")
+    asked = words.parse_args()
+    grade = asked.grade.absolute()
+    points = points_in_order()
+    patches = sorted(VARIANTS.glob("wrong/*.patch")) + sorted(VARIANTS.glob("right/*.patch"))
+    count = 0
+    with tempfile.TemporaryDirectory() as work:
+        kit = Kit(grade, pathlib.Path(work) / "kit")
+        mine = kit.folder / "starter/fragments"
+        for number, bundle in enumerate(bundles(patches if asked.all else patches[:: len(patches) // 20])):
+            seed = 1 + number
+            texts = dict(map(variant, bundle))
+            kit.write(texts)
+            home = without_times(kit.grade(*texts, "--seed", str(seed)))
+            office = without_times(graded_by_instructor(grade, mine, seed, list(texts)))
+            expect(home == office, f"seed {seed}, {[p.stem for p in bundle]}: {difference(home, office)}" if home != office else "")
+            count += len(bundle)
+
+        kit.write({name: (SOLUTION / f"{name}.cpp").read_text() for name in points})
+        expect(kit.grade()["score"] == sum(points.values()), "the solution at home gets less than all points")
+        for culprit in CULPRITS:
+            for patch in [p for p in patches if p.parent.name == "wrong" and culprit in p.stem][: 99 if asked.all else 1]:
+                fragment, text = variant(patch)
+                kit.write({fragment: text})
+                record = kit.grade()
+                others = [f["name"] for f in record["fragments"] if f["verdict"] != "passed"]
+                expect(others == [fragment], f"{patch.stem}: {others} do not pass; expected {fragment} alone")
+                lost = sum(points.values()) - record["score"]
+                expect(0 < lost <= points[fragment], f"{patch.stem} costs {lost} points; {fragment} has {points[fragment]}")
+                kit.write({fragment: (SOLUTION / f"{fragment}.cpp").read_text()})
+    print(f"{count} variants have one record at home and in the office" if not failures else f"{len(failures)} failures")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
