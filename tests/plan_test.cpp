@@ -9,6 +9,7 @@
 #include "catch.h"
 #include "rt/calls.h"
 #include "rt/render.h"
+#include "rt/trace.h"
 #include "rt/files/scene_reader.h"
 
 using namespace rt;
@@ -183,7 +184,8 @@ TEST_CASE("what is told of a pixel is what was drawn") {
     for (const int samples : {1, 4}) {
         const RenderSettings settings{.samples = samples, .seed = 3};
         const Color c = render(scene, settings).image.at(20, 11);
-        CHECK(told(settings).ends_with(fmt::format("({:.6g}, {:.6g}, {:.6g})\n", c.x, c.y, c.z)));
+        CHECK(trace_paths(scene, settings, 20, 11).mean == c);
+        CHECK(told(settings).ends_with(fmt::format(" ({:.6g}, {:.6g}, {:.6g})\n", c.x, c.y, c.z)));
     }
     CHECK(told({.samples = 1, .seed = 3}) == told({.samples = 1, .seed = 4}));
     CHECK(told({.samples = 1, .seed = 3}) != told({.samples = 1, .seed = 3, .target_error = 1}));

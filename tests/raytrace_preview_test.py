@@ -45,11 +45,13 @@ class Screen:
     def wait(self, pattern, seconds=20):
         """Waits until the screen shows the pattern; returns the text."""
         end = time.monotonic() + seconds
-        while not re.search(pattern, self.text().rstrip("\n"), re.M) and time.monotonic() < end:
+        while True:
+            text = self.text()
+            seen = re.search(pattern, text.rstrip("\n"), re.M)
+            if seen or time.monotonic() > end:
+                expect(seen, f"never saw {pattern!r} in:\n{text}")
+                return text
             time.sleep(0.05)
-        text = self.text()
-        expect(re.search(pattern, text.rstrip("\n"), re.M), f"never saw {pattern!r} in:\n{text}")
-        return text
 
     def close(self):
         self.tmux("kill-server")

@@ -83,14 +83,18 @@ while IFS= read -r line; do
 done <"$work/excerpt"
 
 # A time limit is kept within ten per cent, whatever samples the scene asks for.
-# keeps SECONDS WORD...: raytrace WORD... --time-limit SECONDS
+# keeps SECONDS WORD...: raytrace WORD... --time-limit SECONDS; in one of three tries, for other programs may take the cores
 keeps() {
     limit=$1
     shift
-    "$raytrace" "$@" -o "$work/limit.exr" --time-limit "$limit" >"$work/said" || status=1
-    sed -n 's/.* CPU, \([0-9.]*\) s wall/\1/p' "$work/said" |
-        awk -v limit="$limit" '{ exit !($1 > 0.9 * limit && $1 < 1.1 * limit) }' ||
-        { echo "$* --time-limit $limit: took"; cat "$work/said"; status=1; }
+    for _ in 1 2 3; do
+        "$raytrace" "$@" -o "$work/limit.exr" --time-limit "$limit" >"$work/said" || status=1
+        sed -n 's/.* CPU, \([0-9.]*\) s wall/\1/p' "$work/said" |
+            awk -v limit="$limit" '{ exit !($1 > 0.9 * limit && $1 < 1.1 * limit) }' && return
+    done
+    echo "$* --time-limit $limit: took"
+    cat "$work/said"
+    status=1
 }
 keeps 2 scenes/gallery/cornell.toml --size 100x100
 keeps 2 scenes/gallery/cornell.toml --size 100x100 --samples 1000000

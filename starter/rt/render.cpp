@@ -6,6 +6,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 
 #include "rt/passes/pass.h"
@@ -31,15 +32,18 @@ Real cpu_seconds() {
 /// The sum of all passes, each counted by its samples; and at the end a second one of the pixels that are rendered twice.
 struct Total {
     std::uint64_t samples = 0;
-    std::vector<Color> sums;
+    std::vector<std::array<Sum, 3>> sums;  // channel by channel
 
-    explicit Total(std::size_t colors) : sums(colors, Color(0)) {}
+    explicit Total(std::size_t colors) : sums(colors) {}
 
     void add(const Color* means, int count) {
-        tbb::parallel_for(std::size_t(0), sums.size(), [&](std::size_t k) { sums[k] += Real(count) * means[k]; });
+        tbb::parallel_for(std::size_t(0), sums.size(), [&](std::size_t k) {
+            for (int i = 0; i < 3; ++i) sums[k][std::size_t(i)].add(Real(count) * means[k][i]);
+        });
         samples += std::uint64_t(count);
     }
-    Color mean(std::size_t k) const { return sums[k] / Real(samples); }
+    Color sum(std::size_t k) const { return {sums[k][0].value(), sums[k][1].value(), sums[k][2].value()}; }
+    Color mean(std::size_t k) const { return sum(k) / Real(samples); }
 };
 
 /// Root mean square over pixels and channels of the error of one of two independent estimates: its variance is half of that
@@ -85,7 +89,7 @@ void render_until(const RenderSettings& settings, Passes& passes, Watch& watch, 
         const auto finished = [&](std::size_t first, std::size_t last, Real) {
             if (watch.paints())
                 watch.paint(first, last, [&](std::size_t k) {
-                    return (total.sums[k] + Real(count) * passes.means()[k]) / Real(total.samples + std::uint64_t(count));
+                    return (total.sum(k) + Real(count) * passes.means()[k]) / Real(total.samples + std::uint64_t(count));
                 });
             const Real spent = seconds_since(start), of_error = sqr(limits.error / so_far.rmse),
                        share = std::min<Real>(1, std::max(spent / limits.time, of_error));
