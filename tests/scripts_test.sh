@@ -71,7 +71,7 @@ steps() {
 nothing_to_do() { echo 'echo "[0/2] Re-checking globbed directories..."; echo "ninja: no work to do."' >"$stub/build"; }
 
 # in_it COMMAND...: with the stand-ins, in the folder
-in_it() { (cd "$tree" && env -i PATH="$bin" TERM=xterm "$@"); }
+in_it() { (cd "$tree" && env -i PATH="$bin" TMPDIR="$work" TERM=xterm "$@"); }
 as_user() { in_it STUB_USER=1000 "$@"; }
 # on_terminal INPUT COMMAND: as a terminal shows it, with ~ for the start of a line anew
 on_terminal() { printf '%b' "$1" | in_it script -qec "${*:2}" /dev/null | tr '\r' '~' | sed 's/\x1b\[K//g; s/~$//'; return "${PIPESTATUS[1]}"; }
@@ -302,7 +302,6 @@ expect 0 "installing: waiting for another apt to finish" in_it ./grade
 rm "$stub/locked"
 stand_in apt-get <<<'echo "Waiting for cache lock: Could not get lock. It is held by process 3 (apt)..."'
 expect 0 "installing: waiting for another apt to finish" in_it ./grade
-rm -f /tmp/penumbra-apt.*
 
 # no apt-get
 begin
