@@ -137,7 +137,7 @@ install_packages() {
     fi
     [ -z "$sudo" ] || sudo true || give_up "You may not use sudo here. $by_root"
 
-    say "Installing $count packages, $(in_words $((10 + 5 * count)))."
+    say "Installing $count package$([ $count = 1 ] || echo s), $(in_words $((10 + 5 * count)))."
     apt update || true  # one source that fails need not matter
     # shellcheck disable=SC2086
     if { [[ $output == *"Failed to fetch"* ]] && ! [[ $output =~ (Get|Hit):[0-9] ]]; } || ! apt ${install#apt-get }; then
@@ -220,6 +220,10 @@ built_elsewhere() {
         [ "$(grep -cxF -e "CMAKE_HOME_DIRECTORY:INTERNAL=$root" -e CMAKE_GENERATOR:INTERNAL=Ninja "$build/CMakeCache.txt")" != 2 ]
 }
 
+disk_is_full() {
+    [[ $output == *"No space left on device"* ]] || [ "$(df --output=avail "$build" | tail -n 1)" -lt 1000 ]
+}
+
 # build_release TARGET... [-- CMAKE OPTIONS]: configures where that is to be done, and builds.
 build_release() {
     local targets=()
@@ -230,13 +234,13 @@ build_release() {
         configure "${@:2}"
     fi
 
-    local at=0 total=0 began=$SECONDS skip="" full=""
+    local at=0 total=0 began=$SECONDS skip=""
     if [ ! -e "$build/.ninja_log" ]; then
         total=$(ninja -C "$build" -t commands "${targets[@]}" 2>/dev/null | wc -l) || total=0
         say "Building, the first time: $total steps, $(in_words $((total / processors)))."
     fi
     NINJA_STATUS='[%f/%t] ' follow build_line cmake --build "$build" --target "${targets[@]}" && exec {lock}>&- && return
-    [ -z "$full" ] || give_up "The disk is full, so the build failed."
+    ! disk_is_full || give_up "The disk is full, so the build failed."
     give_up "The build failed (above). The next call goes on from here; after rm -r $build it starts afresh."
 }
 
@@ -246,7 +250,7 @@ build_line() {
         [ -z "${BASH_REMATCH[3]}" ] || return 0
         at=${BASH_REMATCH[1]} total=${BASH_REMATCH[2]}
     elif [ $# -gt 0 ]; then
-        [[ $1 != *"No space left on device"* ]] || full=1
+        output+=$1$'\n'
         case $1 in
             "-- "* | "ninja: no work to do." | "ninja: build stopped:"*) ;;
             *) [ -n "$skip" ] || say "$1" ;;
@@ -276,10 +280,9 @@ configure() {
     else
         printf '%s' "$output" >&2
     fi
+    ! disk_is_full || give_up "The disk is full, so the project could not be configured."
     case $output in
-        *"No space left on device"*) say "The disk is full." ;;
-        *"No CMAKE_CXX_COMPILER could be found"* | *"existing compiler"* | *"simple test program"*)
-            say "There is no C++ compiler here that works." ;;
+        *CMAKE_CXX_COMPILER* | *"simple test program"*) say "There is no C++ compiler here that works." ;;
         *) command -v apt-get >/dev/null || missing_elsewhere >&2 ;;
     esac
     give_up "The project could not be configured (above)."

@@ -13,7 +13,7 @@ build=$tree/build/release
 
 # Only these programs are there, and the stand-ins.
 mkdir -p "$bin"
-for tool in bash cat chmod dirname env find flock grep mkdir mktemp readlink rm script sed sh sleep tail touch tr wc; do
+for tool in bash cat chmod dirname df env find flock grep mkdir mktemp readlink rm script sed sh sleep tail touch tr wc; do
     ln -s "$(command -v $tool)" "$bin/$tool"
 done
 
@@ -71,7 +71,7 @@ steps() {
 nothing_to_do() { echo 'echo "[0/2] Re-checking globbed directories..."; echo "ninja: no work to do."' >"$stub/build"; }
 
 # in_it COMMAND...: with the stand-ins, in the folder
-in_it() { (cd "$tree" && env -i PATH="$bin" TERM=xterm "$@"); }
+in_it() { (cd "$tree" && env -i PATH="$bin" TMPDIR="$work" TERM=xterm "$@"); }
 as_user() { in_it STUB_USER=1000 "$@"; }
 # on_terminal INPUT COMMAND: as a terminal shows it, with ~ for the start of a line anew
 on_terminal() { printf '%b' "$1" | in_it script -qec "${*:2}" /dev/null | tr '\r' '~' | sed 's/\x1b\[K//g; s/~$//'; return "${PIPESTATUS[1]}"; }
@@ -203,7 +203,12 @@ expect 0 "" no noise in_it ./grade
 echo 'echo "CMake Error: No CMAKE_CXX_COMPILER could be found."; exit 1' >"$stub/configure"
 expect 3 "There is no C++ compiler here that works." in_it ./grade
 echo 'echo "CMake Error: Cannot write: No space left on device"; exit 1' >"$stub/configure"
-expect 3 "The disk is full." in_it ./grade
+expect 3 "The disk is full" in_it ./grade
+rm "$bin/df"
+stand_in df <<<'echo Avail; echo 12'
+echo 'echo "The C++ compiler is not able to compile a simple test program."; exit 1' >"$stub/configure"
+expect 3 "The disk is full" in_it ./grade
+ln -sf "$(command -v df)" "$bin/df"
 cp "$stub/configure_well" "$stub/configure"
 expect 0 "graded" in_it ./grade
 for stale in "CMAKE_HOME_DIRECTORY:INTERNAL=.*/CMAKE_HOME_DIRECTORY:INTERNAL=\/other" "=Ninja/=Unix Makefiles"; do
@@ -297,7 +302,6 @@ expect 0 "installing: waiting for another apt to finish" in_it ./grade
 rm "$stub/locked"
 stand_in apt-get <<<'echo "Waiting for cache lock: Could not get lock. It is held by process 3 (apt)..."'
 expect 0 "installing: waiting for another apt to finish" in_it ./grade
-rm -f /tmp/penumbra-apt.*
 
 # no apt-get
 begin
