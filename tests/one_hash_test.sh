@@ -1,6 +1,7 @@
 #!/bin/sh
 # A picture has the same bits however it is made: fragments inlined or linked as objects; 1, 2, 3, 7 or 16 threads; GCC or
-# Clang; without optimisation or with all of it.
+# Clang; without optimisation or with all of it; for this processor, for the oldest ones that a kit is for, or for 64-bit
+# ARM, where qemu-user, a cross compiler and the libraries are installed.
 # one_hash_test.sh BUILD [--levels]: with --levels also -O2, and -O0 and -O2 by Clang, which take minutes to build
 build=$1
 scenes="scenes/gallery/cornell.toml scenes/gallery/still_life.toml scenes/gallery/motion.toml scenes/gallery/candle.toml"
@@ -20,7 +21,7 @@ renderer() {
     renderers="$renderers $folder/raytrace"
 }
 
-renderers="$build/raytrace $build/raytrace_linked"
+renderers="$build/raytrace $build/raytrace_linked $build/grader/raytrace_baseline"
 # Debug and RelWithDebInfo have neither -O3 nor the instructions of this machine alone.
 renderer c++ gcc_O0 -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DRT_INLINE=OFF
 [ "$2" != --levels ] || renderer c++ gcc_O2 -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O2
@@ -34,13 +35,32 @@ else
     echo "clang++ is missing: GCC alone is tested; apt-get install clang for both"
 fi
 
+# Debian: dpkg --add-architecture arm64; apt-get install qemu-user-static g++-aarch64-linux-gnu, and the libraries of
+# starter/CMakeLists.txt as NAME:arm64.
+qemu=$(command -v qemu-aarch64-static || command -v qemu-aarch64 || true)
+arm=$build/aarch64
+if [ -n "$qemu" ] && command -v aarch64-linux-gnu-g++ >/dev/null; then
+    if cmake -S starter -B "$arm" -G Ninja -DCMAKE_CXX_COMPILER=aarch64-linux-gnu-g++ -DFRAGMENTS="$PWD/solution" \
+        -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64 -DCMAKE_LIBRARY_ARCHITECTURE=aarch64-linux-gnu \
+        -DCMAKE_FIND_ROOT_PATH_MODE_PACKAGE=BOTH -DRT_INLINE=OFF >"$work/log" 2>&1 &&
+        cmake --build "$arm" -j "$(nproc)" >"$work/log" 2>&1; then
+        mkdir "$work/aarch64_O3"
+        printf '#!/bin/sh\nexec %s -L /usr/aarch64-linux-gnu %s/raytrace "$@"\n' "$qemu" "$arm" >"$work/aarch64_O3/raytrace"
+        chmod +x "$work/aarch64_O3/raytrace"
+        renderers="$renderers $work/aarch64_O3/raytrace"
+    else
+        tail -n 5 "$work/log"
+        echo "the renderer is not built for 64-bit ARM (above): x86-64 alone is tested"
+    fi
+fi
+
 status=0
 pictures=0
 for scene in $scenes; do
     first=""
     for renderer in $renderers; do
         threads_of_it="1 2 3 7 16"
-        case $renderer in *_O*) threads_of_it="1 7" ;; esac
+        case $renderer in *_O* | *_baseline) threads_of_it="1 7" ;; esac
         for threads in $threads_of_it; do
             "$renderer" "$scene" -o "$work/image.exr" --size 48x48 --samples 20 --threads "$threads" >"$work/said" || exit 1
             hash=$(sed -n 's/^hash *//p' "$work/said")

@@ -27,7 +27,11 @@ add_dependencies(grade_kit child_baseline solution_baseline blanks_baseline)
 target_link_options(grade_kit PRIVATE -Wl,--disable-new-dtags)
 set_target_properties(grade_kit PROPERTIES BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH "$ORIGIN/lib")
 
-set_target_properties(rt_baseline child_baseline fragments_header_rt_baseline solution_baseline blanks_baseline grader_in_kit
+# The renderer of these parts: its pictures have the same bits.
+add_executable(raytrace_baseline $<TARGET_OBJECTS:raytrace_main> $<TARGET_OBJECTS:solution_baseline>)
+target_link_libraries(raytrace_baseline PRIVATE rt_baseline)
+
+set_target_properties(raytrace_baseline rt_baseline child_baseline fragments_header_rt_baseline solution_baseline blanks_baseline grader_in_kit
     grade_kit blank_sources
     PROPERTIES EXCLUDE_FROM_ALL ON)
 write_toolchain(${PROJECT_BINARY_DIR}/kit.toml child_baseline rt_baseline blanks_baseline solution_baseline "${libraries}")

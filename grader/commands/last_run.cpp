@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "build/files.h"
@@ -12,6 +13,9 @@ namespace grade {
 void compare_with_last(Record& record, const std::filesystem::path& file) {
     auto last = nlohmann::json::parse(read_text(file).value_or(""), nullptr, false);
     if (!last.is_object()) last = nlohmann::json::object();
+    constexpr std::size_t most = 8;
+    std::vector<std::pair<double, std::string>> changes;  // points gained, in words
+    double all_gained = 0;
     for (const FragmentRecord& fragment : record.fragments) {
         auto& before = last[fragment.name];
         const std::string verdict = in_words(fragment.verdict);
@@ -19,11 +23,16 @@ void compare_with_last(Record& record, const std::filesystem::path& file) {
             const double gained = fragment.points - before.value("points", 0.0);
             const std::string was = before.value("verdict", "");
             if (gained != 0 || was != verdict)
-                record.changes.push_back(fmt::format("{}: {}, was {}{}", fragment.name, verdict, was,
-                                                     gained != 0 ? fmt::format(" ({:+g} points)", gained) : ""));
+                changes.emplace_back(gained, fmt::format("{}: {}, was {}{}", fragment.name, verdict, was,
+                                                         gained != 0 ? fmt::format(" ({:+g} points)", gained) : ""));
+            all_gained += gained;
         }
         before = {{"verdict", verdict}, {"points", fragment.points}};
     }
+    std::ranges::stable_sort(changes, {}, [](const auto& change) { return change.first >= 0; });
+    for (std::size_t i = 0; i < std::min(changes.size(), most); ++i) record.changes.push_back(changes[i].second);
+    if (changes.size() > most)
+        record.changes.push_back(fmt::format("and {} more; {:+g} points in all", changes.size() - most, all_gained));
     write_text(file, last.dump(1) + "\n");
 }
 

@@ -80,6 +80,7 @@ CLI::App* add_picture_command(CLI::App& app, PictureArguments& arguments) {
                         "only these fragments are yours, the others the solution's; default: all yours, blanks for "
                         "what is missing")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->type_name("FRAGMENT");
     picture->add_option("-o,--out", arguments.out,
                         "all three side by side; with NAME_mine.exr, NAME_right.exr and NAME_difference.exr beside it; "

@@ -53,6 +53,7 @@ CLI::App* add_stress_command(CLI::App& app, StressArguments& arguments) {
     stress->add_option("SUBMISSION", arguments.submission, "a folder, a .zip or a .tar.gz; default: starter");
     stress->add_option("--only", arguments.only, "only these families, or those of these fragments")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->type_name("NAME");
     stress->add_option("--json", arguments.json, "write the record")->type_name("FILE");
     stress->add_option("--html", arguments.html, "write a page with plots into this folder")->type_name("DIR");
