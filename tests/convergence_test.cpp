@@ -129,7 +129,7 @@ TEST_CASE("a bias is found where there is one, and its standard error is right w
 }
 
 TEST_CASE("times and errors between the levels lie on straight lines on logarithmic axes") {
-    std::vector<Place> path;
+    std::vector<Waypoint> path;
     for (double n = 1; n <= 256; n *= 4) path.push_back({n, 0.001 * n, 1 / n});
     CHECK(mse_at(path, 0.001 * 32).value() == Approx(1.0 / 32));
     CHECK(seconds_for(path, 1.0 / 100).value() == Approx(0.1));
@@ -138,11 +138,11 @@ TEST_CASE("times and errors between the levels lie on straight lines on logarith
     CHECK_FALSE(seconds_for(path, 1e-4).has_value());
     CHECK_FALSE(mse_at(path, 10).has_value());
     // a plateau is never passed
-    for (Place& place : path) place.mse += 0.1;
+    for (Waypoint& place : path) place.mse += 0.1;
     CHECK_FALSE(seconds_for(path, 0.05).has_value());
     CHECK_FALSE(seconds_for(path, 0.0).has_value());
     // a level that is slower than the next one, by noise
-    std::vector<Place> noisy_path{{1, 0.002, 1}, {4, 0.001, 0.25}, {16, 0.016, 0.06}};
+    std::vector<Waypoint> noisy_path{{1, 0.002, 1}, {4, 0.001, 0.25}, {16, 0.016, 0.06}};
     CHECK(mse_at(noisy_path, 0.008).value() < 1);
 }
 

@@ -67,7 +67,7 @@ TEST_CASE("each statistic has a family, and each section to which a hint sends i
         CHECK(std::regex_search(handout(), std::regex("\n##+ " + section + "\n")));
     }
     for (const Check& check : all_checks(1))
-        for (const Statistic& statistic : check.statistics) CHECK_NOTHROW(family_of(statistic.id));
+        for (const Statistic& statistic : check.statistics) CHECK_NOTHROW(subject_of(statistic.id));
 }
 
 TEST_CASE("the handout documents each key of a scene file") {

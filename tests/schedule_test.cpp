@@ -14,7 +14,7 @@ namespace {
 using namespace rt;
 
 /// Passes of a picture whose samples take so long each, and whose error falls as samples^-rate.
-SoFar run(const Limits& limits, Real per_sample, Real rate, int& passes, Random* noise = nullptr) {
+SoFar run(const Goals& limits, Real per_sample, Real rate, int& passes, Random* noise = nullptr) {
     SoFar s;
     for (passes = 0;; ++passes) {
         const int count = next_pass(limits, s);

@@ -12,7 +12,7 @@ namespace grade {
 namespace {
 
 constexpr int most_faults = 8;
-constexpr double patience = 10;  // CPU seconds of a replicate, as in a grading
+constexpr double patience_with_replicate = 10;  // CPU seconds of a replicate, as in a grading
 constexpr std::uint64_t most_bytes = 1u << 30;
 
 }  // namespace
@@ -24,7 +24,7 @@ Pool collect(const Check& check, std::uint64_t seed, int replicates, const fs::p
     Reference reference(check, seed, solution_program, sandbox, meshes);
     std::unique_ptr<Runner> runner;
     const auto next = [&](int replicate) -> std::optional<Observation> {
-        if (!runner) runner = std::make_unique<Runner>(program, sandbox, meshes, patience);
+        if (!runner) runner = std::make_unique<Runner>(program, sandbox, meshes, patience_with_replicate);
         auto outcome = observe(*runner, check, replicate_seed(seed, check, Stream::submission, replicate));
         pool.cpu_seconds += runner->seconds();
         if (auto* observation = std::get_if<Observation>(&outcome)) return std::move(*observation);

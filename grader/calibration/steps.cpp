@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double patience = 30;      // CPU seconds of a picture
+constexpr double patience_with_picture = 30;      // CPU seconds of a picture
 constexpr int pictures_of_a_variant = 16, pictures_of_the_solution = 64;
 constexpr std::size_t gradings_at_once = 25;  // of one compilation
 
@@ -92,7 +92,7 @@ std::vector<Step> right_steps(const Workshop& workshop) {
 /// The mean of so many pictures of a check; none where the program fails.
 std::optional<PixelMoments> pictures_of(const Workshop& workshop, const Check& check, const fs::path& program,
                                         int count, int first) {
-    Runner runner(program, workshop.sandbox(), workshop.meshes(), patience);
+    Runner runner(program, workshop.sandbox(), workshop.meshes(), patience_with_picture);
     PixelMoments moments;
     for (int k = 0; k < count; ++k) {
         auto outcome = observe(runner, check, replicate_seed(pool_seed(0), check, Stream::submission, first + k));
@@ -161,8 +161,8 @@ Step confined_step(const Workshop& workshop, const Variant& variant) {
     const fs::path file = confined_file(workshop, variant);
     return {"pixels of " + variant.name, {file}, [&workshop, &variant, file] {
                 const Render render{read_text(workshop.chain().source / variant.scene).value(), 64, "stratified"};
-                Runner right(workshop.solution_program(), workshop.sandbox(), workshop.meshes(), patience);
-                Runner wrong(workshop.program(variant), workshop.sandbox(), workshop.meshes(), patience);
+                Runner right(workshop.solution_program(), workshop.sandbox(), workshop.meshes(), patience_with_picture);
+                Runner wrong(workshop.program(variant), workshop.sandbox(), workshop.meshes(), patience_with_picture);
                 const auto a = right.render(render, 1), b = wrong.render(render, 1);
                 if (!std::holds_alternative<rt::Image>(a) || !std::holds_alternative<rt::Image>(b))
                     throw std::runtime_error(variant.name + ": " + variant.scene + " cannot be rendered");

@@ -10,7 +10,7 @@ namespace grade {
 
 namespace {
 
-rt::Camera any_camera(Generator& random) {
+rt::Camera any_pinhole(Generator& random) {
     rt::Camera camera;
     const rt::Frame frame = rt::frame_about(direction(random));
     camera.eye = box(random, -3, 3);
@@ -42,7 +42,7 @@ RowFunction through(std::function<rt::vec2(const rt::Camera&, rt::vec2)> film) {
 
 Checks check_camera_ray(Generator& random) {
     const auto inputs = rows_of(64, [](Generator& draw) {
-        const rt::Camera camera = any_camera(draw);
+        const rt::Camera camera = any_pinhole(draw);
         return row(camera, square(draw) * rt::vec2(camera.size));
     });
     using rt::Camera, rt::vec2;

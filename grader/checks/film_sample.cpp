@@ -19,7 +19,7 @@ namespace {
 using rt::Extent, rt::FilmSample, rt::vec2;
 
 /// Where in its pixel a sample falls, 0 to 1.
-vec2 share(const Row& in, const Row& out) {
+vec2 place_in_pixel(const Row& in, const Row& out) {
     const Extent pixel = argument<0, Extent, int, int, vec2>(in);
     return (from_row<FilmSample>(out).position - pixel.low) / (pixel.high - pixel.low);
 }
@@ -64,14 +64,14 @@ Checks check_film_sample(Generator& random) {
     };
     Statistic inside = property("A1", "distance outside the pixel, in its size",
         [](const Row& in, const Row& out) {
-            const vec2 s = share(in, out);
+            const vec2 s = place_in_pixel(in, out);
             return std::max({0.0, -s.x, -s.y, s.x - 1, s.y - 1});
         },
         1e-5, "samples fall outside the pixel: it covers low <= x < high");
     // per axis, weighted: mean 1/2, second moment about it 1/12
     const auto moment = [](int axis, int power) {
         return [=](const Row& in, const Row& out) {
-            return from_row<FilmSample>(out).weight * std::pow(share(in, out)[axis] - 0.5, power);
+            return from_row<FilmSample>(out).weight * std::pow(place_in_pixel(in, out)[axis] - 0.5, power);
         };
     };
     Statistic weight = mean_of("A1", "mean weight", moment(0, 0), 1, 1,
@@ -90,7 +90,7 @@ Checks check_film_sample(Generator& random) {
                                                             {0.25, "the samples fill half of the pixel's width"}});
     Statistic spread_x = mean_of("A1", "variance of x [pixel^2]", moment(0, 2), 1.0 / 12, 1.0 / 12, width_hint);
     Statistic spread_y = mean_of("A1", "variance of y [pixel^2]", moment(1, 2), 1.0 / 12, 1.0 / 12, width_hint);
-    Statistic even = uniform_in_square("A1", "chi-squared of equal parts of the pixel", share, 4, 4,
+    Statistic even = uniform_in_square("A1", "chi-squared of equal parts of the pixel", place_in_pixel, 4, 4,
                                        always("the samples do not fill the pixel evenly"));
     even.delta0 = 1;  // stratified points are more even than random ones
     even.delta = 1.5;
@@ -117,7 +117,7 @@ Checks check_film_sample(Generator& random) {
         double square_sum = 0;
         for (int k = 0; k < pixels; ++k) {
             vec2 sum(0);
-            for (int i = 0; i < n; ++i) sum += share(seen.inputs[k * n + i], seen.outputs[k * n + i]) - 0.5;
+            for (int i = 0; i < n; ++i) sum += place_in_pixel(seen.inputs[k * n + i], seen.outputs[k * n + i]) - 0.5;
             square_sum += rt::dot(sum, sum) / n / 2;
         }
         return 12 * square_sum / pixels;
@@ -141,7 +141,7 @@ Checks check_film_sample(Generator& random) {
         for (int i = 0; i < n; ++i) {
             Moments x, y;
             for (int k = 0; k < pixels; ++k) {
-                const vec2 s = share(seen.inputs[k * n + i], seen.outputs[k * n + i]);
+                const vec2 s = place_in_pixel(seen.inputs[k * n + i], seen.outputs[k * n + i]);
                 x.add(s.x), y.add(s.y);
             }
             variance += (x.variance() + y.variance()) / 2 / n;
@@ -166,7 +166,7 @@ Checks check_film_sample(Generator& random) {
             return row(Extent{low, low + 1.0}, i, n, u);
         },
         [](const Row& in, const Row& out) {
-            return SamplesOfASquare::Sample{share(in, out), from_row<FilmSample>(out).weight};
+            return SamplesOfASquare::Sample{place_in_pixel(in, out), from_row<FilmSample>(out).weight};
         }};
     return {probe_check("in_the_pixel", inputs, {inside}),
             probe_check("stratified", repeats, {cell, strata}),

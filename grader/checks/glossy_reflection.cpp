@@ -60,7 +60,7 @@ Check ball(Generator& random) {
 }
 
 /// The blurred image of a lamp in a glossy floor.
-Check lamp(Generator& random) {
+Check mirrored_lamp(Generator& random) {
     const Place place = any_place(random);
     const double n = between(random, 8, 14), angle = between(random, 0.5, 0.8);
     const rt::Sphere shining{place({4 * std::sin(angle), 0, 4 * std::cos(angle)}), 0.9};
@@ -101,7 +101,7 @@ Checks check_glossy_reflection(Generator& random) {
                                          normal, n, (n + 2) / (n + 1))}})));
     }
     checks.push_back(ball(random));
-    checks.push_back(lamp(random));
+    checks.push_back(mirrored_lamp(random));
     return checks;
 }
 

@@ -11,15 +11,15 @@ namespace {
 
 using rt::Quad, rt::Ray, rt::vec3;
 
-vec3 normal_of(const Quad& q) { return rt::unit(rt::cross(q.u, q.v)); }
+vec3 normal_of_quad(const Quad& q) { return rt::unit(rt::cross(q.u, q.v)); }
 
 /// x and y of the point where the line meets the plane: center + x u + y v.
 std::array<double, 2> coordinates(const Quad& q, const Ray& ray) {
-    const vec3 p = ray.origin + plane_crossing(ray, q.center, normal_of(q)) * ray.direction - q.center;
+    const vec3 p = ray.origin + plane_crossing(ray, q.center, normal_of_quad(q)) * ray.direction - q.center;
     return {rt::dot(p, q.u) / rt::dot(q.u, q.u), rt::dot(p, q.v) / rt::dot(q.v, q.v)};
 }
 
-Row ordinary(Generator& random, bool clipped) {
+Row ordinary_quad(Generator& random, bool clipped) {
     const double size = log_between(random, 0.01, 10);
     const rt::Frame frame = rt::frame_about(direction(random));
     const Quad q{box(random, -5, 5), size * between(random, 0.3, 2) * frame.x,
@@ -33,13 +33,13 @@ Row ordinary(Generator& random, bool clipped) {
         x = std::copysign(1 + close_to_zero(random, 1e-6), x), y = between(random, -0.97, 0.97);
         if (chance(random, 0.5)) std::swap(x, y);
     }
-    return row(q, ray_towards(random, q.center + x * q.u + y * q.v, normal_of(q), size, clipped));
+    return row(q, ray_towards(random, q.center + x * q.u + y * q.v, normal_of_quad(q), size, clipped));
 }
 
 }  // namespace
 
 Checks check_hit_quad(Generator& random) {
-    const auto at = [](const Quad& q, const Ray& ray) { return plane_crossing(ray, q.center, normal_of(q)); };
+    const auto at = [](const Quad& q, const Ray& ray) { return plane_crossing(ray, q.center, normal_of_quad(q)); };
     const auto within = [](double low, double high) {
         return [=](const Quad& q, const Ray& ray) {
             const auto [x, y] = coordinates(q, ray);
@@ -58,12 +58,12 @@ Checks check_hit_quad(Generator& random) {
         {"center is the middle of the quad; it is used as a corner", hit(within(0, 2))},
         {"only |p . u| is tested; |p . v| <= v . v as well",
          hit([](const Quad& q, const Ray& ray) { return std::abs(coordinates(q, ray)[0]) <= 1; })}};
-    for (Suspect& s : flat_suspects<Quad>(at, within(-1, 1), normal_of)) suspects.push_back(std::move(s));
+    for (Suspect& s : flat_suspects<Quad>(at, within(-1, 1), normal_of_quad)) suspects.push_back(std::move(s));
     const RowFunction right = hit(within(-1, 1));
     const std::vector<Circumstance> circumstances =
         flat_circumstances<Quad>([](const Quad& q) { return glm::length(q.u) + glm::length(q.v); });
-    const auto unclipped = rows_of(96, [](Generator& draw) { return ordinary(draw, false); });
-    const auto clipped = rows_of(160, [](Generator& draw) { return ordinary(draw, true); });
+    const auto unclipped = rows_of(96, [](Generator& draw) { return ordinary_quad(draw, false); });
+    const auto clipped = rows_of(160, [](Generator& draw) { return ordinary_quad(draw, true); });
     return {probe_check("inside", unclipped, {formula("W1", "distance, off by", right, 1e-3, suspects, circumstances)}),
             probe_check("interval", clipped,
                         {formula("W1", "distance within the interval, off by", right, 1e-3, suspects, circumstances)}),

@@ -36,7 +36,7 @@ RowFunction first(std::function<bool(double t, const Ray&)> near_one,
 /// A sphere, and a ray that meets its line well, from outside, inside or behind, with an interval that holds both, one
 /// or none of the crossings. Nothing of the interval within a hundredth of a decision; some rays pass close to the rim,
 /// on either side: a fault there is seen in few pixels.
-Row ordinary(Generator& random, bool clipped) {
+Row ordinary_sphere(Generator& random, bool clipped) {
     const Sphere sphere{box(random, -5, 5), log_between(random, 0.1, 10)};
     const rt::vec3 d = direction(random);
     const bool at_rim = chance(random, 0.35);
@@ -51,12 +51,12 @@ Row ordinary(Generator& random, bool clipped) {
     const auto [t0, t1] = crossings(sphere, ray);
     if (std::isfinite(t0)) {
         const double margin = 0.02 * (t1 - t0);
-        if (std::abs(t0) < margin || std::abs(t1) < margin) return ordinary(random, clipped);
+        if (std::abs(t0) < margin || std::abs(t1) < margin) return ordinary_sphere(random, clipped);
         if (clipped && chance(random, 0.5))
             ray.near = std::max(0.0, chance(random, 0.5) ? (t0 + t1) / 2 : t1 + (t1 - t0));
         if (clipped && chance(random, 0.5)) ray.far = std::max(ray.near, 0.0) + std::abs(t1) * between(random, 0.1, 2);
         for (const double t : {t0, t1})
-            if (std::abs(t - ray.near) < margin || std::abs(t - ray.far) < margin) return ordinary(random, clipped);
+            if (std::abs(t - ray.near) < margin || std::abs(t - ray.far) < margin) return ordinary_sphere(random, clipped);
     }
     return row(sphere, ray);
 }
@@ -112,8 +112,8 @@ Checks check_hit_sphere(Generator& random) {
         {"only rays that pass the sphere are wrong: the square root's argument is negative there", [](const Row& in) {
              return std::isnan(crossings(argument<0, Sphere, Ray>(in), argument<1, Sphere, Ray>(in))[0]);
          }}};
-    const auto unclipped = rows_of(96, [](Generator& draw) { return ordinary(draw, false); });
-    const auto clipped = rows_of(96, [](Generator& draw) { return ordinary(draw, true); });
+    const auto unclipped = rows_of(96, [](Generator& draw) { return ordinary_sphere(draw, false); });
+    const auto clipped = rows_of(96, [](Generator& draw) { return ordinary_sphere(draw, true); });
     return {probe_check("nearest_crossing", unclipped,
                         {formula("W1", "distance, off by", right, 1e-3, suspects, circumstances)}),
             probe_check("interval", clipped,

@@ -16,18 +16,18 @@ namespace {
 
 using rt::Ray, rt::Triangle, rt::vec3;
 
-vec3 normal_of(const Triangle& t) { return rt::unit(rt::cross(t.b - t.a, t.c - t.a)); }
+vec3 normal_of_triangle(const Triangle& t) { return rt::unit(rt::cross(t.b - t.a, t.c - t.a)); }
 
 /// The shares of the three corners in the point where the line meets the plane: areas of the parts over the whole.
 std::array<double, 3> shares(const Triangle& t, const Ray& ray) {
-    const vec3 n = normal_of(t), p = ray.origin + plane_crossing(ray, t.a, n) * ray.direction;
+    const vec3 n = normal_of_triangle(t), p = ray.origin + plane_crossing(ray, t.a, n) * ray.direction;
     const double whole = rt::dot(rt::cross(t.b - t.a, t.c - t.a), n);
     return {rt::dot(rt::cross(t.b - p, t.c - p), n) / whole, rt::dot(rt::cross(t.c - p, t.a - p), n) / whole,
             rt::dot(rt::cross(t.a - p, t.b - p), n) / whole};
 }
 
 /// A triangle that is not too thin, and a ray to a point that is clearly inside or outside.
-Row ordinary(Generator& random, bool clipped) {
+Row ordinary_triangle(Generator& random, bool clipped) {
     Triangle t;
     double size;
     do {
@@ -49,7 +49,7 @@ Row ordinary(Generator& random, bool clipped) {
         share[0] = close_to_zero(random, 1e-6);
         share[1] += before - share[0];
     }
-    return row(t, ray_towards(random, share[0] * t.a + share[1] * t.b + share[2] * t.c, normal_of(t), size, clipped));
+    return row(t, ray_towards(random, share[0] * t.a + share[1] * t.b + share[2] * t.c, normal_of_triangle(t), size, clipped));
 }
 
 std::string triangle(const std::string& material, vec3 a, vec3 b, vec3 c) {
@@ -83,7 +83,7 @@ Check two_triangles(Generator& random) {
 }  // namespace
 
 Checks check_hit_triangle(Generator& random) {
-    const auto at = [](const Triangle& t, const Ray& ray) { return plane_crossing(ray, t.a, normal_of(t)); };
+    const auto at = [](const Triangle& t, const Ray& ray) { return plane_crossing(ray, t.a, normal_of_triangle(t)); };
     const auto inside = [](const Triangle& t, const Ray& ray) {
         const auto [a, b, c] = shares(t, ray);
         return a >= 0 && b >= 0 && c >= 0;
@@ -92,7 +92,7 @@ Checks check_hit_triangle(Generator& random) {
         const double where = at(t, ray);
         return inside(t, ray) && where > ray.near && where < ray.far ? where : rt::inf;
     });
-    std::vector<Suspect> suspects = flat_suspects<Triangle>(at, inside, normal_of);
+    std::vector<Suspect> suspects = flat_suspects<Triangle>(at, inside, normal_of_triangle);
     suspects.push_back({"the parallelogram of which the triangle is one half is hit: is u + v <= 1 tested?",
                         of<Triangle, Ray>([=](const Triangle& t, const Ray& ray) {
                             const auto [a, b, c] = shares(t, ray);
@@ -114,8 +114,8 @@ Checks check_hit_triangle(Generator& random) {
                                 })});
     const std::vector<Circumstance> circumstances =
         flat_circumstances<Triangle>([](const Triangle& t) { return glm::length(t.b - t.a) + glm::length(t.c - t.a); });
-    const auto unclipped = rows_of(96, [](Generator& draw) { return ordinary(draw, false); });
-    const auto clipped = rows_of(160, [](Generator& draw) { return ordinary(draw, true); });
+    const auto unclipped = rows_of(96, [](Generator& draw) { return ordinary_triangle(draw, false); });
+    const auto clipped = rows_of(160, [](Generator& draw) { return ordinary_triangle(draw, true); });
     const auto nothing = rows_of(24, [](Generator& draw) {
         const vec3 a = box(draw, -1, 1), b = box(draw, -1, 1), origin = box(draw, 3, 4);
         const Triangle thin = chance(draw, 0.5) ? Triangle{a, a, b} : Triangle{a, b, a};

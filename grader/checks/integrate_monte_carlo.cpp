@@ -14,7 +14,7 @@ namespace {
 
 using Kind = Integrand::Kind;
 
-constexpr int count_of_levels = 5;
+constexpr int random_levels = 5;
 
 /// f = height exp(-rate x), drawn from a density proportional to exp(-other x) on x > 0: each term of the sum is known,
 ///
@@ -106,7 +106,7 @@ Checks check_integrate_monte_carlo(Generator& random) {
     const double slower = 0.8 * rate;  // of the density: its fourth moments are finite
     const auto more_points = [=](Generator& draw) {
         Rows rows;
-        for (const int n : levels(count_of_levels))
+        for (const int n : levels(random_levels))
             for (int k = 0; k < repeats; ++k) {
                 const Integrand f{Kind::exponential, {2, rate}}, q{Kind::exponential, {slower, slower}};
                 rows.push_back(row(f, q, drawn(draw, n, slower)));
@@ -114,7 +114,7 @@ Checks check_integrate_monte_carlo(Generator& random) {
         return rows;
     };
     Statistic order = error_order(
-        "power of N with which the error falls", count_of_levels, repeats,
+        "power of N with which the error falls", random_levels, repeats,
         [=](const Row&, const Row& out) { return out[0] - 2 / rate; }, -0.5,
         [](double value, double) {
             return fmt::format(

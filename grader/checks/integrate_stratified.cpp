@@ -13,7 +13,7 @@ namespace {
 
 using Strata = std::vector<StratumOf>;
 
-constexpr int count_of_levels = 5;
+constexpr int stratified_levels = 5;
 
 double mean(const std::vector<double>& u) {
     double sum = 0;
@@ -120,7 +120,7 @@ Checks check_integrate_stratified(Generator& random) {
     constexpr int repeats = 12;
     const auto more_strata = [=](Generator& draw) {
         Rows rows;
-        for (const int n : levels(count_of_levels))
+        for (const int n : levels(stratified_levels))
             for (int k = 0; k < repeats; ++k) {
                 const Integrand f{Integrand::Kind::polynomial, {between(draw, 1, 2), 1}};
                 rows.push_back(row(f, equal_strata(draw, between(draw, -1, 1), 1, n)));
@@ -134,7 +134,7 @@ Checks check_integrate_stratified(Generator& random) {
         return out[0] - (high - low) * f((low + high) / 2);
     };
     Statistic order = error_order(
-        "power of N with which the error falls", count_of_levels, repeats, error, -1.5, [](double value, double) {
+        "power of N with which the error falls", stratified_levels, repeats, error, -1.5, [](double value, double) {
             const std::string off = fmt::format(
                 "the error falls as N^{:.2f} with one point in each of N intervals; expected N^-1.5", value);
             return std::abs(value + 0.5) < 0.2

@@ -11,7 +11,7 @@ namespace grade {
 
 namespace {
 
-constexpr int count_of_levels = 5;
+constexpr int uniform_levels = 5;
 
 /// The sum over n points with the given offset in their cells, 1/2 for midpoints, of offset + height cos(w x + phase),
 /// in closed form:
@@ -83,7 +83,7 @@ Checks check_integrate_uniform(Generator&) {
             ranges.emplace_back(a, a + span);
         }
         Rows rows;
-        for (const int n : levels(count_of_levels))
+        for (const int n : levels(uniform_levels))
             for (int k = 0; k < repeats; ++k) {
                 rows.push_back(functions[std::size_t(k)]);
                 const auto [a, b] = ranges[std::size_t(k)];
@@ -92,7 +92,7 @@ Checks check_integrate_uniform(Generator&) {
         return rows;
     };
     Statistic order = error_order(
-        "power of N with which the error falls", count_of_levels, repeats, error, -2, [](double value, double) {
+        "power of N with which the error falls", uniform_levels, repeats, error, -2, [](double value, double) {
             const std::string off = fmt::format("the error falls as N^{:.2f} with N points; expected N^-2", value);
             return std::abs(value + 1) < 0.3
                        ? off + ": are the points at the ends of the intervals? Expected their middles"

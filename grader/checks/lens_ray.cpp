@@ -22,7 +22,7 @@ using rt::Camera, rt::Ray, rt::vec2, rt::vec3;
 Camera camera_of(const Row& in) { return argument<0, Camera, Ray, vec2>(in); }
 Ray pinhole_of(const Row& in) { return argument<1, Camera, Ray, vec2>(in); }
 
-Camera any_camera(Generator& random) {
+Camera any_lens_camera(Generator& random) {
     const Place place = any_place(random);
     Camera camera;
     camera.eye = place.origin;
@@ -122,7 +122,7 @@ std::vector<Statistic> ray_properties() {
 }
 
 Check rays(Generator& random) {
-    const Camera camera = any_camera(random);
+    const Camera camera = any_lens_camera(random);
     const auto inputs = rows_of(1024, [=](Generator& draw) { return lens_row(camera, draw); });
     const auto square_radius = [](const Row& in, const Row& out) {
         const vec2 p = on_lens(in, out);
@@ -158,7 +158,7 @@ Check rays(Generator& random) {
 
 Check in_focus() {
     const auto inputs = rows_of(128, [](Generator& random) {
-        Camera camera = any_camera(random);
+        Camera camera = any_lens_camera(random);
         if (chance(random, 0.1)) camera.focus = rt::inf;
         return lens_row(camera, random);
     });
@@ -167,7 +167,7 @@ Check in_focus() {
 
 /// A lamp of so many pixels' radius at a film point, at distance z along the axis: a disc parallel to the film, whose
 /// picture is a disc, blurred by that of the lens.
-std::string lamp(const Camera& camera, vec2 film, double z, double pixels) {
+std::string lamp_at(const Camera& camera, vec2 film, double z, double pixels) {
     const vec3 d = view_direction(camera, film);
     return disc("lamp", camera.eye - z / rt::dot(d, camera.back) * d, camera.back,
                 pixels / pixels_per_metre(camera, z));
@@ -218,9 +218,9 @@ Check depths(Generator& random) {
     const double before = focus / (1 + nearer), behind = focus / (1 - further);
     std::array<int, 3> left = {0, 32, 64};
     std::ranges::shuffle(left, random);
-    const std::string scene = lens_scene(view) + lamp(camera, {left[0] + 16, 16}, before, size) +
-                              lamp(camera, {left[1] + 16, 16}, focus, size) +
-                              lamp(camera, {left[2] + 16, 16}, behind, size);
+    const std::string scene = lens_scene(view) + lamp_at(camera, {left[0] + 16, 16}, before, size) +
+                              lamp_at(camera, {left[1] + 16, 16}, focus, size) +
+                              lamp_at(camera, {left[2] + 16, 16}, behind, size);
 
     const auto radius = [=](int x, double z) {
         return [=](const rt::Image& image) {
@@ -266,7 +266,7 @@ Check corner(Generator& random) {
     const double size = 3;
     const bool right = chance(random, 0.5), low = chance(random, 0.5);
     const Camera camera = rt::parse_scene(lens_scene(view), "lens").camera;
-    const std::string scene = lens_scene(view) + lamp(camera, {right ? 40 : 8, low ? 40 : 8}, view.focus, size);
+    const std::string scene = lens_scene(view) + lamp_at(camera, {right ? 40 : 8, low ? 40 : 8}, view.focus, size);
     const Region region{right ? 32 : 0, low ? 32 : 0, 16, 16};
     return render_check(
         "corner", {scene, 16, "sobol"},

@@ -67,7 +67,7 @@ std::vector<Statistic> places(const std::string& id, const std::string& thing,
 
 /// A lamp that flies by, and the shadow that a disc behind the camera throws on the floor below, at one instant. They
 /// are on black and on white, in two pictures: the shutter is open so shortly that any time is the same.
-Check lamp(Generator& random) {
+Check moving_lamp(Generator& random) {
     const Place place = any_place(random);
     const double time = between(random, 0.4, 0.7) * (chance(random, 0.5) ? 1 : -1),
                  turn = between(random, 0, 2 * rt::pi);
@@ -156,6 +156,6 @@ Check reflection(Generator& random) {
 
 }  // namespace
 
-Checks check_moved(Generator& random) { return {points(), lamp(random), shadow(random), reflection(random)}; }
+Checks check_moved(Generator& random) { return {points(), moving_lamp(random), shadow(random), reflection(random)}; }
 
 }  // namespace grade

@@ -20,7 +20,7 @@ RowFunction bent(std::function<double(double from, double to)> ratio, double sig
 }
 
 /// Below the critical angle, or above it, but not near it.
-Row ordinary(Generator& random, bool total) {
+Row ordinary_boundary(Generator& random, bool total) {
     const vec3 n = direction(random);
     const double low = between(random, 1, 1.2), high = between(random, 1.25, 2.5);
     const bool up = total || chance(random, 0.5);
@@ -54,8 +54,8 @@ Checks check_refracted_direction(Generator& random) {
          of<vec3, vec3, double, double>([=](vec3 d, vec3 n, double from, double to) {
              return from > to ? d : from_row<vec3>(right(row(d, n, from, to)));
          })}};
-    const auto crossing = rows_of(64, [](Generator& draw) { return ordinary(draw, false); });
-    const auto total = rows_of(32, [](Generator& draw) { return ordinary(draw, true); });
+    const auto crossing = rows_of(64, [](Generator& draw) { return ordinary_boundary(draw, false); });
+    const auto total = rows_of(32, [](Generator& draw) { return ordinary_boundary(draw, true); });
     return {probe_check("snell", crossing, {formula("F4", "refracted direction, off by", right, 1e-3, suspects)}),
             probe_check("total_reflection", total,
                         {formula("F3", "direction at total internal reflection, off by", right, 1e-6, suspects)}),

@@ -63,7 +63,7 @@ Statistic density() {
     return s;
 }
 
-Statistic unit_length() {
+Statistic length_of_direction() {
     return property(
         "V3", "length of the direction, off 1 by",
         [](const Row&, const Row& out) { return std::abs(glm::length(from_row<DirectionSample>(out).direction) - 1); },
@@ -92,7 +92,7 @@ Check directions(const std::string& name, double g) {
         8, 8,
         always("the directions are not spread as the phase function says: the cosine depends on one coordinate of u, "
                "the angle about d on the other"));
-    return probe_check(name, inputs, {mean, spread, density(), unit_length()});
+    return probe_check(name, inputs, {mean, spread, density(), length_of_direction()});
 }
 
 /// Light scattered once into the half space ahead (sign 1) or behind (sign -1) on the way through the middle of a ball
@@ -168,7 +168,7 @@ Checks check_scatter_direction(Generator& random) {
         return row(d, g, square(draw));
     });
     return {directions("forward", forward), directions("backward", backward),
-            probe_check("any_g", extremes, {unit_length(), density()}), white_medium(random), ahead_and_behind(random)};
+            probe_check("any_g", extremes, {length_of_direction(), density()}), white_medium(random), ahead_and_behind(random)};
 }
 
 }  // namespace grade

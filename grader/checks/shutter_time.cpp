@@ -19,7 +19,7 @@ using rt::Shutter, rt::vec2, rt::vec3;
 Shutter shutter_of(const Row& in) { return argument<0, Shutter, double>(in); }
 
 /// How much of the time that the shutter is open has passed.
-double share(const Row& in, const Row& out) {
+double share_of_exposure(const Row& in, const Row& out) {
     return (out[0] - shutter_of(in).open) / (shutter_of(in).close - shutter_of(in).open);
 }
 
@@ -29,17 +29,17 @@ Check times(Generator& random) {
     const double open = between(random, 0.5, 2) * (chance(random, 0.5) ? 1 : -1), length = between(random, 0.2, 0.4);
     const auto inputs =
         rows_of(1024, [=](Generator& draw) { return shutter_row(open, open + length, between(draw, 0, 1)); });
-    Statistic mean = mean_of("M1", "mean time, as a share of the exposure", share, 0.5, 1,
+    Statistic mean = mean_of("M1", "mean time, as a share of the exposure", share_of_exposure, 0.5, 1,
                              by_value("the mean time, as a share of the exposure,",
                                       {{0, "does the shutter close as soon as it opens?"},
                                        {1, "does the shutter open only when it closes?"}},
                                       0.05, "expected times that are uniform between opening and closing"));
     Statistic spread = uniform_in_square("V3", "chi squared of the times per degree of freedom",
-        [](const Row& in, const Row& out) { return vec2(share(in, out), 0.5); }, 64, 1,
+        [](const Row& in, const Row& out) { return vec2(share_of_exposure(in, out), 0.5); }, 64, 1,
         by_ratio("the chi squared of the times", {}, "they must be uniform between opening and closing"));
     Statistic inside = property(
         "M1", "times outside the exposure",
-        [](const Row& in, const Row& out) { return share(in, out) >= -1e-5 && share(in, out) <= 1 + 1e-5 ? 0.0 : 1.0; },
+        [](const Row& in, const Row& out) { return share_of_exposure(in, out) >= -1e-5 && share_of_exposure(in, out) <= 1 + 1e-5 ? 0.0 : 1.0; },
         0, "a time is before the shutter opens or after it closes");
     inside.hint =
         always("a time is before the shutter opens or after it closes: expected open + a share of (close - open)");
@@ -58,7 +58,7 @@ Check times(Generator& random) {
     mean.cause = spread.cause = [](const Observation& seen) -> std::string {
         double at_ends = 0, as_first = 0;
         for (std::size_t k = 0; k < seen.inputs.size(); ++k) {
-            const double s = share(seen.inputs[k], seen.outputs[k]);
+            const double s = share_of_exposure(seen.inputs[k], seen.outputs[k]);
             at_ends += std::abs(s) < 1e-6 || std::abs(s - 1) < 1e-6;
             as_first += seen.outputs[k] == seen.outputs[0];
         }

@@ -83,7 +83,7 @@ Check sky(Generator& random) {
 }
 
 /// The blurred image of a lamp behind frosted glass.
-Check lamp(Generator& random) {
+Check lamp_behind(Generator& random) {
     const Place place = any_place(random);
     const double n = between(random, 8, 14), ior = between(random, 1.3, 1.7), angle = between(random, 0.6, 0.9),
                  inside = std::asin(std::sin(angle) / ior);
@@ -145,7 +145,7 @@ Checks check_translucency(Generator& random) {
                         [](const Row&, const Row& out) { return rt::largest(from_row<rt::Scattered>(out).weight); }, 0,
                         "at total internal reflection nothing passes: the weight is 0")}));
     checks.push_back(sky(random));
-    checks.push_back(lamp(random));
+    checks.push_back(lamp_behind(random));
     return checks;
 }
 

@@ -11,40 +11,40 @@ namespace grade {
 namespace {
 
 /// A point on logarithmic axes.
-struct Point {
+struct LogPoint {
     double x, y;
 };
 
 /// The points whose x rises from each to the next: what noise has put back is left out.
-std::vector<Point> rising(std::span<const Place> path, const std::function<Point(const Place&)>& point_of) {
-    std::vector<Point> points;
-    for (const Place& place : path) {
+std::vector<LogPoint> rising(std::span<const Waypoint> path, const std::function<LogPoint(const Waypoint&)>& point_of) {
+    std::vector<LogPoint> points;
+    for (const Waypoint& place : path) {
         if (!(place.seconds > 0 && place.mse > 0)) continue;
-        const Point point = point_of(place);
+        const LogPoint point = point_of(place);
         if (points.empty() || point.x > points.back().x) points.push_back(point);
     }
     return points;
 }
 
 /// On straight lines through the points, beyond them by at most `reach`.
-std::optional<double> value_at(const std::vector<Point>& points, double x, double reach) {
+std::optional<double> value_at(const std::vector<LogPoint>& points, double x, double reach) {
     if (points.size() < 2 || !(x >= points.front().x - reach && x <= points.back().x + reach)) return std::nullopt;
     std::size_t i = 1;
     while (i + 1 < points.size() && points[i].x < x) ++i;
-    const Point a = points[i - 1], b = points[i];
+    const LogPoint a = points[i - 1], b = points[i];
     return std::exp(a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x));
 }
 
 }  // namespace
 
-std::optional<double> mse_at(std::span<const Place> path, double seconds) {
-    const auto points = rising(path, [](const Place& p) { return Point{std::log(p.seconds), std::log(p.mse)}; });
+std::optional<double> mse_at(std::span<const Waypoint> path, double seconds) {
+    const auto points = rising(path, [](const Waypoint& p) { return LogPoint{std::log(p.seconds), std::log(p.mse)}; });
     return value_at(points, std::log(seconds), std::log(most_extrapolation));
 }
 
-std::optional<double> seconds_for(std::span<const Place> path, double mse) {
+std::optional<double> seconds_for(std::span<const Waypoint> path, double mse) {
     if (!(mse > 0)) return std::nullopt;
-    const auto points = rising(path, [](const Place& p) { return Point{-std::log(p.mse), std::log(p.seconds)}; });
+    const auto points = rising(path, [](const Waypoint& p) { return LogPoint{-std::log(p.mse), std::log(p.seconds)}; });
     const auto seconds = value_at(points, -std::log(mse), std::log(most_extrapolation));
     // where the error hardly falls any more, a step down takes all the time in the world
     if (!seconds || *seconds > path.back().seconds * most_extrapolation * most_extrapolation) return std::nullopt;

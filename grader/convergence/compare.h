@@ -7,7 +7,7 @@
 namespace grade {
 
 /// Where a curve of error against time passes: one level of one replicate.
-struct Place {
+struct Waypoint {
     double samples, seconds, mse;
 };
 
@@ -20,10 +20,10 @@ struct Ratio {
 constexpr double most_extrapolation = 4;
 
 /// The MSE after so much CPU time, on straight lines between the levels on logarithmic axes. None: too far beyond them.
-std::optional<double> mse_at(std::span<const Place> path, double seconds);
+std::optional<double> mse_at(std::span<const Waypoint> path, double seconds);
 
 /// The CPU time to such an MSE; likewise. None, too, where the error has stopped falling above it.
-std::optional<double> seconds_for(std::span<const Place> path, double mse);
+std::optional<double> seconds_for(std::span<const Waypoint> path, double mse);
 
 /// The geometric mean of measurements, with Student's interval of their logarithms. None of none.
 std::optional<Ratio> geometric_mean(std::span<const double> values);

@@ -12,7 +12,7 @@ namespace grade {
 namespace {
 
 /// A level as the fit sees it.
-struct Point {
+struct LevelPoint {
     double log_n, mse;
 };
 
@@ -56,13 +56,13 @@ struct Sums {
 
 /// What is minimised: the logarithmic deviations of the levels and that of the bias, in units of their standard errors.
 struct Problem {
-    std::vector<Point> points;
+    std::vector<LevelPoint> points;
     double share = 1;              // relative standard error of a level
     std::optional<Estimate> bias;  // a measurement of b^2
 
     Sums sums(const Unknowns& u) const {
         Sums all;
-        for (const Point& p : points) {
+        for (const LevelPoint& p : points) {
             const double power = power_part(u, p.log_n), law = power + u[2], unit = share * law;
             all.add({power / unit, -2 * p.log_n * power / unit, 1 / unit}, std::log(p.mse / law) / share);
         }
@@ -138,7 +138,7 @@ Fit fit_errors(const std::vector<LevelErrors>& levels, std::optional<Estimate> b
     const std::size_t count = free ? 3 : 2;
 
     // from the straight line through the ends
-    const Point &first = problem.points.front(), &last = problem.points.back();
+    const LevelPoint &first = problem.points.front(), &last = problem.points.back();
     const double floor = problem.bias ? problem.bias->value : free ? 0.1 * last.mse : 0;
     const double rest = std::max(last.mse - floor, 0.01 * last.mse);
     const double q = std::max(-0.5 * std::log(rest / first.mse) / (last.log_n - first.log_n), 0.05);

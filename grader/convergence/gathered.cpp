@@ -22,8 +22,8 @@ void Gathered::add(int samples, int replicate, const Run& run, const rt::Image& 
         mean.pixels[i] += (image.pixels[i] - mean.pixels[i]) * (samples / weights[half]);
 }
 
-Kept to_kept(const Gathered& gathered) {
-    Kept kept;
+KeptResult to_kept(const Gathered& gathered) {
+    KeptResult kept;
     kept.head["weights"] = gathered.weights;
     for (const Level& level : gathered.levels) {
         nlohmann::ordered_json runs = nlohmann::ordered_json::array();
@@ -34,7 +34,7 @@ Kept to_kept(const Gathered& gathered) {
     return kept;
 }
 
-void take(Gathered& gathered, const Kept& kept) {
+void take(Gathered& gathered, const KeptResult& kept) {
     gathered.weights = kept.head.at("weights");
     for (const auto& level : kept.head.at("levels")) {
         gathered.levels.push_back({level.at("samples"), {}});

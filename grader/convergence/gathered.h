@@ -22,9 +22,9 @@ struct Gathered {
     void add(int samples, int replicate, const Run& run, const rt::Image& image);
 };
 
-Kept to_kept(const Gathered& gathered);
+KeptResult to_kept(const Gathered& gathered);
 
 /// The levels and pictures of what was kept. Throws nlohmann::json::exception, std::out_of_range.
-void take(Gathered& gathered, const Kept& kept);
+void take(Gathered& gathered, const KeptResult& kept);
 
 }  // namespace grade

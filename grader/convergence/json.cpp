@@ -18,8 +18,6 @@ Json ratio(const std::optional<Ratio>& r) {
     return r ? Json{{"value", number(r->value)}, {"low", number(r->low)}, {"high", number(r->high)}} : Json(nullptr);
 }
 
-const char* name(Who who) { return who == Who::submission ? "submission" : "solution"; }
-
 Json level_json(const Level& level) {
     const auto [low, high] = level.mse_interval();
     Json json{{"samples", level.samples},

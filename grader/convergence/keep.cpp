@@ -10,7 +10,7 @@ constexpr std::uint64_t most_bytes = 1u << 30;
 
 }  // namespace
 
-void write_kept(const fs::path& path, const Kept& kept) {
+void write_kept(const fs::path& path, const KeptResult& kept) {
     nlohmann::ordered_json head = kept.head;
     head["images"] = nlohmann::ordered_json::array();
     for (const rt::Image& image : kept.images) head["images"].push_back({image.width, image.height});
@@ -21,11 +21,11 @@ void write_kept(const fs::path& path, const Kept& kept) {
     write_text(path, text);
 }
 
-std::optional<Kept> read_kept(const fs::path& path) try {
+std::optional<KeptResult> read_kept(const fs::path& path) try {
     const auto text = read_text(path, most_bytes);
     if (!text) return std::nullopt;
     std::size_t at = text->find('\n');
-    Kept kept{nlohmann::ordered_json::parse(text->substr(0, at++)), {}};
+    KeptResult kept{nlohmann::ordered_json::parse(text->substr(0, at++)), {}};
     for (const auto& size : kept.head.at("images")) {
         rt::Image image(size.at(0), size.at(1));
         const std::size_t bytes = image.pixels.size() * sizeof(rt::Color);

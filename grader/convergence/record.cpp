@@ -64,6 +64,8 @@ Comparison comparison(const SceneRecord& scene, const Curve& mine, const Curve& 
 
 }  // namespace
 
+const char* name(Who who) { return who == Who::submission ? "submission" : "solution"; }
+
 double Level::mse() const { return moments(runs, &Run::mse).mean; }
 double Level::relative() const { return moments(runs, &Run::relative).mean; }
 double Level::rays() const { return moments(runs, &Run::rays).mean; }
@@ -92,8 +94,8 @@ std::vector<LevelErrors> Curve::errors() const {
     return all;
 }
 
-std::vector<Place> Curve::path(std::size_t replicate) const {
-    std::vector<Place> places;
+std::vector<Waypoint> Curve::path(std::size_t replicate) const {
+    std::vector<Waypoint> places;
     for (const Level& level : levels)
         if (replicate < level.runs.size())
             places.push_back({double(level.samples), level.runs[replicate].cpu_seconds, level.runs[replicate].mse});

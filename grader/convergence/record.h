@@ -35,6 +35,7 @@ struct Level {
 };
 
 enum class Who { submission, solution };
+const char* name(Who who);
 
 /// One sampler of one program.
 struct Curve {
@@ -47,7 +48,7 @@ struct Curve {
     std::vector<LevelErrors> errors() const;
 
     /// The path of one replicate through all levels that have it.
-    std::vector<Place> path(std::size_t replicate) const;
+    std::vector<Waypoint> path(std::size_t replicate) const;
 
     /// CPU seconds to an error as small as that, the mean of the replicates.
     std::optional<Ratio> seconds_for(double mse) const;

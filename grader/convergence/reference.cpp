@@ -78,7 +78,7 @@ std::optional<Halves> reference_of(const fs::path& file, const Bench& bench, con
         4 * last_level(amounts, budget, runner.seconds() / few, programs * int(amounts.samplers.size()));
 
     // half as many will do: what can be foreseen of the last level depends on how busy the machine is
-    std::optional<Kept> kept = read_kept(path);
+    std::optional<KeptResult> kept = read_kept(path);
     if (!kept || kept->images.size() != 2 || 2 * kept->head.value("samples", 0) < wanted) {
         kept.emplace();
         kept->head["samples"] = wanted;

@@ -35,8 +35,6 @@ std::string bias_of(const Curve& curve) {
     return fmt::format("{} ({} to {})", root(value), root(value - 1.96 * se), root(value + 1.96 * se));
 }
 
-const char* name(Who who) { return who == Who::submission ? "submission" : "solution"; }
-
 /// The result of each curve; the long form has relative errors and rays as well.
 Cells curve_rows(const SceneRecord& scene, bool is_long) {
     Cells rows{{"", "sampler", "slope", "expected", "samples", "RMSE", "CPU s", "efficiency", "s to 64", "to 1024",

@@ -11,7 +11,7 @@ namespace grade {
 
 namespace {
 
-constexpr double width = 260, height = 34, middle = 15;
+constexpr double bar_width = 260, bar_height = 34, middle = 15;
 
 }  // namespace
 
@@ -26,7 +26,7 @@ std::string bar(const StatisticRecord& statistic) {
     double reach = 1.25 * std::max({2 * band, std::abs(value - truth), std::abs(low - truth), std::abs(high - truth)});
     if (!(reach > 0)) reach = 1;
     if (band > 0) reach = std::min(reach, 12 * band);
-    const auto at = [&](double x) { return width / 2 * (1 + std::clamp((x - truth) / reach, -1.0, 1.0) * 0.96); };
+    const auto at = [&](double x) { return bar_width / 2 * (1 + std::clamp((x - truth) / reach, -1.0, 1.0) * 0.96); };
     const bool off = std::abs(value - truth) > reach;
     const char* color = statistic.verdict == Verdict::passed   ? "good"
                         : statistic.verdict == Verdict::failed ? "bad"
@@ -36,8 +36,8 @@ std::string bar(const StatisticRecord& statistic) {
         "<svg class=\"bar\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" role=\"img\" "
         "aria-label=\"{2}: {3:.4g}, interval "
         "{4:.4g} to {5:.4g}; expected {6:.4g} within {7:.3g}\">",
-        width, height, html(statistic.what), value, low, high, truth, band);
-    svg += fmt::format("<line class=\"axis\" x1=\"0\" x2=\"{:g}\" y1=\"{:g}\" y2=\"{:g}\"/>", width, middle, middle);
+        bar_width, bar_height, html(statistic.what), value, low, high, truth, band);
+    svg += fmt::format("<line class=\"axis\" x1=\"0\" x2=\"{:g}\" y1=\"{:g}\" y2=\"{:g}\"/>", bar_width, middle, middle);
     svg += fmt::format("<rect class=\"band\" x=\"{:.1f}\" y=\"5\" width=\"{:.1f}\" height=\"20\"/>",
                        at(truth - band) - 0.5, at(truth + band) - at(truth - band) + 1);
     svg += fmt::format("<line class=\"truth\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"2\" y2=\"28\"/>", at(truth));

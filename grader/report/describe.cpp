@@ -55,7 +55,7 @@ std::string experiment(const Check& check) {
     return render ? fmt::format("picture, {} samples a pixel", render->samples) : "calls";
 }
 
-std::string points(double x) { return fmt::format("{:g}", std::round(100 * x) / 100); }
+std::string rounded_points(double x) { return fmt::format("{:g}", std::round(100 * x) / 100); }
 
 /// Where a block's text ends: at its end marker.
 constexpr std::string_view opening = "<!-- ", end_marker = "<!-- end -->";
@@ -71,13 +71,13 @@ std::string describe_points(const Assignment& assignment) {
         for (const Fragment& fragment : assignment.fragments) {
             if (fragment.part != part.name) continue;
             names.push_back(fragment.given ? fmt::format("`{}` given", fragment.name)
-                                           : fmt::format("`{}` {}", fragment.name, points(fragment.points)));
+                                           : fmt::format("`{}` {}", fragment.name, rounded_points(fragment.points)));
             sum += fragment.points;
         }
         all += sum;
-        text += fmt::format("| {} | {} | {} |\n", part.title, fmt::join(names, ", "), points(sum));
+        text += fmt::format("| {} | {} | {} |\n", part.title, fmt::join(names, ", "), rounded_points(sum));
     }
-    return text + fmt::format("| | | **{}** |\n", points(all));
+    return text + fmt::format("| | | **{}** |\n", rounded_points(all));
 }
 
 std::string describe_checks(const Assignment& assignment, const std::string& fragment) {
@@ -90,7 +90,7 @@ std::string describe_checks(const Assignment& assignment, const std::string& fra
     for (const Check& check : checks_of_seeds().front()) {
         if (check.fragment != fragment) continue;
         std::string name =
-            fmt::format("`{}` ({}): {}", check.name, points(entry.points * check.share / shares), experiment(check));
+            fmt::format("`{}` ({}): {}", check.name, rounded_points(entry.points * check.share / shares), experiment(check));
         for (std::size_t k = 0; k < check.statistics.size(); ++k) {
             Statistics same;
             for (const auto& checks : checks_of_seeds()) {
@@ -102,7 +102,7 @@ std::string describe_checks(const Assignment& assignment, const std::string& fra
             name.clear();
         }
     }
-    return fmt::format("{} point{}.\n\n", points(entry.points), entry.points == 1 ? "" : "s") +
+    return fmt::format("{} point{}.\n\n", rounded_points(entry.points), entry.points == 1 ? "" : "s") +
            "| check (points) | id | measures | must be | right within | wrong beyond |\n|---|---|---|---|---|---|\n" +
            rows;
 }

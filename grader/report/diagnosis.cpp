@@ -13,8 +13,8 @@ namespace grade {
 
 namespace {
 
-/// The smaller one is told first: by verdict, by kind of evidence, by family.
-using Rank = std::tuple<int, int, Family>;
+/// The smaller one is told first: by verdict, by kind of evidence, by subject.
+using Rank = std::tuple<int, int, Subject>;
 
 int rank_of(Verdict verdict) {
     switch (verdict) {
@@ -30,10 +30,10 @@ int rank_of(Verdict verdict) {
     return 6;
 }
 
-Rank rank_of(Verdict verdict, const CheckRecord& check, Family family) {
+Rank rank_of(Verdict verdict, const CheckRecord& check, Subject subject) {
     const bool is_picture = !check.scene.empty();
-    const int evidence = family <= Family::no_image ? 0 : is_picture ? 2 : 1;
-    return {rank_of(verdict), evidence, family};
+    const int evidence = subject <= Subject::no_image ? 0 : is_picture ? 2 : 1;
+    return {rank_of(verdict), evidence, subject};
 }
 
 std::string section_of(const std::string& fragment, Verdict verdict, const std::string& words) {
@@ -50,22 +50,22 @@ std::string section_of(const std::string& fragment, Verdict verdict, const std::
 
 }  // namespace
 
-Family family_of(std::string_view id) {
-    static const std::map<std::string_view, Family> families = {
-        {"G1", Family::sharing},    {"M2", Family::sharing},    {"V0", Family::no_image},
-        {"G4", Family::tone},       {"A1", Family::geometry},   {"A2", Family::geometry},
-        {"L3", Family::geometry},   {"D1", Family::geometry},   {"D2", Family::geometry},
-        {"D3", Family::geometry},   {"M1", Family::geometry},   {"M3", Family::geometry},
-        {"P1", Family::geometry},   {"F4", Family::geometry},   {"W1", Family::geometry},
-        {"W2", Family::geometry},   {"I1", Family::radiometry}, {"L1", Family::radiometry},
-        {"L2", Family::factor},     {"L4", Family::radiometry}, {"P2", Family::radiometry},
-        {"P3", Family::geometry},   {"P4", Family::radiometry}, {"F1", Family::radiometry},
-        {"F2", Family::radiometry}, {"F3", Family::radiometry}, {"B1", Family::radiometry},
-        {"W3", Family::radiometry}, {"G2", Family::variance},   {"G3", Family::variance},
-        {"V1", Family::variance},   {"V3", Family::variance},   {"D4", Family::variance},
-        {"M4", Family::variance}};
-    const auto found = families.find(id);
-    return found == families.end() ? Family::radiometry : found->second;  // a course's own
+Subject subject_of(std::string_view id) {
+    static const std::map<std::string_view, Subject> subjects = {
+        {"G1", Subject::sharing},    {"M2", Subject::sharing},    {"V0", Subject::no_image},
+        {"G4", Subject::tone},       {"A1", Subject::geometry},   {"A2", Subject::geometry},
+        {"L3", Subject::geometry},   {"D1", Subject::geometry},   {"D2", Subject::geometry},
+        {"D3", Subject::geometry},   {"M1", Subject::geometry},   {"M3", Subject::geometry},
+        {"P1", Subject::geometry},   {"F4", Subject::geometry},   {"W1", Subject::geometry},
+        {"W2", Subject::geometry},   {"I1", Subject::radiometry}, {"L1", Subject::radiometry},
+        {"L2", Subject::factor},     {"L4", Subject::radiometry}, {"P2", Subject::radiometry},
+        {"P3", Subject::geometry},   {"P4", Subject::radiometry}, {"F1", Subject::radiometry},
+        {"F2", Subject::radiometry}, {"F3", Subject::radiometry}, {"B1", Subject::radiometry},
+        {"W3", Subject::radiometry}, {"G2", Subject::variance},   {"G3", Subject::variance},
+        {"V1", Subject::variance},   {"V3", Subject::variance},   {"D4", Subject::variance},
+        {"M4", Subject::variance}};
+    const auto found = subjects.find(id);
+    return found == subjects.end() ? Subject::radiometry : found->second;  // a course's own
 }
 
 std::string section_of(const CheckRecord& check, const StatisticRecord* statistic) {
@@ -90,10 +90,10 @@ Diagnosis diagnose(const FragmentRecord& fragment) {
     };
     for (const CheckRecord& check : fragment.checks) {
         if (check.verdict == Verdict::passed) continue;
-        tell(rank_of(check.verdict, check, Family::no_image), check.message, section_of(check, nullptr));
+        tell(rank_of(check.verdict, check, Subject::no_image), check.message, section_of(check, nullptr));
         for (const StatisticRecord& statistic : check.statistics)
             if (statistic.verdict != Verdict::passed)
-                tell(rank_of(statistic.verdict, check, family_of(statistic.id)), statistic.hint,
+                tell(rank_of(statistic.verdict, check, subject_of(statistic.id)), statistic.hint,
                      section_of(check, &statistic));
     }
     return first;

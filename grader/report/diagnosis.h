@@ -10,10 +10,10 @@ namespace grade {
 /// What a statistic speaks of, in the order in which mistakes are told: of two statistics that fail, the earlier one
 /// explains the later one more often than the other way round. A missing factor, as the regression over many layouts
 /// finds it, bends where a lamp's light seems to come from, so it is told before all geometry.
-enum class Family { sharing, no_image, tone, factor, geometry, radiometry, variance };
+enum class Subject { sharing, no_image, tone, factor, geometry, radiometry, variance };
 
-/// The family of a statistic's id: of "A1", geometry. Throws std::out_of_range for an id that has none.
-Family family_of(std::string_view id);
+/// The subject of a statistic's id: of "A1", geometry. Throws std::out_of_range for an id that has none.
+Subject subject_of(std::string_view id);
 
 /// What is wrong with a fragment: what to tell first, and where to read about it.
 struct Diagnosis {
@@ -23,7 +23,7 @@ struct Diagnosis {
 
 /// From all that does not pass: a program that ends by itself first, then shared numbers and what is no image, then
 /// what calls of the fragment show, since there is nothing else in them, then pictures; each in the order of the
-/// families, and of one family in the order of the checks.
+/// subjects, and of one subject in the order of the checks.
 Diagnosis diagnose(const FragmentRecord& fragment);
 
 /// Where to read about one statistic or check that does not pass.

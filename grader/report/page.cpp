@@ -26,7 +26,7 @@ std::string figure(const std::string& source, const std::string& alt, const std:
                        source, html(alt), caption);
 }
 
-std::string number(std::optional<double> x) {
+std::string number_in_table(std::optional<double> x) {
     if (!x) return "unknown";
     return std::isfinite(*x) ? fmt::format("{:.4g}", *x) : std::isnan(*x) ? "no number" : "infinite";
 }
@@ -69,9 +69,9 @@ std::string statistics(const CheckRecord& check) {
             "<tr><td><b>{}</b> {}</td><td class=\"number\">{}{}</td><td class=\"number\">{}</td><td "
             "class=\"number\">{:.3g}</td><td>{}</td>"
             "<td class=\"number\">{}</td><td>{}</td></tr>\n",
-            html(s.id), html(s.what), number(s.value),
-            interval ? fmt::format("<br><span class=\"soft\">{} to {}</span>", number(s.low), number(s.high)) : "",
-            number(s.truth), s.tolerance, bar(s), s.replicates, badge(s.verdict));
+            html(s.id), html(s.what), number_in_table(s.value),
+            interval ? fmt::format("<br><span class=\"soft\">{} to {}</span>", number_in_table(s.low), number_in_table(s.high)) : "",
+            number_in_table(s.truth), s.tolerance, bar(s), s.replicates, badge(s.verdict));
     }
     text += "</table>\n";
     for (const StatisticRecord& s : check.statistics)

@@ -13,7 +13,7 @@ namespace grade {
 
 namespace {
 
-constexpr double width = 720, height = 440, left = 76, right = 190, top = 44, bottom = 56;
+constexpr double plot_width = 720, plot_height = 440, left = 76, right = 190, top = 44, bottom = 56;
 
 // Source: Okabe and Ito, "Color Universal Design", 2008.
 constexpr std::array colors{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000"};
@@ -45,7 +45,7 @@ std::string power(double decade) {
     return fmt::format("1e{:g}", decade);
 }
 
-const char* color_of(const Series& series, std::size_t place) {
+const char* color_of_series(const Series& series, std::size_t place) {
     return colors[(series.color >= 0 ? std::size_t(series.color) : place) % colors.size()];
 }
 
@@ -65,9 +65,9 @@ struct Frame {
             }
         x.close(), y.close();
     }
-    double at_x(double value) const { return left + (width - left - right) * x.share(value); }
+    double at_x(double value) const { return left + (plot_width - left - right) * x.share(value); }
     double at_y(double value) const {
-        return top + (height - top - bottom) * (1 - std::clamp(y.share(value), 0.0, 1.0));
+        return top + (plot_height - top - bottom) * (1 - std::clamp(y.share(value), 0.0, 1.0));
     }
 };
 
@@ -84,7 +84,7 @@ std::string guide_line(const Guide& guide, const Frame& frame) {
 }
 
 std::string grid(const Frame& frame) {
-    const double wide = width - left - right, tall = height - top - bottom;
+    const double wide = plot_width - left - right, tall = plot_height - top - bottom;
     std::string svg;
     for (double decade = frame.x.low; decade <= frame.x.high; ++decade) {
         const double at = frame.at_x(std::pow(10, decade));
@@ -101,7 +101,7 @@ std::string grid(const Frame& frame) {
 
 /// A series with its ribbon, and its row of the legend.
 std::string drawn(const Series& series, std::size_t place, const Frame& frame) {
-    const char* color = color_of(series, place);
+    const char* color = color_of_series(series, place);
     const std::string dashes = series.dashed ? " stroke-dasharray=\"5 4\"" : "";
     const auto dot = [&](double x, double y) {
         return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" fill=\"{}\"/>\n", x, y, color);
@@ -123,7 +123,7 @@ std::string drawn(const Series& series, std::size_t place, const Frame& frame) {
     if (series.joined)
         svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"{}/>\n", line, color, dashes);
     svg += dots;
-    const double row = top + 8 + 20 * double(place), at = width - right + 14;
+    const double row = top + 8 + 20 * double(place), at = plot_width - right + 14;
     svg += series.joined ? fmt::format("<path d=\"M{0:g} {1:g}h22\" stroke=\"{2}\" stroke-width=\"2\"{3}/>\n", at, row,
                                        color, dashes)
                          : dot(at + 11, row);
@@ -134,16 +134,16 @@ std::string drawn(const Series& series, std::size_t place, const Frame& frame) {
 
 std::string log_log(const Plot& plot) {
     const Frame frame(plot);
-    const double wide = width - left - right, tall = height - top - bottom;
+    const double wide = plot_width - left - right, tall = plot_height - top - bottom;
     std::string svg = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" "
         "role=\"img\" "
         "aria-label=\"{2}: {4} against {3}\" font-family=\"sans-serif\" font-size=\"13\">\n"
         "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-        width, height, html(plot.title), html(plot.x), html(plot.y));
+        plot_width, plot_height, html(plot.title), html(plot.x), html(plot.y));
     svg += text(left, 24, "start", plot.title, "font-size=\"15\" font-weight=\"bold\"");
     svg += grid(frame);
-    svg += text(left + wide / 2, height - 14, "middle", plot.x);
+    svg += text(left + wide / 2, plot_height - 14, "middle", plot.x);
     svg += text(0, 0, "middle", plot.y, fmt::format("transform=\"translate(18 {:.1f}) rotate(-90)\"", top + tall / 2));
     for (const Guide& guide : plot.guides) svg += guide_line(guide, frame);
     for (std::size_t i = 0; i < plot.series.size(); ++i) svg += drawn(plot.series[i], i, frame);

@@ -14,7 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// JSON has neither NaN nor infinity.
-Json number(std::optional<double> x) { return x && std::isfinite(*x) ? Json(*x) : Json(nullptr); }
+Json json_number(std::optional<double> x) { return x && std::isfinite(*x) ? Json(*x) : Json(nullptr); }
 
 Json statistic_json(const CheckRecord& check, const StatisticRecord* statistic) {
     Json json;
@@ -23,12 +23,12 @@ Json statistic_json(const CheckRecord& check, const StatisticRecord* statistic) 
     json["statistic"] = statistic ? Json(statistic->id) : Json(nullptr);
     if (statistic) {
         json["what"] = statistic->what;
-        json["value"] = number(statistic->value);
-        json["truth"] = number(statistic->truth);
-        json["low"] = number(statistic->low);
-        json["high"] = number(statistic->high);
-        json["tolerance"] = number(statistic->tolerance);
-        json["delta0"] = number(statistic->delta0);
+        json["value"] = json_number(statistic->value);
+        json["truth"] = json_number(statistic->truth);
+        json["low"] = json_number(statistic->low);
+        json["high"] = json_number(statistic->high);
+        json["tolerance"] = json_number(statistic->tolerance);
+        json["delta0"] = json_number(statistic->delta0);
         json["exact"] = statistic->exact;
         json["replicates"] = statistic->replicates;
     }
@@ -42,9 +42,9 @@ Json statistic_json(const CheckRecord& check, const StatisticRecord* statistic) 
     json["check_cpu_seconds"] = check.cpu_seconds;
     for (const auto& [whose, cost] : {std::pair("", check.cost), std::pair("solution_", check.solution_cost)}) {
         if (!cost) continue;
-        json[std::string(whose) + "picture_rmse"] = number(cost->rmse());
+        json[std::string(whose) + "picture_rmse"] = json_number(cost->rmse());
         json[std::string(whose) + "picture_cpu_seconds"] = cost->cpu_seconds;
-        json[std::string(whose) + "efficiency_per_cpu_seconds"] = number(cost->efficiency());
+        json[std::string(whose) + "efficiency_per_cpu_seconds"] = json_number(cost->efficiency());
     }
     return json;
 }
@@ -119,7 +119,7 @@ std::string to_json(const Record& record) {
     json["toolchain"] = record.toolchain;
     json["versions"] = {{"grade", record.version}};
     json["command"] = record.command;
-    json["efficiency_over_solution_by_cpu_seconds"] = number(record.efficiency_ratio());
+    json["efficiency_over_solution_by_cpu_seconds"] = json_number(record.efficiency_ratio());
     json["wall_seconds"] = record.wall_seconds;
     // a submission's text may be no UTF-8
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -15,9 +15,9 @@ namespace grade {
 
 namespace {
 
-constexpr std::size_t width = 100;
+constexpr std::size_t line_width = 100;
 
-const char* color_of(Verdict verdict) {
+const char* color_of_verdict(Verdict verdict) {
     switch (verdict) {
         case Verdict::passed: return "\033[32m";
         case Verdict::not_started: return "\033[2m";
@@ -35,7 +35,7 @@ std::string wrapped(const std::string& text, const std::string& indent, int most
         if (line.find_first_not_of(' ') == line.npos) continue;
         const bool code = line.starts_with(' ');
         for (bool more = true; more && count < most_lines; ++count) {
-            std::size_t cut = std::min(line.size(), width - indent.size());
+            std::size_t cut = std::min(line.size(), line_width - indent.size());
             if (cut < line.size() && !code) {
                 const std::size_t space = line.rfind(' ', cut);
                 if (space != line.npos && space > 0) cut = space;
@@ -48,7 +48,7 @@ std::string wrapped(const std::string& text, const std::string& indent, int most
     return result;
 }
 
-std::string points(double x) { return fmt::format("{:g}", x); }
+std::string points_in_line(double x) { return fmt::format("{:g}", x); }
 
 }  // namespace
 
@@ -60,13 +60,13 @@ std::string in_words(Verdict verdict) {
 
 std::string fragment_rows(const Record& record, bool color) {
     const auto paint = [&](Verdict verdict, const std::string& text) {
-        return color ? color_of(verdict) + text + "\033[0m" : text;
+        return color ? color_of_verdict(verdict) + text + "\033[0m" : text;
     };
     std::string rows;
     for (const FragmentRecord& fragment : record.fragments) {
         rows += fmt::format("  {:<24}{} {:>6} of {}\n", fragment.name,
                             paint(fragment.verdict, fmt::format("{:<16}", in_words(fragment.verdict))),
-                            points(fragment.points), points(fragment.max_points));
+                            points_in_line(fragment.points), points_in_line(fragment.max_points));
         if (fragment.verdict == Verdict::passed) continue;
         const Diagnosis diagnosis = diagnose(fragment);
         const bool errors = fragment.verdict == Verdict::did_not_build;
@@ -85,11 +85,11 @@ std::string table(const Record& record, const Assignment& assignment, bool color
         std::ranges::copy_if(record.fragments, std::back_inserter(of_part.fragments),
                              [&](const FragmentRecord& fragment) { return fragment.part == part.name; });
         if (of_part.fragments.empty()) continue;
-        text += fmt::format("{}{:<43}{:>6} of {}{}\n{}\n", color ? "\033[1m" : "", part.title, points(of_part.score()),
-                            points(of_part.max_score()), color ? "\033[0m" : "", fragment_rows(of_part, color));
+        text += fmt::format("{}{:<43}{:>6} of {}{}\n{}\n", color ? "\033[1m" : "", part.title, points_in_line(of_part.score()),
+                            points_in_line(of_part.max_score()), color ? "\033[0m" : "", fragment_rows(of_part, color));
     }
-    text += fmt::format("{}{:<43}{:>6} of {}{}\n", color ? "\033[1m" : "", "Total", points(record.score()),
-                        points(record.max_score()), color ? "\033[0m" : "");
+    text += fmt::format("{}{:<43}{:>6} of {}{}\n", color ? "\033[1m" : "", "Total", points_in_line(record.score()),
+                        points_in_line(record.max_score()), color ? "\033[0m" : "");
     if (!record.changes.empty()) text += "Since the last run:\n";
     for (const std::string& change : record.changes) text += "  " + change + "\n";
     if (const auto ratio = record.efficiency_ratio())

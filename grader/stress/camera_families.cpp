@@ -19,7 +19,7 @@ double slope_error(const Camera& camera, vec2 film, const Ray& ray) {
     return worse_error(worse_error(right, up), std::abs(glm::length(ray.direction) - 1));
 }
 
-double measure(const Camera& camera, Generator& random, const Asker& ask) {
+double error_of_camera(const Camera& camera, Generator& random, const Asker& ask) {
     std::vector<vec2> films;
     Rows rows;
     while (films.size() < 200) {
@@ -35,13 +35,13 @@ double measure(const Camera& camera, Generator& random, const Asker& ask) {
 double field_of_view(double x, Generator& random, const Asker& ask) {
     Camera camera;
     camera.tan_half_fov = x, camera.size = {200, 150};
-    return measure(camera, random, ask);
+    return error_of_camera(camera, random, ask);
 }
 
 double image_size(double x, Generator& random, const Asker& ask) {
     Camera camera;
     camera.size = {int(x), int(x)};
-    return measure(camera, random, ask);
+    return error_of_camera(camera, random, ask);
 }
 
 /// Rays of a lens meet the pinhole's ray in the plane in focus: their angle, against the exact one.

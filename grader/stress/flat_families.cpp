@@ -53,7 +53,7 @@ struct Aim {
 };
 
 /// 200 rays that hit or clearly miss a patch. The error of a hit is in proportion to its distance and to `forgiven`.
-double measure(bool is_quad, const Aim& aim, double forgiven, Generator& random, const Asker& ask) {
+double error_of_patches(bool is_quad, const Aim& aim, double forgiven, Generator& random, const Asker& ask) {
     const char* fragment = is_quad ? "hit_quad" : "hit_triangle";
     std::vector<Patch> patches;
     std::vector<Ray> rays;
@@ -83,25 +83,25 @@ double measure(bool is_quad, const Aim& aim, double forgiven, Generator& random,
 }
 
 auto scale(bool is_quad) {
-    return [=](double x, Generator& random, const Asker& ask) { return measure(is_quad, {.size = x}, 1, random, ask); };
+    return [=](double x, Generator& random, const Asker& ask) { return error_of_patches(is_quad, {.size = x}, 1, random, ask); };
 }
 auto length(bool is_quad) {
     return
-        [=](double x, Generator& random, const Asker& ask) { return measure(is_quad, {.length = x}, 1, random, ask); };
+        [=](double x, Generator& random, const Asker& ask) { return error_of_patches(is_quad, {.length = x}, 1, random, ask); };
 }
 auto grazing(bool is_quad) {
     return [=](double x, Generator& random, const Asker& ask) {
-        return measure(is_quad, {.angle = x}, 1 / x, random, ask);
+        return error_of_patches(is_quad, {.angle = x}, 1 / x, random, ask);
     };
 }
-auto far_away(bool is_quad) {
+auto far_patches(bool is_quad) {
     return [=](double x, Generator& random, const Asker& ask) {
-        return measure(is_quad, {.shift = x * vec3(0.7, -0.2, 0.5)}, 1, random, ask);
+        return error_of_patches(is_quad, {.shift = x * vec3(0.7, -0.2, 0.5)}, 1, random, ask);
     };
 }
 auto needle(bool is_quad) {
     return
-        [=](double x, Generator& random, const Asker& ask) { return measure(is_quad, {.aspect = x}, x, random, ask); };
+        [=](double x, Generator& random, const Asker& ask) { return error_of_patches(is_quad, {.aspect = x}, x, random, ask); };
 }
 
 }  // namespace
@@ -146,7 +146,7 @@ std::vector<Family> flat_families() {
                        64 * u,
                        sweep(0, 12),
                        {0, 3},
-                       far_away(quad)});
+                       far_patches(quad)});
         all.push_back({shape + "_needle",
                        {hit},
                        "length / width of the " + shape,

@@ -31,7 +31,7 @@ struct Bend {
     double from, to;
 };
 
-double measure(const std::vector<Bend>& bends, double factor, const Asker& ask) {
+double error_of_bends(const std::vector<Bend>& bends, double factor, const Asker& ask) {
     Rows rows;
     for (const Bend& b : bends) rows.push_back(row(b.d, b.n, b.from, b.to));
     return worst_of(ask, "refracted_direction", rows, [&](std::size_t i, const Row& out) {
@@ -55,7 +55,7 @@ double refracted_critical(double x, Generator& random, const Asker& ask) {
         const double from = between(random, 1.3, 2.4);
         bends.push_back({-tilted(random, n, std::asin(near_critical(random, x, from, 1))), n, from, 1});
     }
-    return measure(bends, std::sqrt(x), ask);
+    return error_of_bends(bends, std::sqrt(x), ask);
 }
 
 double refracted_grazing(double x, Generator& random, const Asker& ask) {
@@ -64,7 +64,7 @@ double refracted_grazing(double x, Generator& random, const Asker& ask) {
         const vec3 n = direction(random);
         bends.push_back({rt::unit(tilted(random, n, rt::pi / 2) - x * n), n, 1, between(random, 1.2, 2.4)});
     }
-    return measure(bends, 1, ask);
+    return error_of_bends(bends, 1, ask);
 }
 
 double refracted_normal(double x, Generator& random, const Asker& ask) {
@@ -74,7 +74,7 @@ double refracted_normal(double x, Generator& random, const Asker& ask) {
         bends.push_back(
             {i < 20 && x < 1e-3 ? -n : -tilted(random, n, x), n, between(random, 1, 1.5), between(random, 1, 1.5)});
     }
-    return measure(bends, 1, ask);
+    return error_of_bends(bends, 1, ask);
 }
 
 double refracted_even(double x, Generator& random, const Asker& ask) {
@@ -83,14 +83,14 @@ double refracted_even(double x, Generator& random, const Asker& ask) {
         const vec3 n = direction(random);
         bends.push_back({-tilted(random, n, between(random, 0, 1.1)), n, 1, chance(random, 0.5) ? 1 + x : 1 - x});
     }
-    return measure(bends, 1, ask);
+    return error_of_bends(bends, 1, ask);
 }
 
 struct Boundary {
     double cosine, from, to;
 };
 
-double measure(const std::vector<Boundary>& boundaries, double factor, const Asker& ask) {
+double error_of_boundaries(const std::vector<Boundary>& boundaries, double factor, const Asker& ask) {
     Rows rows;
     for (const Boundary& b : boundaries) rows.push_back(row(b.cosine, b.from, b.to));
     return worst_of(ask, "fresnel_dielectric", rows, [&](std::size_t i, const Row& out) {
@@ -105,13 +105,13 @@ double fresnel_critical(double x, Generator& random, const Asker& ask) {
         const double from = between(random, 1.3, 2.4), sine = near_critical(random, x, from, 1);
         boundaries.push_back({std::sqrt((1 - sine) * (1 + sine)), from, 1});
     }
-    return measure(boundaries, std::sqrt(x), ask);
+    return error_of_boundaries(boundaries, std::sqrt(x), ask);
 }
 
 double fresnel_grazing(double x, Generator& random, const Asker& ask) {
     std::vector<Boundary> boundaries;
     for (int i = 0; i < 200; ++i) boundaries.push_back({x * between(random, 0.5, 1), 1, between(random, 1.2, 2.4)});
-    return measure(boundaries, 1, ask);
+    return error_of_boundaries(boundaries, 1, ask);
 }
 
 /// Indices that differ by x, and beyond ordinary scenes also rays along the surface.
@@ -123,7 +123,7 @@ double fresnel_even(double x, Generator& random, const Asker& ask) {
     if (x < 1e-3)
         for (const double even : {1.0, 1.5})
             boundaries.push_back({0, even, even}), boundaries.push_back({1e-200, even, even});
-    return measure(boundaries, 1, ask);
+    return error_of_boundaries(boundaries, 1, ask);
 }
 
 double mirror_length(double x, Generator& random, const Asker& ask) {

@@ -53,7 +53,7 @@ double missed(vec3 center, double size, bool at_edges, Generator& random, const 
 
 double closed(double x, Generator& random, const Asker& ask) { return missed(vec3(0), x, false, random, ask); }
 double edges(double x, Generator& random, const Asker& ask) { return missed(vec3(0), x, true, random, ask); }
-double far_away(double x, Generator& random, const Asker& ask) {
+double far_mesh(double x, Generator& random, const Asker& ask) {
     return missed(x * vec3(0.7, 0.1, -0.8), 2, false, random, ask);
 }
 double far_edges(double x, Generator& random, const Asker& ask) {
@@ -90,7 +90,7 @@ std::vector<Family> mesh_families() {
          0,
          sweep(0, 12),
          {0, 3},
-         far_away},
+         far_mesh},
         {"mesh_far_edges",
          {"hit_triangle"},
          "distance of a mesh from the world's origin [m]",

@@ -63,7 +63,7 @@ auto exponent(bool direct) {
 }
 
 /// A sample of a light with density x.
-double density(double x, Generator& random, const Asker& ask) {
+double density_of_light(double x, Generator& random, const Asker& ask) {
     Material m;
     m.albedo = Color(0.5);
     Rows rows;
@@ -148,7 +148,7 @@ std::vector<Family> shading_families() {
          32 * u,
          wide,
          {-3, 3},
-         density},
+         density_of_light},
         {"direct_intensity",
          {"direct_light"},
          "radiance of a light",

@@ -42,7 +42,7 @@ double error_of(double t, const Sphere& sphere, const Ray& ray, double size) {
     return std::isfinite(t) ? std::abs(t - truth) * glm::length(ray.direction) / size : 0;
 }
 
-double measure(const Asker& ask, const std::vector<std::pair<Sphere, Ray>>& shots, double size) {
+double error_of_shots(const Asker& ask, const std::vector<std::pair<Sphere, Ray>>& shots, double size) {
     Rows rows;
     for (const auto& [sphere, ray] : shots) rows.push_back(row(sphere, ray));
     return worst_of(ask, "hit_sphere", rows, [&](std::size_t i, const Row& out) {
@@ -71,7 +71,7 @@ double ground_sphere(double x, Generator& random, const Asker& ask) {
     for (int i = 0; i < 200; ++i)
         shots.push_back({{{0, -radius, 0}, radius},
                          {{0, eye, 0}, tilted(random, {0, -1, 0}, between(random, 0, 1.2)), 0, rt::inf}});
-    return measure(ask, shots, radius + eye);
+    return error_of_shots(ask, shots, radius + eye);
 }
 
 /// Scene and ray as large as x; half of the rays start inside.
@@ -81,7 +81,7 @@ double sphere_scale(double x, Generator& random, const Asker& ask) {
         const Shot s = i % 2 ? shot(random, between(random, 2, 5)) : shot(random, 0, 0, 0.8);
         shots.push_back({{x * s.sphere.center, x * s.sphere.radius}, {x * s.ray.origin, s.ray.direction, 0, rt::inf}});
     }
-    return measure(ask, shots, 5 * x);
+    return error_of_shots(ask, shots, 5 * x);
 }
 
 /// Directions as long as x.
@@ -91,7 +91,7 @@ double sphere_direction(double x, Generator& random, const Asker& ask) {
         const Shot s = shot(random, between(random, 2, 5));
         shots.push_back({s.sphere, {s.ray.origin, x * s.ray.direction, 0, rt::inf}});
     }
-    return measure(ask, shots, 5);
+    return error_of_shots(ask, shots, 5);
 }
 
 /// Sphere and ray so far from the world's origin.
@@ -107,7 +107,7 @@ double sphere_offset(double x, Generator& random, const Asker& ask) {
         const double passing = double(length(f - dot(f, d) / dot(d, d) * d)) / s.sphere.radius;
         if (std::abs(passing - 1) < 0.05) shots.pop_back();
     }
-    return measure(ask, shots, 5);
+    return error_of_shots(ask, shots, 5);
 }
 
 /// Rays that miss the rim by so little, outside or inside.

@@ -23,7 +23,7 @@ double monte_carlo_count(double x, Generator& random, const Asker& ask) {
 }
 
 /// Points with a density of x.
-double density(double x, Generator&, const Asker& ask) {
+double density_of_points(double x, Generator&, const Asker& ask) {
     const std::vector<double> points{0.1 / x, 0.3 / x, 0.8 / x};
     return worst_of(ask, "integrate_monte_carlo", {row(constant(1), constant(x), points)},
                     [&](std::size_t, const Row& out) { return std::abs(out.at(0) * x - 1); });
@@ -113,7 +113,7 @@ std::vector<Family> sum_families() {
          16 * u,
          wide,
          {-3, 3},
-         density},
+         density_of_points},
         {"stratified_count",
          {"integrate_stratified"},
          "number of strata",

@@ -77,7 +77,7 @@ void render_at_once(const RenderSettings& settings, Passes& passes, Watch& watch
 /// Pass after pass until a limit. Of the first one, what is there in time is better than nothing; of a later one, half would
 /// make the picture uneven.
 void render_until(const RenderSettings& settings, Passes& passes, Watch& watch, Clock::time_point start, Rendering& r) {
-    const Limits limits{settings.time_limit, settings.target_error};
+    const Goals limits{settings.time_limit, settings.target_error};
     const std::size_t pixels = passes.pixels();
     Total total(pixels + passes.control().size());
     SoFar so_far;

@@ -27,7 +27,7 @@ namespace {
 
 constexpr const char* channels[] = {"R", "G", "B"};
 
-[[noreturn]] void fail(const std::string& path, const std::string& what, const std::string& cause) {
+[[noreturn]] void fail_with_image(const std::string& path, const std::string& what, const std::string& cause) {
     throw std::runtime_error(fmt::format("{}: {}: {}", path, what, cause));
 }
 
@@ -42,7 +42,7 @@ void replace_file(const std::string& path, Write write) {
         if (std::rename(temporary.c_str(), path.c_str()) != 0) throw std::runtime_error(last_error());
     } catch (const std::exception& error) {
         std::remove(temporary.c_str());
-        fail(path, "cannot be written", error.what());
+        fail_with_image(path, "cannot be written", error.what());
     }
 }
 
@@ -90,7 +90,7 @@ std::uint8_t to_srgb(Real linear) {
 }
 
 void write_exr(const std::string& path, const Image& image, const Label& label) {
-    if (image.width < 1 || image.height < 1) fail(path, "cannot be written", "the image has no pixels");
+    if (image.width < 1 || image.height < 1) fail_with_image(path, "cannot be written", "the image has no pixels");
     replace_file(path, [&](const std::string& temporary) {
         std::vector<float> samples;
         samples.reserve(image.pixels.size() * 3);
@@ -126,7 +126,7 @@ Image read_exr(const std::string& path) {
             image.pixels[i] = {samples[3 * i], samples[3 * i + 1], samples[3 * i + 2]};
         return image;
     } catch (const std::exception& error) {
-        fail(path, "cannot be read", error.what());
+        fail_with_image(path, "cannot be read", error.what());
     }
 }
 
@@ -147,7 +147,7 @@ Label read_label(const std::string& path) {
         }
         return label;
     } catch (const std::exception& error) {
-        fail(path, "cannot be read", error.what());
+        fail_with_image(path, "cannot be read", error.what());
     }
 }
 

@@ -16,7 +16,7 @@
 namespace rt {
 namespace {
 
-[[noreturn]] void fail(const std::string& path, int line, const std::string& wrong, const std::string& expected) {
+[[noreturn]] void fail_at_line(const std::string& path, int line, const std::string& wrong, const std::string& expected) {
     throw InputError(fmt::format("{}:{}:1: {}; expected {}", path, line, wrong, expected));
 }
 
@@ -43,7 +43,7 @@ void check_line(std::string_view line, const std::string& path, int number) {
     for (int i = 0; i < 3; ++i) {
         const auto word = next_word();
         if (kind == "f" ? !starts_with_number<int>(word) : !starts_with_number<double>(word))
-            fail(path, number, fmt::format("'{}' is followed by no number where there must be one", kind),
+            fail_at_line(path, number, fmt::format("'{}' is followed by no number where there must be one", kind),
                  kind == "f" ? "three vertex numbers or more" : "three numbers");
     }
 }
@@ -88,7 +88,7 @@ struct Reading {
     int index(int i, std::size_t count, const char* what) const {
         const auto n = std::int64_t(count), k = i > 0 ? std::int64_t(i) - 1 : n + i;
         if (i == 0 || k < 0 || k >= n)
-            fail(path, lines.number(), fmt::format("a face has {} {}", what, i),
+            fail_at_line(path, lines.number(), fmt::format("a face has {} {}", what, i),
                  fmt::format("one of the {} so far", n));
         return int(k);
     }
@@ -117,7 +117,7 @@ void read_lines(std::istream& stream, Reading& reading) {
     };
     std::string warning, error;
     if (!tinyobj::LoadObjWithCallback(stream, callback, &reading, nullptr, &warning, &error))
-        fail(reading.path, std::max(reading.lines.number(), 1), "no OBJ file: " + error, "a Wavefront OBJ file");
+        fail_at_line(reading.path, std::max(reading.lines.number(), 1), "no OBJ file: " + error, "a Wavefront OBJ file");
 }
 
 bool has_normals(const Reading& reading) {
@@ -160,7 +160,7 @@ Mesh read_obj(const std::string& path, bool smooth) {
     stream.exceptions(std::ios::badbit);  // or the stream would keep InputError to itself
     Reading reading{path, lines, {}, {}, {}};
     read_lines(stream, reading);
-    if (reading.triangles.empty()) fail(path, 1, "there is no face in the file", "one or more");
+    if (reading.triangles.empty()) fail_at_line(path, 1, "there is no face in the file", "one or more");
 
     Mesh mesh;
     mesh.vertices = reading.vertices;

@@ -13,7 +13,7 @@ constexpr std::uint64_t longest_sequence = 1 << 30;  // samples, then another on
 
 }  // namespace
 
-int next_pass(const Limits& limits, const SoFar& so_far) {
+int next_pass(const Goals& limits, const SoFar& so_far) {
     if (so_far.samples == 0) return 1;
     if (so_far.rmse <= limits.error && so_far.samples >= enough_to_judge) return 0;
 

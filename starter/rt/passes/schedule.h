@@ -16,7 +16,7 @@ struct Slice {
     int count;
 };
 
-struct Limits {
+struct Goals {
     Real time = inf;   // [s]
     Real error = 0;    // RMSE
 };
@@ -34,7 +34,7 @@ struct SoFar {
 /// The first pass takes one. Each further one doubles the samples, but it takes at most a twelfth of the time limit, and at
 /// the end a half or a quarter of that if it has to fit; nor more than the error still asks for, which falls at least as
 /// 1/sqrt(samples). Powers of two: a piece of a Sobol' sequence of that length is as even as the whole.
-int next_pass(const Limits& limits, const SoFar& so_far);
+int next_pass(const Goals& limits, const SoFar& so_far);
 
 /// Pass number `pass` of a picture, after so many samples.
 ///

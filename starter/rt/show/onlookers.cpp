@@ -8,12 +8,12 @@
 namespace rt {
 namespace {
 
-constexpr std::chrono::milliseconds patience(500);  // with a terminal's answer
+constexpr std::chrono::milliseconds patience_with_terminal(500);  // with a terminal's answer
 
 Graphics graphics_named(const std::string& name) {
     if (name == "kitty") return Graphics::kitty;
     if (name == "sixel") return Graphics::sixel;
-    return name == "blocks" ? Graphics::blocks : ask_for_graphics(patience);
+    return name == "blocks" ? Graphics::blocks : ask_for_graphics(patience_with_terminal);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@
 namespace rt {
 namespace {
 
-constexpr int patience = 2;  // [s]
+constexpr int patience_with_tev = 2;  // [s]
 constexpr std::size_t pixels_at_once = 1 << 18;
 
 enum class Kind : char { create = 4, update = 6 };
@@ -45,7 +45,7 @@ std::string error_text(int code) { return std::generic_category().message(code);
 
 /// Connects within the time; throws the cause.
 void connect_in_time(int socket, const addrinfo& address) {
-    const timeval wait{patience, 0};
+    const timeval wait{patience_with_tev, 0};
     setsockopt(socket, SOL_SOCKET, SO_SNDTIMEO, &wait, sizeof wait);  // for connecting and for sending
     if (connect(socket, address.ai_addr, address.ai_addrlen) == 0) return;
     throw std::runtime_error(errno == EINPROGRESS ? "no answer" : error_text(errno));
