@@ -1,25 +1,20 @@
-#include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
+#include <string_view>
 
 #include "assignment.h"
 #include "build/strip.h"
 
-/// strip_solution: makes the starter's fragments, or with --check says where they differ from what it would make.
+/// strip_solution [--check] SOLUTION STARTER [ASSIGNMENT]: makes the starter's fragments from the solution's, or with
+/// --check says where they differ from what it would make. Those that assignment.toml gives are filled in.
 int main(int argc, char** argv) {
-    CLI::App app("Makes the starter's fragments from the solution's");
-    std::string solution, starter, assignment = "assignment.toml";
-    bool check = false;
-    app.add_option("SOLUTION", solution, "folder of the solution's fragments")->required();
-    app.add_option("STARTER", starter, "folder of the starter's fragments")->required();
-    app.add_option("--assignment", assignment, "the list of fragments, for those that are given")
-        ->capture_default_str();
-    app.add_flag("--check", check, "write nothing; fail where the starter differs");
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
+    const bool check = argc > 1 && std::string_view(argv[1]) == "--check";
+    if (check) --argc, ++argv;
+    if (argc < 3 || argc > 4) {
+        std::cerr << "strip_solution [--check] SOLUTION STARTER [ASSIGNMENT]\n";
+        return 2;
     }
+    const std::string solution = argv[1], starter = argv[2], assignment = argc == 4 ? argv[3] : "assignment.toml";
 
     try {
         std::set<std::string> given;

@@ -49,7 +49,7 @@ TEST_CASE("students get a kit, and nothing of what they must write is in it") {
 
     for (const char* there : {"grade", "handout.md", "scenes/whitted.toml", "starter/rt/math.h", "grader/include/glm/glm.hpp"})
         CHECK(fs::is_regular_file(folder / there));
-    for (const char* there : {"grade", "libchild.a", "librt.a", "reference/phong.o", "toolchain.toml"})
+    for (const char* there : {"grade", "grade_studies", "libchild.a", "librt.a", "reference/phong.o", "toolchain.toml"})
         CHECK(fs::is_regular_file(machine / there));
     for (const char* not_there : {"solution", "tests", "build", ".git", "grader/checks", "scenes/render_pictures"})
         CHECK_FALSE(fs::exists(folder / not_there));

@@ -13,7 +13,7 @@ build=$tree/build/release
 
 # Only these programs are there, and the stand-ins.
 mkdir -p "$bin"
-for tool in bash cat chmod dirname df env find flock grep mkdir mktemp readlink rm script sed sh sleep tail touch tr wc; do
+for tool in bash cat chmod cp dirname df env find flock grep mkdir mktemp readlink rm script sed sh sleep tail touch tr wc; do
     ln -s "$(command -v $tool)" "$bin/$tool"
 done
 
@@ -59,7 +59,8 @@ END
         touch "$2/.ninja_log"
         mkdir -p "$2/grader"
         printf '#!/bin/sh\necho "graded $PWD: $*"\n' >"$2/grader/grade"
-        chmod 755 "$2/grader/grade"
+        cp "$2/grader/grade" "$2/grader/grade_studies"
+        chmod 755 "$2/grader/grade" "$2/grader/grade_studies"
 END
     steps 260
 }
@@ -94,6 +95,15 @@ nothing_to_do
 : >"$stub/log"
 expect 0 "graded $tree: stress --help" in_it ./grade stress --help
 expect 0 "" test ! -s "$stub/log"
+
+# the second program: built when it is asked for
+begin
+expect 0 "graded" in_it ./grade
+expect 0 "" not_called grade_studies
+expect 0 "graded $tree: stress solution" in_it ./grade stress solution
+expect 0 "" called "cmake --build $build --target grade grade_studies"
+rm "$build/grader/grade_studies"
+expect 0 "graded $tree: lesson --help" in_it ./grade lesson --help
 
 # what is graded, from wherever it is called
 expect 0 "graded $tree: " in_it ./grade

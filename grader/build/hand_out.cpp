@@ -127,6 +127,7 @@ void write_libraries(const fs::path& program, const Toolchain& built, const fs::
     fs::create_directories(machine / "lib");
     fs::create_directories(machine / "licences");
     std::map<std::string, fs::path> all = libraries_of(program);
+    all.merge(libraries_of(program.string() + "_studies"));
     for (const std::string& library : built.libraries)
         if (library.starts_with("/")) {
             // under the name that it tells those who are linked with it
@@ -183,7 +184,9 @@ fs::path folder_of_glm(const Toolchain& built) {
 
 void write_machine(const Toolchain& built, const fs::path& program, const fs::path& machine) {
     fs::create_directories(machine);
-    must_run({"/usr/bin/strip", "--strip-all", "--remove-section=.comment", program.string(), "-o", (machine / "grade").string()});
+    for (const char* part : {"", "_studies"})
+        must_run({"/usr/bin/strip", "--strip-all", "--remove-section=.comment", program.string() + part, "-o",
+                  (machine / "grade").string() + part});
     for (const auto& [archive, name] : {std::pair(built.archives.at(0), "libchild.a"), {built.archives.at(1), "librt.a"}})
         must_run({"/usr/bin/strip", "--strip-debug", "--remove-section=.comment", archive.string(), "-o", (machine / name).string()});
     write_bare_objects(built.solution_objects, built, machine / "reference");

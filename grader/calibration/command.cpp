@@ -10,6 +10,7 @@
 #include "build/files.h"
 #include "calibration/real.h"
 #include "calibration/report.h"
+#include "commands/studies.h"
 #include "report/terminal.h"
 
 namespace grade {
@@ -64,8 +65,7 @@ bool fast(const Workshop& workshop, bool by_name, int jobs) {
 }  // namespace
 
 CLI::App* add_calibrate_command(CLI::App& app, CalibrateArguments& arguments) {
-    CLI::App* trust =
-        app.add_subcommand("calibrate", "grade known wrong and right fragments: how far can verdicts be trusted?");
+    CLI::App* trust = app.add_subcommand("calibrate", purpose_of("calibrate"));
     trust->add_option("NAME", arguments.names, "only variants or fragments with such a name");
     trust->add_flag("--fast", arguments.fast,
                     "one wrong variant of each fragment and all right ones, once; exit with 1 where one is off");

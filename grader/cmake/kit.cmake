@@ -22,16 +22,18 @@ endforeach()
 add_library(grader_in_kit STATIC child/self_test.cpp build/no_archive.cpp)
 target_link_libraries(grader_in_kit PUBLIC grader_core PRIVATE rt_warnings rt_baseline_speed)
 add_grade(grade_kit grader_in_kit rt_baseline)
-add_dependencies(grade_kit child_baseline solution_baseline blanks_baseline)
-# Its libraries are beside it; old-style, so that theirs are found there too.
-target_link_options(grade_kit PRIVATE -Wl,--disable-new-dtags)
-set_target_properties(grade_kit PROPERTIES BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH "$ORIGIN/lib")
+add_dependencies(grade_kit grade_kit_studies child_baseline solution_baseline blanks_baseline)
+# Their libraries are beside them; old-style, so that theirs are found there too.
+foreach(program grade_kit grade_kit_studies)
+    target_link_options(${program} PRIVATE -Wl,--disable-new-dtags)
+    set_target_properties(${program} PROPERTIES BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH "$ORIGIN/lib")
+endforeach()
 
 # The renderer of these parts: its pictures have the same bits.
 add_executable(raytrace_baseline $<TARGET_OBJECTS:raytrace_main> $<TARGET_OBJECTS:solution_baseline>)
 target_link_libraries(raytrace_baseline PRIVATE rt_baseline)
 
 set_target_properties(raytrace_baseline rt_baseline child_baseline fragments_header_rt_baseline solution_baseline blanks_baseline grader_in_kit
-    grade_kit blank_sources
+    grade_kit grade_kit_studies blank_sources
     PROPERTIES EXCLUDE_FROM_ALL ON)
 write_toolchain(${PROJECT_BINARY_DIR}/kit.toml child_baseline rt_baseline blanks_baseline solution_baseline "${libraries}")

@@ -11,8 +11,8 @@
 namespace grade {
 
 void compare_with_last(Record& record, const std::filesystem::path& file) {
-    auto last = nlohmann::json::parse(read_text(file).value_or(""), nullptr, false);
-    if (!last.is_object()) last = nlohmann::json::object();
+    auto last = nlohmann::ordered_json::parse(read_text(file).value_or(""), nullptr, false);
+    if (!last.is_object()) last = nlohmann::ordered_json::object();
     constexpr std::size_t most = 8;
     std::vector<std::pair<double, std::string>> changes;  // points gained, in words
     double all_gained = 0;

@@ -9,6 +9,7 @@
 
 #include "build/cache.h"
 #include "build/stamp.h"
+#include "commands/studies.h"
 #include "convergence/report.h"
 #include "judging/programs.h"
 #include "report/terminal.h"
@@ -103,8 +104,7 @@ void write_reports(const ConvergenceRecord& record, const ConvergeArguments& arg
 
 CLI::App* add_converge_command(CLI::App& app, ConvergeArguments& arguments) {
     Amounts& amounts = arguments.amounts;
-    CLI::App* converge = app.add_subcommand(
-        "converge", "error against run time: how fast it falls, with which sampler, and to which bias");
+    CLI::App* converge = app.add_subcommand("converge", purpose_of("converge"));
     converge->add_option("SUBMISSION SCENE...", arguments.words,
                          "a folder, a .zip or a .tar.gz; scene files; default: starter, and those of scenes/bench");
     converge->add_option("--samples", amounts.samples, "levels of samples a pixel")

@@ -44,7 +44,7 @@ std::uint64_t hash_of_framework(const Toolchain& chain) {
     return add_files(hash, chain.source / "scenes", {".obj", ".toml"});
 }
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 Json to_json(const std::optional<double>& x) { return x ? Json(*x) : Json(); }
 std::optional<double> number(const Json& x) { return x.is_null() ? std::nullopt : std::optional(x.get<double>()); }
@@ -135,7 +135,7 @@ void Kept::keep_object(const std::string& fragment, const std::string& text, con
     if (const auto bytes = read_text(object)) write_text(path(fragment + ".o", text), *bytes);
 }
 
-void Kept::write(const std::string& name, const std::string& made_from, const nlohmann::json& json) const {
+void Kept::write(const std::string& name, const std::string& made_from, const nlohmann::ordered_json& json) const {
     if (folder_.empty()) return;
     forget(folder_, name);
     const std::vector<std::uint8_t> bytes = Json::to_cbor(json);
@@ -144,7 +144,7 @@ void Kept::write(const std::string& name, const std::string& made_from, const nl
 
 template <class Value>
 std::optional<Value> Kept::read(const std::string& name, const std::string& made_from,
-                                Value (*from)(const nlohmann::json&)) const {
+                                Value (*from)(const nlohmann::ordered_json&)) const {
     if (folder_.empty()) return std::nullopt;
     const auto bytes = read_text(path(name, made_from), std::uint64_t(1) << 30);
     if (!bytes) return std::nullopt;

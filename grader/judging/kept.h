@@ -37,8 +37,8 @@ public:
 private:
     template <class Value>
     std::optional<Value> read(const std::string& name, const std::string& made_from,
-                              Value (*from)(const nlohmann::json&)) const;
-    void write(const std::string& name, const std::string& made_from, const nlohmann::json& json) const;
+                              Value (*from)(const nlohmann::ordered_json&)) const;
+    void write(const std::string& name, const std::string& made_from, const nlohmann::ordered_json& json) const;
     fs::path path(const std::string& name, const std::string& made_from) const;
 
     fs::path folder_;  // empty: nothing is kept

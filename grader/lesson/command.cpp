@@ -6,14 +6,14 @@
 
 #include "assignment.h"
 #include "build/runner.h"
+#include "commands/studies.h"
 #include "judging/programs.h"
 #include "lesson/lesson.h"
 
 namespace grade {
 
 CLI::App* add_lesson_command(CLI::App& app, LessonArguments& arguments) {
-    CLI::App* lesson =
-        app.add_subcommand("lesson", "part 1 in plots: how fast errors fall, by the way of sampling");
+    CLI::App* lesson = app.add_subcommand("lesson", purpose_of("lesson"));
     lesson->add_option("SUBMISSION", arguments.submission, "a folder, a .zip or a .tar.gz; default: starter");
     lesson->add_option("--out", arguments.out, "write the plots into this folder")->type_name("DIR");
     lesson->add_flag("--trusted", arguments.trusted, "the code is your own: limits, but no sandbox");

@@ -8,6 +8,7 @@
 
 #include "assignment.h"
 #include "build/files.h"
+#include "commands/studies.h"
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
 #include "stress/page.h"
@@ -48,8 +49,7 @@ void print_list() {
 }  // namespace
 
 CLI::App* add_stress_command(CLI::App& app, StressArguments& arguments) {
-    CLI::App* stress =
-        app.add_subcommand("stress", "how extreme a scene the fragments survive: far, tiny, huge, grazing, narrow");
+    CLI::App* stress = app.add_subcommand("stress", purpose_of("stress"));
     stress->add_option("SUBMISSION", arguments.submission, "a folder, a .zip or a .tar.gz; default: starter");
     stress->add_option("--only", arguments.only, "only these families, or those of these fragments")
         ->delimiter(',')

@@ -1,3 +1,10 @@
+# compile_together(target group files...): these files of the target as one. Nearly all that a small file costs is the
+# reading of the same headers.
+function(compile_together target group)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ${RT_TOGETHER} UNITY_BUILD_MODE GROUP)
+    set_source_files_properties(${ARGN} PROPERTIES UNITY_GROUP ${group})
+endfunction()
+
 # add_framework(name speed): the library of all files of rt/, without fragments.
 #
 # speed  the target whose options the stages are compiled with
@@ -10,6 +17,21 @@ function(add_framework name speed)
         PUBLIC rt_numerics glm::glm fmt::fmt TBB::tbb
         PRIVATE rt_warnings ${speed} OpenEXR::OpenEXR PNG::PNG tomlplusplus::tomlplusplus
                 $<IF:$<TARGET_EXISTS:tinyobjloader::tinyobjloader_double>,tinyobjloader::tinyobjloader_double,tinyobjloader::tinyobjloader>)
+
+    target_precompile_headers(${name} PRIVATE ${starter}/rt/scene.h <algorithm> <string> <vector> <fmt/format.h>)
+
+    # Not the stages: each is compiled for its one loop. Not images: the grader's renderers are linked without the libraries
+    # that read and write them. Not the tables: they make assertions of toml++ throw.
+    file(GLOB_RECURSE others RELATIVE ${starter}/rt ${starter}/rt/*.cpp)
+    list(FILTER others EXCLUDE REGEX "^(stages/|files/image|files/toml_table|not_started)")
+    foreach(room files/mitsuba files show trace "")
+        set(of_room ${others})
+        list(FILTER of_room INCLUDE REGEX "^${room}")
+        list(REMOVE_ITEM others ${of_room})
+        list(TRANSFORM of_room PREPEND ${starter}/rt/)
+        string(REPLACE "/" "_" group "rt_${room}")
+        compile_together(${name} ${group} ${of_room})
+    endforeach()
 endfunction()
 
 # add_fragments(name folder): the fragments of a folder, an object of its own for each.

@@ -1,43 +1,21 @@
+#include "commands/command_line.h"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <exception>
 
 #include "build/files.h"
 #include "build/hand_out.h"
-#include "build/interrupt.h"
-#include "build/submission.h"
-#include "calibration/command.h"
+#include "commands/exit_code.h"
 #include "commands/grading.h"
 #include "commands/picture.h"
+#include "commands/studies.h"
 #include "commands/words.h"
-#include "convergence/command.h"
-#include "lesson/command.h"
 #include "report/describe.h"
-#include "rt/files/scene_reader.h"
-#include "stress/command.h"
 
-/// grade SUBMISSION: the command line. Each subcommand is a function that returns the exit code.
+namespace grade {
+
 namespace {
-
-using namespace grade;
-
-enum ExitCode { graded = 0, below_required = 1, usage = 2, infrastructure = 3, stopped = 130 };
-
-/// The command as it can be typed again.
-std::string command_of(int argc, char** argv) {
-    std::string command = "grade";
-    for (int i = 1; i < argc; ++i) {
-        const std::string word = argv[i];
-        const bool plain =
-            !word.empty() && word.find_first_not_of(
-                                 "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+") == word.npos;
-        std::string quoted = "'";
-        for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-        command += " " + (plain ? word : quoted + "'");
-    }
-    return command;
-}
 
 int describe(const std::string& handout, const std::string& toolchain) {
     const Assignment assignment = read_assignment((read_toolchain(toolchain).source / "assignment.toml").string());
@@ -64,7 +42,7 @@ int run_hand_out(const std::string& folder, const std::vector<std::string>& othe
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int run_command_line(int argc, char** argv) {
     CLI::App app("Grades a submission: renders with its fragments, and measures what comes out", "grade");
     std::string toolchain = own_toolchain().string(), handout, folder;
     std::vector<std::string> others;
@@ -75,14 +53,8 @@ int main(int argc, char** argv) {
     add_grade_options(app, grading);
     PictureArguments picture_arguments;
     CLI::App* picture = add_picture_command(app, picture_arguments);
-    StressArguments stress_arguments;
-    CLI::App* stress = add_stress_command(app, stress_arguments);
-    ConvergeArguments converge_arguments;
-    CLI::App* convergence = add_converge_command(app, converge_arguments);
-    LessonArguments lesson_arguments;
-    CLI::App* part_one = add_lesson_command(app, lesson_arguments);
-    CalibrateArguments calibration;
-    CLI::App* trust = add_calibrate_command(app, calibration);
+    for (const Study& study : studies)
+        app.add_subcommand(study.name, study.purpose)->prefix_command()->set_help_flag();
     CLI::App* starter = app.add_subcommand("hand-out", "write what students get into a new folder: a kit");
     starter->add_option("FOLDER", folder, "is not there yet, or empty")->required();
     starter->add_option("--add", others, "another hand-out, made on another kind of processor, whose grader comes along")
@@ -96,31 +68,14 @@ int main(int argc, char** argv) {
         return app.exit(error) == 0 ? 0 : usage;
     }
     const std::string command = command_of(argc, argv);
-    try {
-        if (trust->parsed()) return calibrate(calibration, toolchain, command) ? graded : below_required;
+    return exit_code_of([&] {
+        for (const Study& study : studies)
+            if (app.got_subcommand(study.name)) return start_study(study, argv);
         if (tables->parsed()) return describe(handout, toolchain);
         if (starter->parsed()) return run_hand_out(folder, others, toolchain);
         if (picture->parsed()) return run_picture(picture_arguments, toolchain);
-        if (convergence->parsed()) return converge(converge_arguments, toolchain, command);
-        if (part_one->parsed()) return lesson(lesson_arguments, toolchain), graded;
-        if (stress->parsed()) return run_stress(stress_arguments, toolchain, command);
         return run_grade(grading, toolchain, command);
-    } catch (const Interrupted&) {
-        return stopped;
-    } catch (const UsageError& error) {
-        fmt::print(stderr, "{}\n", error.what());
-        return usage;
-    } catch (const std::invalid_argument& error) {
-        fmt::print(stderr, "{}\n", error.what());
-        return usage;
-    } catch (const SubmissionError& error) {
-        fmt::print(stderr, "{}\n", error.what());
-        return usage;
-    } catch (const rt::InputError& error) {
-        fmt::print(stderr, "{}\n", error.what());
-        return usage;
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "the grader failed: {}\n", error.what());
-        return infrastructure;
-    }
+    });
 }
+
+}  // namespace grade
