@@ -10,7 +10,7 @@ using namespace grade;
 
 namespace {
 
-const std::vector<std::string> names{"moved", "phong", "whitted"};
+const std::vector<std::string> fragments_of_hand_in{"moved", "phong", "whitted"};
 
 struct Entry {
     std::string path, text;
@@ -55,7 +55,7 @@ TEST_CASE("a folder of fragments, a starter, and archives of either are read ali
     pack(folder.path() / "a.tar.gz", {{"./fragments/moved.cpp", "moved"}, {"./rt/math.h", "ignored"}}, false);
     for (const char* name : {"flat", "copy", "a.zip", "a.tar.gz"}) {
         INFO(name);
-        const Submission submission = read_submission(folder.path() / name, names);
+        const Submission submission = read_submission(folder.path() / name, fragments_of_hand_in);
         REQUIRE(submission.texts.size() == 1);
         CHECK(submission.texts.at("moved") == "moved");
     }
@@ -68,7 +68,7 @@ TEST_CASE("links, devices, large files and paths that lead out are not taken") {
     write_text(folder.path() / "a/moved.cpp", "moved");
     fs::create_symlink(folder.path() / "secret", folder.path() / "a/phong.cpp");
     write_text(folder.path() / "a/whitted.cpp", std::string(most_source_bytes + 1, ' '));
-    const Submission submission = read_submission(folder.path() / "a", names);
+    const Submission submission = read_submission(folder.path() / "a", fragments_of_hand_in);
     CHECK(submission.texts.size() == 1);
     CHECK(submission.complaints.at("phong").find("not a regular file") != std::string::npos);
     CHECK(submission.complaints.at("whitted").find("larger than 256 KiB") != std::string::npos);
@@ -79,18 +79,18 @@ TEST_CASE("links, devices, large files and paths that lead out are not taken") {
           {"../whitted.cpp", "out"},
           {"/tmp/whitted.cpp", "out"}},
          false);
-    const Submission archived = read_submission(folder.path() / "b.tar.gz", names);
+    const Submission archived = read_submission(folder.path() / "b.tar.gz", fragments_of_hand_in);
     CHECK(archived.texts.size() == 1);
     CHECK(archived.complaints.contains("phong"));
     CHECK_FALSE(archived.texts.contains("whitted"));
 }
 
-TEST_CASE("what is no submission is an error that names it") {
+TEST_CASE("what is no submission is an error that fragments_of_hand_in it") {
     const TemporaryFolder folder;
-    CHECK_THROWS_AS(read_submission(folder.path() / "none", names), SubmissionError);
-    CHECK_THROWS_AS(read_submission(folder.path(), names), SubmissionError);
+    CHECK_THROWS_AS(read_submission(folder.path() / "none", fragments_of_hand_in), SubmissionError);
+    CHECK_THROWS_AS(read_submission(folder.path(), fragments_of_hand_in), SubmissionError);
     write_text(folder.path() / "x.zip", "no archive");
-    CHECK_THROWS_AS(read_submission(folder.path() / "x.zip", names), SubmissionError);
+    CHECK_THROWS_AS(read_submission(folder.path() / "x.zip", fragments_of_hand_in), SubmissionError);
 }
 
 TEST_CASE("a disk without room is an error") {

@@ -15,13 +15,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string text_of(const fs::path& path) {
+std::string text_of_page(const fs::path& path) {
     std::ifstream in(path);
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
 const std::string& handout() {
-    static const std::string text = text_of("handout.md");
+    static const std::string text = text_of_page("handout.md");
     return text;
 }
 
@@ -73,7 +73,7 @@ TEST_CASE("each statistic has a family, and each section to which a hint sends i
 TEST_CASE("the handout documents each key of a scene file") {
     std::set<std::string> keys;
     for (const char* file : {"scene_reader.cpp", "read_materials.cpp", "read_shapes.cpp"})
-        for (const auto& list : found(text_of(fs::path("starter/rt/files") / file), "only\\(\\{([^}]*)\\}"))
+        for (const auto& list : found(text_of_page(fs::path("starter/rt/files") / file), "only\\(\\{([^}]*)\\}"))
             for (const auto& key : found(list, "\"(\\w+)\"")) keys.insert(key);
     REQUIRE(keys.size() > 40);
     const std::string scene_files = handout().substr(handout().find("\n## Scene files"));
@@ -84,8 +84,8 @@ TEST_CASE("the handout documents each key of a scene file") {
 }
 
 TEST_CASE("the handout documents each option of raytrace and grade") {
-    for (const char* file : {"starter/raytrace.cpp", "grader/grade.cpp"})
-        for (const auto& option : found(text_of(file), "app\\.add_(?:option|flag)\\(\"(?:-o,)?(--[\\w-]+)\"")) {
+    for (const char* file : {"starter/raytrace.cpp", "grader/commands/grading.cpp"})
+        for (const auto& option : found(text_of_page(file), "app\\.add_(?:option|flag)\\(\"(?:-o,)?(--[\\w-]+)\"")) {
             if (option == "--toolchain" || option == "--out") continue;
             INFO(option);
             CHECK(handout().find("`" + option) != std::string::npos);
@@ -94,7 +94,7 @@ TEST_CASE("the handout documents each option of raytrace and grade") {
 
 TEST_CASE("the handout's and the README's pictures and files are there") {
     for (const char* page : {"handout.md", "README.md"})
-        for (const auto& path : found(text_of(page), "\\]\\(([\\w./-]+)(?:#[\\w-]*)?\\)")) {
+        for (const auto& path : found(text_of_page(page), "\\]\\(([\\w./-]+)(?:#[\\w-]*)?\\)")) {
             INFO(page << ": " << path);
             CHECK(fs::exists(path));
         }
@@ -104,7 +104,7 @@ TEST_CASE("the handout holds no line of what a student must write") {
     for (const Fragment& fragment : read_assignment("assignment.toml").fragments) {
         const std::string path = "solution/" + fragment.name + ".cpp";
         if (fragment.given) continue;
-        for (const auto& line : secrets(find_region(text_of(path), path))) {
+        for (const auto& line : secrets(find_region(text_of_page(path), path))) {
             INFO(path << ": " << line);
             CHECK(handout().find("\n" + line + "\n") == std::string::npos);
             CHECK(handout().find("`" + line + "`") == std::string::npos);

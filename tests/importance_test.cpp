@@ -12,7 +12,7 @@ using namespace rt;
 namespace {
 
 /// Three lobes under lamps of each kind; one of the balls is rough glass.
-constexpr const char* lamps = R"(
+constexpr const char* lamps_and_lobes = R"(
 environment = 0.1
 [render]
 samples = 64
@@ -104,12 +104,12 @@ TEST_CASE("the density of a lobe is that of phong_lobe, and is 1 in all") {
 }
 
 TEST_CASE("the density of a lamp is that of light_sample") {
-    const World world = make_world(parse_scene(lamps, "lamps.toml"));
+    const World world = make_world(parse_scene(lamps_and_lobes, "lamps.toml"));
     REQUIRE(world.emitters.size() == 3);
     const vec3 p{0.3, 0.2, -0.1};
     for (const Emitter& emitter : world.emitters) {
         const auto found = std::find_if(world.surfaces.begin(), world.surfaces.end(), [&](const SurfaceRecord& r) {
-            if (!r.emitter == nothing) return false;
+            if (r.emitter == nothing) return false;
             if (emitter.kind == Emitter::Kind::sphere) return r.center == emitter.sphere.center && r.radius > 0;
             return r.center == (emitter.kind == Emitter::Kind::quad ? emitter.quad.center : emitter.disc.center);
         });
@@ -135,7 +135,7 @@ TEST_CASE("the weights of both techniques add up to 1, also at the ends") {
 }
 
 TEST_CASE("multiple importance sampling changes the noise, not the picture") {
-    Scene scene = parse_scene(lamps, "lamps.toml");
+    Scene scene = parse_scene(lamps_and_lobes, "lamps.toml");
     for (const Sampler sampler : {Sampler::random, Sampler::orthogonal}) {
         scene.multiple_importance = false;
         const Estimate lobes = estimate(scene, sampler, 40);
@@ -157,7 +157,7 @@ TEST_CASE("multiple importance sampling changes the noise, not the picture") {
 }
 
 TEST_CASE("without lobes or lamps multiple importance sampling leaves everything as it is") {
-    const std::string text = lamps;
+    const std::string text = lamps_and_lobes;
     const auto picture = [](Scene scene, bool both) {
         scene.multiple_importance = both;
         return render(scene, {.samples = 4, .estimate_error = false});

@@ -26,7 +26,7 @@ SoFar run(const Goals& limits, Real per_sample, Real rate, int& passes, Random* 
     }
 }
 
-Scene small_scene(const char* file) {
+Scene scene_of_file(const char* file) {
     Scene scene = read_scene(file);
     scene.camera.size = {24, 16};
     return scene;
@@ -74,7 +74,7 @@ TEST_CASE("the first limit that is reached ends the rendering", "[schedule]") {
 }
 
 TEST_CASE("passes that go on make the picture that one pass with all samples makes", "[schedule]") {
-    Scene scene = small_scene("scenes/gallery/cornell.toml");
+    Scene scene = scene_of_file("scenes/gallery/cornell.toml");
     RenderSettings limited;
     limited.sampler = Sampler::orthogonal;
     limited.target_error = 0.05;
@@ -95,7 +95,7 @@ TEST_CASE("passes that go on make the picture that one pass with all samples mak
 }
 
 TEST_CASE("with any sampler, the error that is estimated is the error, and the mean is that of many samples", "[schedule]") {
-    const Scene scene = small_scene("scenes/gallery/cornell.toml");
+    const Scene scene = scene_of_file("scenes/gallery/cornell.toml");
     RenderSettings fine;
     fine.samples = 1 << 14;
     fine.sampler = Sampler::sobol;
@@ -126,7 +126,7 @@ TEST_CASE("with any sampler, the error that is estimated is the error, and the m
 }
 
 TEST_CASE("what is stopped in the middle leaves no uneven picture", "[schedule]") {
-    const Scene scene = small_scene("scenes/gallery/cornell.toml");
+    const Scene scene = scene_of_file("scenes/gallery/cornell.toml");
     RenderSettings settings;
     settings.target_error = 1e-9;
     settings.threads = 1;
@@ -162,7 +162,7 @@ TEST_CASE("of a first pass that is not over in time, there is what was rendered,
 }
 
 TEST_CASE("who looks on sees each picture whole, one at a time, and at last the one that comes out", "[schedule]") {
-    const Scene scene = small_scene("scenes/gallery/cornell.toml");
+    const Scene scene = scene_of_file("scenes/gallery/cornell.toml");
     RenderSettings settings;
     settings.time_limit = 1;
     std::atomic<int> at_once = 0;

@@ -9,7 +9,7 @@ using namespace rt;
 
 namespace {
 
-struct Random {
+struct Drawn {
     std::mt19937_64 engine{11};
     Real operator()(Real low, Real high) { return std::uniform_real_distribution<Real>(low, high)(engine); }
     vec3 point(Real size) {
@@ -19,7 +19,7 @@ struct Random {
 };
 
 /// Rays from about one point into about one direction.
-Batch beam(Random& random, vec3 from, vec3 towards, Real width, Real spread) {
+Batch beam(Drawn& random, vec3 from, vec3 towards, Real width, Real spread) {
     Batch b;
     b.count = lanes;
     for (int i = 0; i < lanes; ++i) {
@@ -32,7 +32,7 @@ Batch beam(Random& random, vec3 from, vec3 towards, Real width, Real spread) {
 }  // namespace
 
 TEST_CASE("a shape that a ray of the batch meets is never left out") {
-    Random random;
+    Drawn random;
     int met = 0, left_out = 0;
     for (int k = 0; k < 20'000; ++k) {
         const Real scale = std::ldexp(1.0, int(random(-40, 40)));
@@ -55,7 +55,7 @@ TEST_CASE("a shape that a ray of the batch meets is never left out") {
 }
 
 TEST_CASE("grazing rays keep their shape") {
-    Random random;
+    Drawn random;
     for (int k = 0; k < 20'000; ++k) {
         // from far away past the rim, as near as numbers allow
         const Sphere sphere{random.point(1), random(0.1, 1)};

@@ -30,12 +30,12 @@ std::set<std::string> declared_fragments() {
     return names;
 }
 
-std::string trimmed(const std::string& line) {
+std::string without_indent(const std::string& line) {
     const auto first = line.find_first_not_of(" \t");
     return first == line.npos ? "" : line.substr(first);
 }
 
-std::string text_of(const fs::path& path) {
+std::string text_of_path(const fs::path& path) {
     std::ifstream in(path);
     return {std::istreambuf_iterator<char>(in), {}};
 }
@@ -109,17 +109,17 @@ TEST_CASE("the starter holds no line of what a student must write") {
     for (const Fragment& fragment : read_assignment("assignment.toml").fragments) {
         const std::string path = "solution/" + fragment.name + ".cpp";
         if (fragment.given) continue;
-        for (const auto& line : secrets(find_region(text_of(path), path))) origin[line] = path;
+        for (const auto& line : secrets(find_region(text_of_path(path), path))) origin[line] = path;
     }
     REQUIRE(origin.size() > 40);
 
     for (const auto& entry : fs::recursive_directory_iterator("starter")) {
         if (!entry.is_regular_file()) continue;
-        std::istringstream text(text_of(entry.path()));
+        std::istringstream text(text_of_path(entry.path()));
         int number = 0;
         for (std::string line; std::getline(text, line);) {
             ++number;
-            const auto secret = origin.find(trimmed(line));
+            const auto secret = origin.find(without_indent(line));
             INFO(entry.path().string() << ":" << number << ": " << line);
             if (secret != origin.end()) FAIL_CHECK("is a line of " << secret->second);
         }

@@ -21,16 +21,18 @@ function(add_framework name speed)
     target_precompile_headers(${name} PRIVATE ${starter}/rt/scene.h <algorithm> <string> <vector> <fmt/format.h>)
 
     # Not the stages: each is compiled for its one loop. Not images: the grader's renderers are linked without the libraries
-    # that read and write them. Not the tables: they make assertions of toml++ throw.
+    # that read and write them. Not the tables: they make assertions of toml++ throw. The plan is apart from
+    # the rendering: a program that only plans needs no fragments.
     file(GLOB_RECURSE others RELATIVE ${starter}/rt ${starter}/rt/*.cpp)
     list(FILTER others EXCLUDE REGEX "^(stages/|files/image|files/toml_table|not_started)")
-    foreach(room files/mitsuba files show trace "")
+    set(rooms mitsuba files show trace plan rendering)
+    set(expressions "^files/mitsuba" "^files/" "^show/" "^trace" "^(calls|plan)\\." ".")
+    foreach(room expression IN ZIP_LISTS rooms expressions)
         set(of_room ${others})
-        list(FILTER of_room INCLUDE REGEX "^${room}")
+        list(FILTER of_room INCLUDE REGEX "${expression}")
         list(REMOVE_ITEM others ${of_room})
         list(TRANSFORM of_room PREPEND ${starter}/rt/)
-        string(REPLACE "/" "_" group "rt_${room}")
-        compile_together(${name} ${group} ${of_room})
+        compile_together(${name} rt_${room} ${of_room})
     endforeach()
 endfunction()
 
