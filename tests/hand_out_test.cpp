@@ -107,3 +107,18 @@ TEST_CASE("nothing is handed out into a folder that holds something") {
                       temporary.path().string() + ": is not empty; expected a new folder");
     CHECK_FALSE(fs::exists(temporary.path() / "grade"));
 }
+
+TEST_CASE("the grader of a kit from another kind of machine comes along, unless it is of another assignment") {
+    const Assignment assignment = read_assignment("assignment.toml");
+    const TemporaryFolder temporary;
+    const fs::path other = temporary.path() / "other", both = temporary.path() / "both";
+    hand_out(".", assignment, built_kit(), other);
+    fs::rename(other / "grader" / kind_of_machine(), other / "grader/m68k-linux");
+    hand_out(".", assignment, built_kit(), both, {other});
+    CHECK(fs::exists(both / "grader/m68k-linux/toolchain.toml"));
+    CHECK(fs::exists(both / "grader" / kind_of_machine() / "toolchain.toml"));
+
+    std::ofstream(other / "assignment.toml", std::ios::app) << "# of last year\n";
+    CHECK_THROWS_WITH(hand_out(".", assignment, built_kit(), temporary.path() / "mixed", {other}),
+                      other.string() + ": its assignment.toml is another one; expected a hand-out of this very project");
+}

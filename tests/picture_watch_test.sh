@@ -65,6 +65,13 @@ wait $grading || code=$?
 expect 0 '"complete": false' grep complete "$work/part.json"
 expect 0 "checks as before" ./grade
 
+# other machines, other compilers
+if command -v clang++ >/dev/null; then expect 0 "3 of 3" env CXX=clang++ ./grade phong --fresh; fi
+expect 3 "there is no C++ compiler here" env PATH=/nonexistent "grader/$(uname -m)-linux/grade" phong
+mv "grader/$(uname -m)-linux" grader/m68k-linux
+expect 3 "expected one of: m68k-linux" ./grade phong
+mv grader/m68k-linux "grader/$(uname -m)-linux"
+
 # where nothing can be kept, it is graded all the same
 if [ "$(id -u)" = 0 ]; then user=(setpriv --reuid=65534 --regid=65534 --clear-groups); else user=(); fi
 chmod 755 "$work"
