@@ -57,6 +57,12 @@ std::set<std::string> Programs::all() const {
     return names;
 }
 
+std::set<std::string> Programs::names() const {
+    std::set<std::string> names;
+    for (const auto& [name, object] : chain_.solution_objects) names.insert(name);
+    return names;
+}
+
 bool Programs::is_filled(const std::string& fragment) const {
     const auto text = submission_.texts.find(fragment);
     return text != submission_.texts.end() && !is_blank(text->second, chain_.blanks / (fragment + ".cpp"));
