@@ -104,6 +104,10 @@ expect 0 "graded $work: hand-in" in_it env -C "$work" CDPATH="$work" ./elsewhere
 expect 0 "graded $work/elsewhere: hand-in" in_it env -C "$work/elsewhere" "../stub/chained link" hand-in
 expect 0 "graded $work: hand-in" in_it env -C "$work" PATH="$work/elsewhere:$bin" link hand-in
 
+begin
+expect 0 "graded $work: hand-in" in_it env -C "$work" "$tree/grade" hand-in
+expect 0 "" test -e "$build/build.ninja"
+
 # the first build, without a terminal: a line at each tenth, on stderr alone
 begin
 expect 0 "Building, the first time: 260 steps, about 2 minutes." in_it ./grade
@@ -127,8 +131,9 @@ expect 0 "says:graded" echo "says:$(on_terminal "" ./grade)"
 steps 3
 expect 0 "0 lines" lines in_it ./grade
 expect 0 "building: 1 of 3, a few seconds left~" on_terminal "" ./grade
+expect 0 "building: 3 of 3~graded" on_terminal "" ./grade
 expect 0 "1" grep -c "" <(on_terminal "" ./grade)
-# a slow one is not silent for longer than 10 s
+# a slow one is not silent for longer than 15 s
 echo 'echo "[1/3] Building a.o"; sleep 16; echo "[2/3] Building b.o"' >"$stub/build"
 expect 0 "building: 1 of 3, a few seconds left" in_it ./grade
 begin
@@ -249,6 +254,7 @@ begin
 expect 0 "graded" in_it ./grade
 chmod 777 "$build"
 chmod 444 "$build/.ninja_log"
+rm "$build/.lock"
 expect 0 "0 lines" lines reader ./grade
 chmod -R u+w "$tree"
 
