@@ -105,8 +105,9 @@ CLI::App* add_converge_command(CLI::App& app, ConvergeArguments& arguments) {
     Amounts& amounts = arguments.amounts;
     CLI::App* converge = app.add_subcommand(
         "converge", "error against run time: how fast it falls, with which sampler, and to which bias");
-    converge->add_option("SUBMISSION SCENE...", arguments.words,
-                         "a folder, a .zip or a .tar.gz; scene files; default: starter, and those of scenes/bench");
+    converge->add_option("WORDS", arguments.words,
+                         "a folder, a .zip or a .tar.gz; scene files; default: starter, and those of scenes/bench")
+        ->type_name("[SUBMISSION] [SCENE...]");
     converge->add_option("--samples", amounts.samples, "levels of samples a pixel")
         ->delimiter(',')
         ->capture_default_str()

@@ -59,9 +59,9 @@ std::vector<std::string> find_unsaid(const Scene& scene) {
     std::vector<std::string> unsaid;
     const RenderPlan plan = make_plan(scene);
     if (plan.time)
-        unsaid.push_back("shapes that move while the shutter is open; expected close = open, or no velocity");
+        unsaid.emplace_back("shapes that move while the shutter is open; expected close = open, or no velocity");
     if (scene.background != Color(0))
-        unsaid.push_back("'background', which only the camera sees; expected 'environment'");
+        unsaid.emplace_back("'background', which only the camera sees; expected 'environment'");
     const std::vector<char> used = materials_on_shapes(scene);
     for (std::size_t i = 0; i < used.size(); ++i) {
         if (!used[i]) continue;

@@ -31,18 +31,18 @@ MitsubaPaths mitsuba_paths(const Scene& scene, std::vector<std::string>& unsaid)
     searched |= !scene.lights.empty() || scene.environment != Color(0);
 
     if (null && !scene.lights.empty())
-        unsaid.push_back("a light without extent beside a boundary of ior 1: Mitsuba's shadow rays go through it; "
-                         "expected lamps with extent");
+        unsaid.emplace_back("a light without extent beside a boundary of ior 1: Mitsuba's shadow rays go through it; "
+                            "expected lamps with extent");
     if (!diffuse) {
         if (!paths.media) paths.max_depth = scene.depth + 1;
     } else if (!specular && searched != found) {
         // Camera, bounces + 1 surfaces, lamp; where no shadow rays are sent, the last bounce ray must find the lamp.
         paths.max_depth = scene.bounces + (searched ? 2 : 1);
     } else if (scene.bounces == 0) {
-        unsaid.push_back(specular
-                             ? "diffuse surfaces beside mirrors, glass or lobes, with bounces = 0: Mitsuba limits both "
-                               "together; expected so many bounces that the rest is negligible"
-                             : "lamps with and without sampled = false, with bounces = 0; expected one kind");
+        unsaid.emplace_back(specular
+                                ? "diffuse surfaces beside mirrors, glass or lobes, with bounces = 0: Mitsuba limits "
+                                  "both together; expected so many bounces that the rest is negligible"
+                                : "lamps with and without sampled = false, with bounces = 0; expected one kind");
     } else {
         paths.comment = fmt::format(
             "Paths have no limit here; Penumbra ends them after {} diffuse bounces, {} mirrors, glass "

@@ -5,12 +5,12 @@
 
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <fstream>
 #include <map>
 #include <streambuf>
 #include <system_error>
 
+#include "rt/files/read_number.h"
 #include "rt/files/scene_reader.h"
 
 namespace rt {
@@ -25,7 +25,7 @@ template <class Number>
 bool starts_with_number(std::string_view text) {
     Number number;
     if (!text.empty() && text[0] == '+') text.remove_prefix(1);
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+    const auto read = read_number(text, number);
     const bool whole_word = read.ptr == text.data() + text.size() || *read.ptr == '/';
     return read.ec == std::errc() && whole_word && std::abs(double(number)) <= 1e70;
 }

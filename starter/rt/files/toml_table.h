@@ -6,7 +6,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <toml++/impl/forward_declarations.h>
 #include <vector>
 
 #include "rt/math.h"
@@ -68,15 +67,8 @@ class Table {
     [[noreturn]] void fail(std::string_view key, const std::string& wrong, const std::string& expected) const;
 
   private:
-    std::shared_ptr<const toml::table> root_;
-    const toml::table* table_ = nullptr;
-    std::string path_, name_;
-
-    const toml::node* find(std::string_view key, bool required) const;
-    Table inner(const toml::table& table, const std::string& name) const;
-    Real checked(const toml::node& node, std::string_view key, Limits limits, const std::string& expected) const;
-    int whole(const toml::node& node, std::string_view key, int low, int high, const std::string& expected) const;
-    [[noreturn]] void fail_at(const toml::node& node, const std::string& wrong, const std::string& expected) const;
+    struct Inside;  // toml++'s types, whose header takes seconds to read
+    std::shared_ptr<const Inside> inside_;
 };
 
 /// The word of the list that differs least; none: all of them differ in too many letters.

@@ -109,7 +109,7 @@ template <By by, class L>
         // BRDF x cosine, from the density of the lobe, over the density of the lamp's point.
         const Real reflected = (exponent + 2) / (exponent + 1) * of_lobe * cosine / sample.density;
         const Real share = reflected * power_heuristic(sample.density, of_lobe);
-        const Real seen = bool(sample.density > 0) & bool(cosine > 0) ? share : 0;
+        const Real seen = (bool(sample.density > 0) & bool(cosine > 0)) ? share : 0;
         const Color radiance = lamps.radiance(i);
         light.r[i] = seen * lobes.r[i] * radiance.x, light.g[i] = seen * lobes.g[i] * radiance.y,
         light.b[i] = seen * lobes.b[i] * radiance.z;
