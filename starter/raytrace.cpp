@@ -16,6 +16,7 @@
 #include "rt/files/mitsuba.h"
 #include "rt/plan.h"
 #include "rt/files/scene_reader.h"
+#include "rt/processor.h"
 #include "rt/render.h"
 #include "rt/show/bar.h"
 #include "rt/show/onlookers.h"
@@ -173,6 +174,7 @@ int run(const Options& o) {
 }  // namespace
 
 int main(int count, char** words) {
+    rt::require_processor();
     CLI::App app("Renders a scene.");
     Options options;
     describe_options(app, options);

@@ -8,7 +8,7 @@ source=$(cd "$(dirname "$0")/.." && pwd)
 # shellcheck source=tests/expect.sh
 . "$source/tests/expect.sh"
 chmod 755 "$work"
-tree="$work/Übung (1) & Lösung" bin=$work/bin stub=$work/stub
+tree="$work/Übung (1) & Lösung's" bin=$work/bin stub=$work/stub
 build=$tree/build/release
 
 # Only these programs are there, and the stand-ins.
@@ -222,6 +222,22 @@ for stale in "CMAKE_HOME_DIRECTORY:INTERNAL=.*/CMAKE_HOME_DIRECTORY:INTERNAL=\/o
     expect 0 "CMAKE_HOME_DIRECTORY:INTERNAL=$tree" cat "$build/CMakeCache.txt"
     expect 0 "=Ninja" cat "$build/CMakeCache.txt"
 done
+# what is built for a processor that has more than this one is configured anew, with what was chosen
+if grep -q ^flags /proc/cpuinfo; then
+    : >"$stub/log"
+    grep -m 1 ^flags /proc/cpuinfo | sed 's/.*: //' >"$build/instructions"
+    expect 0 "graded" in_it ./grade
+    expect 0 "" not_called "cmake --preset"
+    echo "no_such_instruction" >>"$build/instructions"
+    expect 0 "graded" in_it ./grade
+    expect 0 "" called "cmake --preset release"
+    : >"$stub/log"
+    echo RT_MARCH:STRING=x86-64-v3 >>"$build/CMakeCache.txt"
+    sed -i "s/CMAKE_HOME_DIRECTORY:INTERNAL=.*/CMAKE_HOME_DIRECTORY:INTERNAL=\/other/" "$build/CMakeCache.txt"
+    expect 0 "graded" in_it ./grade
+    expect 0 "" called "cmake --preset release -DRT_MARCH=x86-64-v3"
+    rm "$build/instructions"
+fi
 echo 'echo "a.cpp: fatal error: error writing to /tmp/a.s: No space left on device"; exit 1' >"$stub/build"
 expect 3 "The disk is full" in_it ./grade
 
