@@ -65,6 +65,12 @@ wait $grading || code=$?
 expect 0 '"complete": false' grep complete "$work/part.json"
 expect 0 "checks as before" ./grade
 
+# another folder than one's own is graded behind what walls the machine has
+cp -r starter/fragments "$work/other"
+expect 0 "3 of 3" ./grade "$work/other" phong
+expect 0 "$(if [ -x /usr/bin/bwrap ]; then echo bubblewrap; else echo "limits only"; fi)" ./grade "$work/other" phong
+expect 0 "2 of 2 families" ./grade stress --only mirror_direction,moved
+
 # other machines, other compilers
 if command -v clang++ >/dev/null; then expect 0 "3 of 3" env CXX=clang++ ./grade phong --fresh; fi
 expect 3 "there is no C++ compiler here" env PATH=/nonexistent "grader/$(uname -m)-linux/grade" phong

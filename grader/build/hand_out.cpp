@@ -67,7 +67,7 @@ void write_bare_object(const fs::path& object, const std::string& symbol, const 
     // groups of sections that other objects hold as well must go before their symbols become private
     must_run({"/usr/bin/ld", "-r", "--force-group-allocation", object.string(), "-o", merged});
     must_run({"/usr/bin/objcopy", "--keep-global-symbol=" + symbol, "--strip-unneeded", "--remove-section=.comment",
-              "--remove-section=.note*", merged, target.string()});
+              merged, target.string()});
     std::istringstream lines(must_run({"/usr/bin/nm", "--format=posix", "--defined-only", target.string()}));
     std::string renamed;
     int count = 0;

@@ -7,6 +7,8 @@ add_child(child_baseline rt_baseline)
 add_library(solution_baseline OBJECT ${solution_sources})
 add_library(blanks_baseline OBJECT ${blank_sources})
 add_dependencies(blanks_baseline blank_sources)
+# A blank tells its file: as a student knows it, not where it was built.
+set_source_files_properties(${blank_sources} PROPERTIES COMPILE_OPTIONS -fmacro-prefix-map=${blanks_folder}=starter/fragments)
 foreach(objects solution_baseline blanks_baseline)
     target_link_libraries(${objects} PRIVATE rt_baseline rt_baseline_speed)
     precompile_fragments_header(${objects} rt_baseline rt_baseline_speed)

@@ -102,7 +102,8 @@ private:
         settings_.time_limit = arguments_.time_limit;
         settings_.pictures = !html_.empty() || chosen_.own;
         settings_.build.jobs = arguments_.jobs;
-        settings_.build.trusted = arguments_.trusted;
+        // a kit grades the code of its own user
+        settings_.build.trusted = arguments_.trusted || (chain_.is_kit && chosen_.own);
         settings_.build.keep = arguments_.keep;
         if (chosen_.own && cache_ && !arguments_.fresh && arguments_.keep.empty())
             settings_.build.kept = Kept(*cache_ / "kept", chain_);
