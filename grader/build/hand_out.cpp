@@ -162,11 +162,11 @@ void write_toolchain(const Toolchain& built, const fs::path& machine) {
     for (const std::string& library : built.libraries)
         if (!library.starts_with("/")) plain.push_back(library);
     write_text(machine / "toolchain.toml",
-               fmt::format("# How this kit's grader compiles and links.\nkit = true\nsource = \"../..\"\n"
+               fmt::format("# How this kit's grader compiles and links.\nkit = true\nprocessor = \"{}\"\nsource = \"../..\"\n"
                            "cache = \"../../build\"\ncompile = {}\nincludes = [\"../../starter\", \"../include\"]\n"
                            "link = {}\narchives = [\"libchild.a\", \"librt.a\"]\nlibraries = {}\nkit_libraries = {}\n"
                            "blanks = \"../blanks\"\nblank_objects = {}\nsolution_objects = {}\n",
-                           quoted(built.compile), quoted(built.link), quoted(plain), quoted(libraries), quoted(blanks),
+                           built.processor, quoted(built.compile), quoted(built.link), quoted(plain), quoted(libraries), quoted(blanks),
                            quoted(reference)));
 }
 
@@ -235,6 +235,7 @@ void hand_out(const fs::path& project, const Assignment& assignment, const fs::p
     }
     fs::copy_file(project / "grader/kit/grade", folder / "grade");
     write_text(folder / ".gitignore", "build*/\n");
+    write_text(folder / ".gitattributes", "* text=auto eol=lf\n");  // a shell reads no CRLF
     write_starter(blanks, (folder / "starter/fragments").string());
     write_starter(blanks, (folder / "grader/blanks").string());
     copy_folder(folder_of_glm(built) / "glm", folder / "grader/include/glm");

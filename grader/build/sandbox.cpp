@@ -1,5 +1,6 @@
 #include "build/sandbox.h"
 
+#include "build/files.h"
 #include "build/process.h"
 
 namespace grade {
@@ -17,7 +18,7 @@ Sandbox find_sandbox(bool trusted) {
 
     Sandbox sandbox{Sandbox::Kind::host,
                     "bubblewrap: no network, no other processes, files read-only; resource limits", {}};
-    const fs::path folder = fs::temp_directory_path();
+    const fs::path folder = temporary_place();
     if (!run(inside(sandbox, {"/usr/bin/true"}, {}, folder), Limits{}, folder.string()).good())
         return {Sandbox::Kind::limits_only, "resource limits only: bubblewrap does not work on this machine", {}};
     return sandbox;

@@ -15,6 +15,7 @@
 #include "lesson/command.h"
 #include "report/describe.h"
 #include "rt/files/scene_reader.h"
+#include "rt/processor.h"
 #include "stress/command.h"
 
 /// grade SUBMISSION: the command line. Each subcommand is a function that returns the exit code.
@@ -65,8 +66,9 @@ int run_hand_out(const std::string& folder, const std::vector<std::string>& othe
 }  // namespace
 
 int main(int argc, char** argv) {
+    rt::require_processor();
     CLI::App app("Grades a submission: renders with its fragments, and measures what comes out", "grade");
-    std::string toolchain = own_toolchain().string(), handout, folder;
+    std::string toolchain, handout, folder;
     std::vector<std::string> others;
     app.add_option("--toolchain", toolchain, "what the build wrote about itself")->group("");
     app.set_version_flag("--version", fmt::format("grade {}", PENUMBRA_VERSION));
@@ -97,6 +99,7 @@ int main(int argc, char** argv) {
     }
     const std::string command = command_of(argc, argv);
     try {
+        if (toolchain.empty()) toolchain = own_toolchain().string();
         if (trust->parsed()) return calibrate(calibration, toolchain, command) ? graded : below_required;
         if (tables->parsed()) return describe(handout, toolchain);
         if (starter->parsed()) return run_hand_out(folder, others, toolchain);

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "build/cache.h"
+#include "build/files.h"
 #include "build/stamp.h"
 #include "convergence/report.h"
 #include "judging/programs.h"
@@ -154,7 +155,7 @@ int converge(const ConvergeArguments& arguments, const std::string& toolchain, c
 
     ConvergenceRecord record;
     Bench bench;
-    bench.results = arguments.folder.empty() ? cache_folder(chain).value_or(fs::temp_directory_path()) / "convergence"
+    bench.results = arguments.folder.empty() ? cache_folder(chain).value_or(temporary_place()) / "convergence"
                                              : fs::path(arguments.folder);
     bench.fresh = arguments.fresh;
     ProgressLine line;

@@ -18,8 +18,8 @@ namespace {
 
 /// What the processor has, and the system keeps for each program.
 struct Instructions {
-    unsigned a = 0, b = 0;            // leaf 1 in ecx, leaf 7 in ebx
-    unsigned extended = 0;            // leaf 0x80000001 in ecx
+    unsigned a = 0, b = 0;             // leaf 1 in ecx, leaf 7 in ebx
+    unsigned extended = 0;             // leaf 0x80000001 in ecx
     unsigned long long registers = 0;  // xgetbv
 };
 
@@ -51,7 +51,8 @@ void say(const char* text) {
 
 }  // namespace
 
-bool processor_is([[maybe_unused]] const char* kind) {
+bool processor_is(const char* kind) {
+    if (kind[0] == '\0') return true;
 #ifdef __x86_64__
     const Instructions found = instructions();
     const bool v2 = all(found.a, bit_SSE3 | bit_SSSE3 | bit_SSE4_1 | bit_SSE4_2 | bit_POPCNT);
