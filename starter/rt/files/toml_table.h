@@ -23,6 +23,9 @@ constexpr Real huge = 1e70;
 
 inline constexpr Limits any_number{[](Real x) { return std::abs(x) <= huge; }, "a number from -1e70 to 1e70"};
 inline constexpr Limits not_negative{[](Real x) { return x >= 0 && x <= huge; }, "a number from 0 to 1e70"};
+/// What is seen as it is: a picture holds single precision.
+inline constexpr Limits radiance{[](Real x) { return x >= 0 && x <= Real(std::numeric_limits<float>::max()); },
+                                 "a number from 0 to 3.4e38, the largest that a picture holds"};
 inline constexpr Limits positive{[](Real x) { return x > 0 && x <= huge; }, "a number above 0, up to 1e70"};
 inline constexpr Limits positive_or_inf{[](Real x) { return x > 0 && (x <= huge || x == inf); },
                                         "a number above 0, or inf"};
