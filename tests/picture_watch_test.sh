@@ -58,7 +58,7 @@ cp "$solution"/*.cpp starter/fragments/
 setsid ./grade --json "$work/part.json" >"$work/said" 2>&1 &
 grading=$!
 for _ in $(seq 300); do [ "$(find build/kept -name 'integrate*' 2>/dev/null | wc -l)" -gt 4 ] && break; sleep 0.1; done
-pkill -INT -s $grading -x grade
+kill -INT -- -$grading
 code=0
 wait $grading || code=$?
 [ $code = 130 ] || { echo "FAILED: an interrupted grading ends with another code than 130"; failures=$((failures + 1)); }

@@ -9,17 +9,14 @@ cannot() {
 
 # require_means: what it takes to make such a system and to run something in it.
 require_means() {
-    local program
     [ "$(id -u)" = 0 ] || cannot "only root can make a Debian system and mount what it needs"
-    for program in debootstrap unshare pivot_root; do
-        command -v $program >/dev/null || cannot "there is no $program here (apt-get install debootstrap util-linux)"
-    done
     unshare --mount --pid --fork true 2>/dev/null || cannot "namespaces cannot be made here"
 }
 
 # make_system NAME FOLDER [PACKAGES]: Debian's minimal system of that name, unless there is one in the folder.
 make_system() {
     if [ -e "$2/etc/debian_version" ]; then return; fi
+    command -v debootstrap >/dev/null || cannot "there is no debootstrap here (apt-get install debootstrap)"
     mkdir -p "$2"
     if ! debootstrap --variant=minbase ${3:+--include="$3"} "$1" "$2" http://deb.debian.org/debian >"$2.log" 2>&1; then
         tail -n 5 "$2.log" >&2
