@@ -39,6 +39,15 @@ std::string_view first_word(std::string_view line) {
     return line.substr(0, line.find_first_of(blanks));
 }
 
+/// Where a comment starts; npos: nowhere. 1.#IND and its like are no numbers, and no comments.
+std::size_t comment_in(std::string_view line) {
+    std::size_t at = line.find('#');
+    while (at != line.npos && at >= 2 && line.substr(at - 2, 2) == "1." && at + 1 < line.size() &&
+           std::string_view("IQS").find(line[at + 1]) != line.npos)
+        at = line.find('#', at + 1);
+    return at;
+}
+
 /// Where the backslash is that continues a line; npos: nowhere.
 std::size_t continuation(std::string_view line) {
     const std::size_t last = line.find_last_not_of(blanks);
@@ -100,7 +109,7 @@ bool ObjLines::next() {
             while (line.starts_with(mark)) line.remove_prefix(mark.size());
             pieces_.push_back({line_.size(), lines_, column});
             const std::string_view first = first_word(pieces_.size() == 1 ? line : std::string_view(line_));
-            const std::size_t comment = line.find('#'), end = continuation(line);
+            const std::size_t comment = comment_in(line), end = continuation(line);
             goes_on = end != line.npos;
             // Comments and names may end with a backslash that means nothing: a path, say.
             const bool counts = !first.starts_with('#') && obj_word(first) != ObjWord::ignored && comment == line.npos;
@@ -114,7 +123,7 @@ bool ObjLines::next() {
             line_ += line;
             line_ += ' ';
         }
-        if (const std::size_t comment = line_.find('#'); comment != line_.npos) line_.resize(comment);
+        if (const std::size_t comment = comment_in(line_); comment != line_.npos) line_.resize(comment);
         if (line_.find_first_not_of(blanks) != line_.npos) return true;
     }
     return false;
