@@ -94,7 +94,7 @@ MitsubaFiles to_mitsuba(const Scene& scene, const std::string& stem) {
     if (paths.media) in_media = make_world(scene);
     const World* world = in_media ? &*in_media : nullptr;
     if (world && !world->regions.asked.empty())
-        unsaid.push_back("a camera on the boundary of a medium; expected one within it or outside");
+        unsaid.emplace_back("a camera on the boundary of a medium; expected one within it or outside");
     if (!unsaid.empty()) {
         std::string message;
         for (const std::string& what : unsaid)
