@@ -4,24 +4,16 @@
 #include <tiny_obj_loader.h>
 
 #include <array>
-<<<<<<< HEAD
-#include <cerrno>
-#include <fstream>
-=======
 #include <charconv>
 #include <istream>
->>>>>>> hd
 #include <map>
 #include <optional>
 #include <streambuf>
 #include <string_view>
 
-<<<<<<< HEAD
-#include "rt/files/read_number.h"
-=======
 #include "rt/files/obj_lines.h"
 #include "rt/files/polygon.h"
->>>>>>> hd
+#include "rt/files/read_number.h"
 #include "rt/files/scene_reader.h"
 #include "rt/files/toml_table.h"
 
@@ -32,25 +24,14 @@ std::string_view without_plus(std::string_view word) {
     return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
 }
 
-<<<<<<< HEAD
-/// Whether the text starts with a number; the library takes anything else for a zero.
-template <class Number>
-bool starts_with_number(std::string_view text) {
-    Number number;
-    if (!text.empty() && text[0] == '+') text.remove_prefix(1);
-    const auto read = read_number(text, number);
-    const bool whole_word = read.ptr == text.data() + text.size() || *read.ptr == '/';
-    return read.ec == std::errc() && whole_word && std::abs(double(number)) <= 1e70;
-=======
 /// The number that a word is; nothing: it is none. One that is too small is 0, one that is too large is infinite.
 std::optional<double> number_of(std::string_view word) {
     const std::string_view digits = without_plus(word);
     double number = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    const auto [end, error] = read_number(digits, number);
     if (digits.empty() || end != digits.data() + digits.size() || error == std::errc::invalid_argument) return {};
     if (error == std::errc::result_out_of_range) return std::strtod(std::string(digits).c_str(), nullptr);
     return number;
->>>>>>> hd
 }
 
 /// As NaN and infinity are written, by some on Windows as 1.#QNAN.
