@@ -58,6 +58,7 @@ public:
         settings_.progress = [&](int done, int all, const std::string& doing) { line.show(done, all, doing); };
         Record record = grade_submission(submission, assignment_, chain_, checks_, settings_);
         record.command = command_;
+        record.notes = submission.notes;
         if (chosen_.own && cache_) compare_with_last(record, *cache_ / "last_run.json");
         return record;
     }
