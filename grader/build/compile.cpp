@@ -8,6 +8,7 @@
 #include "build/cache.h"
 #include "build/files.h"
 #include "build/process.h"
+#include "build/source_fault.h"
 
 namespace grade {
 
@@ -87,7 +88,8 @@ Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const 
     const Ending compiler = run(inside(sandbox, command, readable, work), compiler_limits(), work.string());
     if (!compiler.good()) {
         require_room(work, most_object_bytes);  // else no fault of the submission
-        return {false, {}, why_not_built(compiler, source.string(), shown)};
+        const std::string fault = source_fault(text, shown);
+        return {false, {}, fault.empty() ? why_not_built(compiler, source.string(), shown) : fault};
     }
 
     const auto symbol = chain.symbols.find(fragment);

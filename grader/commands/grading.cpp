@@ -65,6 +65,7 @@ public:
         Record record = grade_programs(*programs_, assignment_, chain_, checks_, settings_, *progress_);
         record.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
         record.command = command_;
+        record.notes = submission.notes;
         if (chosen_.own && cache_) compare_with_last(record, *cache_ / "last_run.json");
         if (!arguments_.json.empty()) write_text(arguments_.json, to_json(record));
         return record;

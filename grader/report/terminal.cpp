@@ -90,6 +90,7 @@ std::string table(const Record& record, const Assignment& assignment, bool color
     }
     text += fmt::format("{}{:<43}{:>6} of {}{}\n", color ? "\033[1m" : "", "Total", points(record.score()),
                         points(record.max_score()), color ? "\033[0m" : "");
+    for (const std::string& note : record.notes) text += "note: " + printable(note) + "\n";
     if (!record.changes.empty()) text += "Since the last run:\n";
     for (const std::string& change : record.changes) text += "  " + change + "\n";
     if (const auto ratio = record.efficiency_ratio())
