@@ -52,7 +52,7 @@ TEST_CASE("what Mitsuba has no words for is named") {
                ContainsSubstring("above 1 together"));
     CHECK_THAT(complaint(scene_of("", diffuse + lamp + mirror)), ContainsSubstring("bounces = 0"));
     CHECK_THAT(complaint(scene_of("", cloud, "[[light]]\ntype = \"point\"\nposition = [0, 3, 0]\nintensity = 1\n")),
-               ContainsSubstring("shadow rays go through it"));
+               ContainsSubstring("beside a medium that scatters"));
     CHECK_THAT(complaint(scene_of("", diffuse,
                                   "[shutter]\nclose = 1\n[[shape]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\n"
                                   "material = \"a\"\nvelocity = [1, 0, 0]\n")),

@@ -60,8 +60,8 @@ public:
         ProgressLine line;
         progress_ = std::make_unique<Progress>(
             [&](int done, int all, const std::string& doing) { line.show(done, all, doing); });
-        programs_ = std::make_unique<Programs>(read_submission(chosen_.submission, assignment_.names()), chain_,
-                                               settings_.build, *progress_);
+        const Submission submission = read_submission(chosen_.submission, assignment_.names());
+        programs_ = std::make_unique<Programs>(submission, chain_, settings_.build, *progress_);
         Record record = grade_programs(*programs_, assignment_, chain_, checks_, settings_, *progress_);
         record.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
         record.command = command_;
@@ -144,7 +144,8 @@ void add_grade_options(CLI::App& app, GradeArguments& arguments) {
         ->type_name("[SUBMISSION] [FRAGMENT...]");
     app.add_flag("--watch", arguments.watch, "grade again at each save, until Ctrl-C");
     app.add_option("--seed", arguments.seed, "of all parameters and random numbers; default: 1 for the starter, else a fresh one")
-        ->type_name("N");
+        ->type_name("N")
+        ->check(CLI::NonNegativeNumber);
     app.add_option("--json", arguments.json, "write the record of the grading")->type_name("FILE");
     app.add_option("--html", arguments.html,
                    "write a page with all pictures into this folder; a whole starter always gets one")
