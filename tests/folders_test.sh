@@ -37,7 +37,7 @@ expect 0 "3 of 3" "$odd/kit/grade" phong
 expect 0 "3 of 3" env -C "$odd/kit" ./grade starter phong --html "a & b's page" --json "$odd/the record.json"
 expect 0 '"schema"' cat "$odd/the record.json"
 expect 0 "</html>" cat "$odd/kit/a & b's page/index.html"
-expect 0 "of the pixels differ" env -C "$odd/kit" ./grade picture scenes/phong.toml --mine phong -o "$odd/my picture.png" --size 16x16
+expect 0 "the same, bit by bit" env -C "$odd/kit" ./grade picture scenes/phong.toml --mine phong -o "$odd/my picture.png" --size 16x16
 mv "$odd/kit" "$odd/ä kit"
 expect 0 "3 of 3" "$odd/ä kit/grade" phong
 ln -s "$odd/ä kit/grade" "$work/call it"
@@ -70,8 +70,8 @@ expect 3 "rt/fragments.h: not there" "$grade" solution phong --toolchain "$work/
 : >"$work/file"
 for place in "$work/missing" "$work/file" "" "$odd" "."; do
     expect 0 "3 of 3" env TMPDIR="$place" "$grade" solution phong
-    expect 0 "3 of 3" env TMPDIR="$place" "$grade" solution phong --trusted
 done
+expect 0 "3 of 3" env TMPDIR="$odd" "$grade" solution phong --trusted
 expect 0 "$work/again" env TMPDIR="$odd" "$grade" hand-out "$work/again"
 if unshare --user --map-root-user --mount true 2>/dev/null; then
     PENUMBRA_WORK=$work unshare --user --map-root-user --mount "$0" "$build" --mounts
@@ -93,7 +93,7 @@ in_language() { env $language "$@"; }
 # shellcheck disable=SC2317
 private() { (umask 077 && "$@"); }
 for language in "${german[*]}" LC_ALL=C; do
-    expect 0 "3 of 3" in_language "$grade" "$odd/Grüße, & more" phong --json "$work/$language.json"
+    expect 0 "3 of 3" in_language "$grade" "$odd/Grüße, & more" phong --json "$work/a.json"
     expect 0 "hash" in_language "$build/raytrace" scenes/phong.toml --size 8x8 -o "$work/a.exr"
     expect 0 "3 of 3" in_language "$odd/ä kit/grade" phong
     sed 's/phong(/phonk(/' solution/phong.cpp >"$work/broken.cpp"
