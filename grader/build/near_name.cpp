@@ -69,7 +69,8 @@ std::optional<std::string> nearly_named(std::string_view file, const std::vector
     std::vector<std::string> names;
     for (const std::string& fragment : fragments) names.push_back(bare(fragment));
     const auto nearest = rt::nearest_word(letters, names);
-    if (!nearest || letters.size() < 5 || letters.size() + 2 < nearest->size() || nearest->size() + 2 < letters.size()) return {};
+    const std::size_t differ = letters.size() / 5;  // letters, in a slip of the fingers
+    if (!nearest || letters.size() < 5 || letters.size() + differ < nearest->size() || nearest->size() + differ < letters.size()) return {};
     return fragments[std::size_t(std::find(names.begin(), names.end(), *nearest) - names.begin())];
 }
 
