@@ -220,6 +220,16 @@ built_elsewhere() {
         [ "$(grep -cxF -e "CMAKE_HOME_DIRECTORY:INTERNAL=$root" -e CMAKE_GENERATOR:INTERNAL=Ninja "$build/CMakeCache.txt")" != 2 ]
 }
 
+# built_for_another: whether the build makes use of instructions that this processor lacks.
+built_for_another() {
+    local there="" name
+    [ -e "$build/instructions" ] && there=$(grep -m 1 ^flags /proc/cpuinfo 2>/dev/null) || return 1
+    for name in $(<"$build/instructions"); do
+        [[ "$there " == *" $name "* ]] || return 0
+    done
+    return 1
+}
+
 disk_is_full() {
     [[ $output == *"No space left on device"* ]] || [ "$(df --output=avail "$build" | tail -n 1)" -lt 1000 ]
 }
@@ -230,7 +240,8 @@ build_release() {
     while [ $# -gt 0 ] && [ "$1" != -- ]; do targets+=("$1"); shift; done
     exec {lock}>>"$build/.lock"
     flock -n "$lock" || quietly "waiting for another build here" flock "$lock" || true
-    if [ $# -gt 0 ] || [ ! -e "$build/build.ninja" ] || [ -e "$build/.configuring" ] || built_elsewhere; then
+    if [ $# -gt 0 ] || [ ! -e "$build/build.ninja" ] || [ -e "$build/.configuring" ] ||
+        built_elsewhere || built_for_another; then
         configure "${@:2}"
     fi
 
@@ -269,9 +280,12 @@ build_line() {
 
 # configure [CMAKE OPTIONS]: what failed or was interrupted half way starts afresh.
 configure() {
+    # what was chosen, as flags.cmake has it, goes along
+    local march=""
+    march=$(sed -n 's/^RT_MARCH:STRING=/-DRT_MARCH=/p' "$build/CMakeCache.txt" 2>/dev/null) || true
     if [ -e "$build/.configuring" ] || built_elsewhere; then rm -rf "$build/CMakeCache.txt" "$build/CMakeFiles"; fi
     touch "$build/.configuring"
-    if quietly "configuring" env -C "$root" cmake --preset release "$@"; then
+    if quietly "configuring" env -C "$root" cmake --preset release ${march:+"$march"} "$@"; then
         rm "$build/.configuring"
         return
     fi

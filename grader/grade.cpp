@@ -1,3 +1,7 @@
 #include "commands/command_line.h"
+#include "rt/processor.h"
 
-int main(int argc, char** argv) { return grade::run_command_line(argc, argv); }
+int main(int argc, char** argv) {
+    rt::require_processor();
+    return grade::run_command_line(argc, argv);
+}

@@ -16,6 +16,7 @@
 #include "rt/files/mitsuba.h"
 #include "rt/plan.h"
 #include "rt/files/scene_reader.h"
+#include "rt/processor.h"
 #include "rt/render.h"
 #include "rt/show/bar.h"
 #include "rt/show/onlookers.h"
@@ -146,6 +147,7 @@ int render(const Options& o, const rt::Scene& scene, rt::RenderSettings settings
         rt::write_exr(o.out, rendering.image, rt::label_of(o.scene, scene.camera.size, settings, rendering));
         rt::write_png(std::filesystem::path(o.out).replace_extension(".png").string(), rendering.image, scene.exposure);
     }
+    if (!o.out.empty()) fmt::print(stderr, "{}", rt::report_range(o.out, rendering.image));
     if (rendering.done < 1)
         fmt::print(stderr, "{}: {} after {:.3g} % of the picture; what is missing is black\n", show.name,
                    interrupted ? "interrupted" : "the time was over", 100 * rendering.done);
@@ -173,6 +175,7 @@ int run(const Options& o) {
 }  // namespace
 
 int main(int count, char** words) {
+    rt::require_processor();
     CLI::App app("Renders a scene.");
     Options options;
     describe_options(app, options);

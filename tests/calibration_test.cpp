@@ -15,7 +15,7 @@
 #include "rt/files/scene_reader.h"
 
 using namespace grade;
-using Catch::Matchers::Contains;
+using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
@@ -74,14 +74,14 @@ TEST_CASE("a patch without a fragment, or with an unknown key, is named with its
     const TemporaryFolder folder;
     fs::create_directories(folder.path() / "wrong");
     write_text(folder.path() / "wrong/1_a.patch", "# 1 a\n# fragmnt: phong\n");
-    CHECK_THROWS_WITH(read_variants(folder.path()), Contains("1_a.patch:2:3: unknown key fragmnt"));
+    CHECK_THROWS_WITH(read_variants(folder.path()), ContainsSubstring("1_a.patch:2:3: unknown key fragmnt"));
     write_text(folder.path() / "wrong/1_a.patch", "# 1 a\n--- x\n");
-    CHECK_THROWS_WITH(read_variants(folder.path()), Contains("1_a.patch:2:1: no fragment is named"));
+    CHECK_THROWS_WITH(read_variants(folder.path()), ContainsSubstring("1_a.patch:2:1: no fragment is named"));
     Variant stale = variant_of("wrong/stale", "phong");
     stale.patch = "# x\n# fragment: phong\n--- a/solution/phong.cpp\n+++ b/solution/phong.cpp\n@@ -1,2 +1,2 @@\n"
                   "-nothing of the kind\n+else\n x\n";
     CHECK_THROWS_WITH(changed_text(stale, "."),
-                      Contains("wrong/stale.patch:1:1: does not apply to solution/phong.cpp any more"));
+                      ContainsSubstring("wrong/stale.patch:1:1: does not apply to solution/phong.cpp any more"));
 }
 
 TEST_CASE("bundles hold each variant once, and no fragment twice") {

@@ -12,7 +12,7 @@ import sys
 import tempfile
 
 example = pathlib.Path(__file__).resolve().parent / "example"
-verdicts = ["passed", "failed", "not started", "did not build", "crashed", "timed out", "not an image"]
+verdicts = ["passed", "failed", "not started", "did not build", "crashed", "timed out", "not finite"]
 
 
 def table():

@@ -32,7 +32,7 @@ timeless() { grep -v '_seconds"\|"command"' "$1"; }
 expect 0 "" diff <(timeless "$work/a.json") <(timeless "$work/b.json")
 
 # a sandbox is stated, and so is its absence
-expect 0 "the submission is trusted" "$grade" solution moved --trusted
+expect 0 "the code is its owner's" "$grade" solution moved --trusted
 
 # known variants: really graded, kept, gone on with, and reported
 calibrate=("$grade" calibrate mirror_direction --folder "$work/calibration" --replicates 64 --gradings 1 --draws 1000)

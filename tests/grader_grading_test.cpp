@@ -94,7 +94,7 @@ std::string solution(const std::string& fragment) { return read_text("solution/"
 
 /// The solution of the three, with other texts for some.
 Submission submission(const std::map<std::string, std::string>& changed) {
-    Submission result{"test", {}, {}, ""};
+    Submission result{.name = "test"};
     for (const std::string& name : names)
         result.texts[name] = changed.contains(name) ? changed.at(name) : solution(name);
     return result;

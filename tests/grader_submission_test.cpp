@@ -3,6 +3,8 @@
 
 #include "build/code_only.h"
 #include "build/files.h"
+#include "build/near_name.h"
+#include "build/source_fault.h"
 #include "build/submission.h"
 #include "catch.h"
 
@@ -96,7 +98,7 @@ TEST_CASE("what is no submission is an error that fragments_of_hand_in it") {
 TEST_CASE("a disk without room is an error") {
     const TemporaryFolder folder;
     CHECK_NOTHROW(require_room(folder.path(), 1));
-    CHECK_THROWS_WITH(require_room(folder.path(), std::uintmax_t(-1)), Catch::Matchers::Contains("the disk is full"));
+    CHECK_THROWS_WITH(require_room(folder.path(), std::uintmax_t(-1)), Catch::Matchers::ContainsSubstring("the disk is full"));
 }
 
 TEST_CASE("comments, white space, line ends and byte order marks are not code") {
@@ -107,4 +109,112 @@ TEST_CASE("comments, white space, line ends and byte order marks are not code") 
     CHECK(code_only("\"\\\" // x\" y").size() == 10);
     CHECK(code_only("/* open") == "");
     CHECK(code_only("a b") != code_only("a c"));
+}
+
+TEST_CASE("each of the archives that were refused or misread is graded, or told what was nearly right", "[submission]") {
+    const std::vector<std::string> all{"hit_sphere", "mirror_direction", "phong"};
+    const auto read = [&](const char* name) { return read_submission(fs::path("tests/cases/archives") / name, all); };
+    const Submission utf8 = read("name_of_student.zip");
+    CHECK(utf8.texts.contains("hit_sphere"));
+    CHECK(utf8.folder == "HW3_Garc\xc3\xad" "a/fragments/");
+
+    const Submission suffix = read("browser_suffix.zip");
+    CHECK(suffix.texts.contains("mirror_direction"));
+    CHECK(suffix.complaints.at("hit_sphere") ==
+          "not in the submission; there is fragments/hit_sphere (1).cpp: rename it to hit_sphere.cpp");
+    CHECK_FALSE(suffix.complaints.contains("phong"));
+    CHECK(read("case.zip").complaints.at("hit_sphere").find("there is fragments/Hit_Sphere.cpp: rename it") != std::string::npos);
+
+    const Submission copies = read("old_copy.zip");
+    CHECK(copies.folder == "starter/fragments/");
+    CHECK(copies.texts.at("hit_sphere").size() == 1725);
+    REQUIRE(copies.notes.size() == 1);
+    CHECK(copies.notes[0] == "hit_sphere.cpp, mirror_direction.cpp are in starter/fragments/ and in old/; what is in "
+                             "starter/fragments/ was taken: old/ looks set aside by its name");
+}
+
+TEST_CASE("names as browsers, learning systems and hands change them are near to their fragments'", "[submission]") {
+    const std::vector<std::string> all{"hit_sphere", "hit_quad", "phong", "phong_lobe", "moved", "lens_ray", "camera_ray", "whitted"};
+    for (const char* file : {"hit_sphere-1.cpp", "hit_sphere (1).cpp", "hit_sphere(2).cpp", "Hit_Sphere.cpp", "HIT_SPHERE.CPP", "hitsphere.cpp",
+                             "HitSphere.cpp", "hit-sphere.cpp", "hit sphere.cpp", "hit_sphere.cpp.txt", "hit_sphere.cc", "hit_sphere.c",
+                             "hit_sphere.h", "hit_sphere.txt", "hit_sphere_final.cpp", "hit_sphere2.cpp", "hit_sphere copy.cpp", "hit_sphere - Copy.cpp",
+                             "Copy of hit_sphere.cpp", "Kopie von hit_sphere.cpp", "garcia_4711_815_hit_sphere.cpp", "hit_sphere.cpp.bak",
+                             "hit_sphere.cpp (1)", "hit_sphere.cpp~", "hit_shpere.cpp", "hit_spere.cpp", "hit_spheres.cpp", "hit_sphere_.cpp", " hit_sphere.cpp",
+                             "hit_sphere .cpp", "hit_sphere\xe2\x80\x8b.cpp", "hit_sphere_v2-3.cpp"}) {
+        INFO(file);
+        CHECK(nearly_named(file, all) == "hit_sphere");
+    }
+    CHECK(nearly_named("phong_lobe (1).cpp", all) == "phong_lobe");
+    CHECK(nearly_named("phong-1.cpp", all) == "phong");
+    for (const char* file : {"hit_sphere.cpp", "phong_lobe.cpp", "removed.cpp", "camera.cpp", "main.cpp", "hit_sphere.o", "hit_sphere.png", "report.txt",
+                             "._hit_sphere.cpp", "README.md", "Makefile", "ray.cpp", ""}) {
+        INFO(file);
+        CHECK_FALSE(nearly_named(file, all));
+    }
+}
+
+TEST_CASE("of several copies one is taken, and it is said which and why", "[submission]") {
+    const TemporaryFolder folder;
+    const auto taken = [&](const std::vector<Entry>& entries) {
+        pack(folder.path() / "c.zip", entries, true);
+        return read_submission(folder.path() / "c.zip", names);
+    };
+    // the folder's name, the number of fragments, the length of the path
+    Submission s = taken({{"a/moved.cpp", "other"}, {"hw/fragments/moved.cpp", "moved"}});
+    CHECK(s.texts.at("moved") == "moved");
+    REQUIRE(s.notes.size() == 1);
+    CHECK(s.notes[0].find("it is named fragments") != std::string::npos);
+    s = taken({{"x/moved.cpp", "moved"}, {"x/phong.cpp", "phong"}, {"y/fragments/moved.cpp", "other"}});
+    CHECK(s.texts.at("moved") == "moved");
+    CHECK(s.notes.at(0) == "moved.cpp is in x/ and in y/fragments/; what is in x/ was taken: it holds more fragments");
+    s = taken({{"fragments_old/moved.cpp", "other"}, {"fragments_old/phong.cpp", "other"}, {"fragments/moved.cpp", "moved"}});
+    CHECK(s.texts.at("moved") == "moved");
+    CHECK(s.complaints.at("phong") == "not in fragments/; there is fragments_old/phong.cpp: put it there");
+    s = taken({{"old/fragments/moved.cpp", "moved"}});  // the only one, whatever its name
+    CHECK(s.texts.at("moved") == "moved");
+    CHECK(s.notes.empty());
+    s = taken({{"fragments/moved.cpp", "other"}, {"fragments/moved.cpp", "moved"}});
+    CHECK(s.texts.at("moved") == "moved");
+    CHECK(s.notes.at(0).find("is in the archive twice") != std::string::npos);
+    s = taken({{"fragments/moved.cpp", "moved"}, {"fragments/moved (1).cpp", "other"}});
+    CHECK(s.texts.at("moved") == "moved");
+    CHECK(s.notes.at(0) == "fragments/moved (1).cpp was left out: moved.cpp is there as well");
+    s = taken({{"hw\\fragments\\moved.cpp", "moved"}});
+    CHECK(s.texts.at("moved") == "moved");
+    s = taken({{"\xc3\xbc bung/\xe8\xaf\xbe/moved.cpp", "moved"}, {"b\xe9" "b\xe9/notes.txt", "no UTF-8"}});
+    CHECK(s.texts.at("moved") == "moved");
+    CHECK_THROWS_WITH(taken({{"a/hw.zip", "zip"}}), Catch::Matchers::Contains("another archive, a/hw.zip: unpack it"));
+}
+
+TEST_CASE("an unpacked archive is found in its only folder", "[submission]") {
+    const TemporaryFolder folder;
+    fs::create_directories(folder.path() / "HW3_Garc\xc3\xad" "a/work/fragments");
+    write_text(folder.path() / "HW3_Garc\xc3\xad" "a/work/fragments/moved.cpp", "moved");
+    write_text(folder.path() / "HW3_Garc\xc3\xad" "a/work/fragments/Phong.cpp", "phong");
+    const Submission s = read_submission(folder.path(), names);
+    CHECK(s.texts.at("moved") == "moved");
+    CHECK(s.complaints.at("phong").find("Phong.cpp: rename it to phong.cpp") != std::string::npos);
+}
+
+TEST_CASE("what is no C++ at all is named in one sentence", "[submission]") {
+    const auto fault = [](const std::string& text) { return source_fault(text, "f/moved.cpp"); };
+    const std::string good = "#include \"rt/fragments.h\"\nnamespace rt {\nvec3 moved(vec3 p, vec3 v, Real t) { return p + t * v; }\n}\n";
+    CHECK(fault(good) == "");
+    CHECK(fault("\xef\xbb\xbf" + good) == "");
+    CHECK(fault("const char* a = \"/*\"; char b = '\"'; // /* \nauto c = R\"x( /* \" )x\"; int d = 1'000; /* closed */\n") == "");
+    std::string wide = "\xff\xfe";
+    for (const char c : good) wide += c, wide += '\0';
+    CHECK(fault(wide) == "f/moved.cpp:1:1: error: the file is UTF-16 text, which no compiler reads; expected UTF-8: save it again as such\n");
+    CHECK(fault(wide.substr(2)).find("UTF-16") != std::string::npos);
+    CHECK(fault(good + "/* the end") == "f/moved.cpp:5:1: error: the comment that starts here has no end; expected */\n");
+    CHECK(fault("int a; /* one\nint b;").starts_with("f/moved.cpp:1:8: "));
+    CHECK(fault("a\n<<<<<<< HEAD\nb\n=======\nc\n>>>>>>> theirs\n")
+              .starts_with("f/moved.cpp:2:1: error: a merge conflict is not resolved: git has left the line '<<<<<<< HEAD'; expected one of"));
+    CHECK(fault("<!DOCTYPE html>\n<html>").find("web page") != std::string::npos);
+    CHECK(fault("{\\rtf1\\ansi").find("RTF") != std::string::npos);
+    CHECK(fault("```cpp\n" + good + "```\n").find("Markdown") != std::string::npos);
+    CHECK(fault(good + std::string("\0", 1)).find("a byte 0") != std::string::npos);
+    // such a file is no blank, though no code is left of it
+    CHECK_FALSE(is_blank("/* all of it\n" + good, "solution/moved.cpp"));
+    CHECK(is_blank("/* all of it */\n", "solution/moved.cpp"));
 }

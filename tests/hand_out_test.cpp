@@ -72,6 +72,11 @@ TEST_CASE("students get a kit, and nothing of what they must write is in it") {
         if (!entry.is_regular_file()) continue;
         bytes += entry.file_size();
         const std::string text = text_of(entry.path());
+        // where it was built; a compiler may hold a long text in pieces of eight bytes
+        const std::string built_in = fs::absolute(".").lexically_normal().parent_path().string();
+        INFO(entry.path());
+        CHECK(text.find(built_in) == std::string::npos);
+        if (built_in.size() >= 16) CHECK(text.find(built_in.substr(8, 8)) == std::string::npos);
         const bool is_source = entry.path().extension() == ".cpp" || entry.path().extension() == ".h";
         for (const auto& [line, file] : origin) {
             const std::size_t at = text.find(line);
@@ -106,4 +111,19 @@ TEST_CASE("nothing is handed out into a folder that holds something") {
     CHECK_THROWS_WITH(hand_out(".", read_assignment("assignment.toml"), built_kit(), temporary.path()),
                       temporary.path().string() + ": is not empty; expected a new folder");
     CHECK_FALSE(fs::exists(temporary.path() / "grade"));
+}
+
+TEST_CASE("the grader of a kit from another kind of machine comes along, unless it is of another assignment") {
+    const Assignment assignment = read_assignment("assignment.toml");
+    const TemporaryFolder temporary;
+    const fs::path other = temporary.path() / "other", both = temporary.path() / "both";
+    hand_out(".", assignment, built_kit(), other);
+    fs::rename(other / "grader" / kind_of_machine(), other / "grader/m68k-linux");
+    hand_out(".", assignment, built_kit(), both, {other});
+    CHECK(fs::exists(both / "grader/m68k-linux/toolchain.toml"));
+    CHECK(fs::exists(both / "grader" / kind_of_machine() / "toolchain.toml"));
+
+    std::ofstream(other / "assignment.toml", std::ios::app) << "# of last year\n";
+    CHECK_THROWS_WITH(hand_out(".", assignment, built_kit(), temporary.path() / "mixed", {other}),
+                      other.string() + ": its assignment.toml is another one; expected a hand-out of this very project");
 }

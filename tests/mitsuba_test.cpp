@@ -42,23 +42,23 @@ const std::string cloud = "[materials.e]\ntransmittance = 1\nmedium = { extincti
 }  // namespace
 
 TEST_CASE("what Mitsuba has no words for is named") {
-    using Catch::Matchers::Contains;
+    using Catch::Matchers::ContainsSubstring;
     CHECK_THAT(complaint(scene_of("", "[materials.shiny]\nspecular = 0.5\n")),
-               Contains("material \"shiny\": Phong's highlight"));
-    CHECK_THAT(complaint(scene_of("ambient = 1", "[materials.a]\nambient = 0.5\n")), Contains("ambient light"));
-    CHECK_THAT(complaint(scene_of("background = 1", diffuse)), Contains("'background'"));
-    CHECK_THAT(complaint(scene_of("", "[materials.a]\nalbedo = 0.5\nreflectance = 0.2\n")), Contains("perfect mirror"));
+               ContainsSubstring("material \"shiny\": Phong's highlight"));
+    CHECK_THAT(complaint(scene_of("ambient = 1", "[materials.a]\nambient = 0.5\n")), ContainsSubstring("ambient light"));
+    CHECK_THAT(complaint(scene_of("background = 1", diffuse)), ContainsSubstring("'background'"));
+    CHECK_THAT(complaint(scene_of("", "[materials.a]\nalbedo = 0.5\nreflectance = 0.2\n")), ContainsSubstring("perfect mirror"));
     CHECK_THAT(complaint(scene_of("", "[materials.a]\nalbedo = 0.5\nreflectance = 0.6\nexponent = 9\n")),
-               Contains("above 1 together"));
-    CHECK_THAT(complaint(scene_of("", diffuse + lamp + mirror)), Contains("bounces = 0"));
+               ContainsSubstring("above 1 together"));
+    CHECK_THAT(complaint(scene_of("", diffuse + lamp + mirror)), ContainsSubstring("bounces = 0"));
     CHECK_THAT(complaint(scene_of("", cloud, "[[light]]\ntype = \"point\"\nposition = [0, 3, 0]\nintensity = 1\n")),
-               Contains("shadow rays go through it"));
+               ContainsSubstring("beside a medium that scatters"));
     CHECK_THAT(complaint(scene_of("", diffuse,
                                   "[shutter]\nclose = 1\n[[shape]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\n"
                                   "material = \"a\"\nvelocity = [1, 0, 0]\n")),
-               Contains("move while the shutter is open"));
+               ContainsSubstring("move while the shutter is open"));
     CHECK_THAT(complaint(scene_of("background = 1", "[materials.shiny]\nspecular = 0.5\n")),
-               Contains("Phong's") && Contains("'background'"));
+               ContainsSubstring("Phong's") && ContainsSubstring("'background'"));
 }
 
 TEST_CASE("Mitsuba follows paths as far as the scene says") {

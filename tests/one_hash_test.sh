@@ -1,8 +1,14 @@
 #!/bin/sh
 # A picture has the same bits however it is made: fragments inlined or linked as objects; 1, 2, 3, 7 or 16 threads; GCC or
-# Clang; without optimisation or with all of it; for this processor, for the oldest ones that a kit is for, or for 64-bit
-# ARM, where qemu-user, a cross compiler and the libraries are installed.
-# one_hash_test.sh BUILD [--levels]: with --levels also -O2, and -O0 and -O2 by Clang, which take minutes to build
+# Clang; without optimisation or with all of it; for this processor, for the oldest ones that a kit is for, or for 64-bit ARM.
+# one_hash_test.sh BUILD [--levels]: with --levels also -O2, -O0 and -O2 by Clang, and x86-64-v3; they take minutes to build
+#
+# 64-bit ARM takes qemu-user-static, g++-aarch64-linux-gnu, and its libraries in a folder of their own, whose name is in
+# PENUMBRA_ARM64_SYSROOT. (As packages of this system they would drive out its own.) On Debian 12, with debootstrap:
+#
+#     debootstrap --foreign --arch=arm64 --variant=minbase --include=libcli11-dev,libfmt-dev,libglm-dev,libopenexr-dev,\
+#         libpng-dev,libtbb-dev,libtinyobjloader-dev,libtomlplusplus-dev,libstdc++-12-dev bookworm FOLDER
+#     for package in FOLDER/var/cache/apt/archives/*.deb; do dpkg-deb -x $package FOLDER; done
 build=$1
 scenes="scenes/gallery/cornell.toml scenes/gallery/still_life.toml scenes/gallery/motion.toml scenes/gallery/candle.toml"
 work=$(mktemp -d) || exit 1
@@ -24,7 +30,10 @@ renderer() {
 renderers="$build/raytrace $build/raytrace_linked $build/grader/raytrace_baseline"
 # Debug and RelWithDebInfo have neither -O3 nor the instructions of this machine alone.
 renderer c++ gcc_O0 -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DRT_INLINE=OFF
-[ "$2" != --levels ] || renderer c++ gcc_O2 -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O2
+if [ "$2" = --levels ]; then
+    renderer c++ gcc_O2 -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O2
+    ! grep -q '^processor = "x86-64-v4"' "$build/toolchain.toml" || renderer c++ gcc_v3 -DRT_MARCH=x86-64-v3
+fi
 if command -v clang++ >/dev/null; then
     renderer clang++ clang
     if [ "$2" = --levels ]; then
@@ -35,23 +44,18 @@ else
     echo "clang++ is missing: GCC alone is tested; apt-get install clang for both"
 fi
 
-# Debian: dpkg --add-architecture arm64; apt-get install qemu-user-static g++-aarch64-linux-gnu, and the libraries of
-# starter/CMakeLists.txt as NAME:arm64.
+# 64-bit ARM
+sysroot=${PENUMBRA_ARM64_SYSROOT-}
 qemu=$(command -v qemu-aarch64-static || command -v qemu-aarch64 || true)
-arm=$build/aarch64
-if [ -n "$qemu" ] && command -v aarch64-linux-gnu-g++ >/dev/null; then
-    if cmake -S starter -B "$arm" -G Ninja -DCMAKE_CXX_COMPILER=aarch64-linux-gnu-g++ -DFRAGMENTS="$PWD/solution" \
-        -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64 -DCMAKE_LIBRARY_ARCHITECTURE=aarch64-linux-gnu \
-        -DCMAKE_FIND_ROOT_PATH_MODE_PACKAGE=BOTH -DRT_INLINE=OFF >"$work/log" 2>&1 &&
-        cmake --build "$arm" -j "$(nproc)" >"$work/log" 2>&1; then
-        mkdir "$work/aarch64_O3"
-        printf '#!/bin/sh\nexec %s -L /usr/aarch64-linux-gnu %s/raytrace "$@"\n' "$qemu" "$arm" >"$work/aarch64_O3/raytrace"
-        chmod +x "$work/aarch64_O3/raytrace"
-        renderers="$renderers $work/aarch64_O3/raytrace"
-    else
-        tail -n 5 "$work/log"
-        echo "the renderer is not built for 64-bit ARM (above): x86-64 alone is tested"
-    fi
+if [ -z "$sysroot" ] || [ -z "$qemu" ] || ! command -v aarch64-linux-gnu-g++ >/dev/null; then
+    echo "64-bit ARM is not tested; that takes PENUMBRA_ARM64_SYSROOT, qemu-user and aarch64-linux-gnu-g++: the head of this script"
+else
+    renderer aarch64-linux-gnu-g++ aarch64_O3 -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64 \
+        -DCMAKE_LIBRARY_ARCHITECTURE=aarch64-linux-gnu -DCMAKE_SYSROOT="$sysroot" -DCMAKE_FIND_ROOT_PATH_MODE_PACKAGE=ONLY -DRT_INLINE=OFF
+    mkdir "$work/aarch64_O3"
+    printf '#!/bin/sh\nexec "%s" -L "%s" "%s/raytrace" "$@"\n' "$qemu" "$sysroot" "$folder" >"$work/aarch64_O3/raytrace"
+    chmod +x "$work/aarch64_O3/raytrace"
+    renderers="${renderers% *} $work/aarch64_O3/raytrace"
 fi
 
 status=0

@@ -58,12 +58,25 @@ cp "$solution"/*.cpp starter/fragments/
 setsid ./grade --json "$work/part.json" >"$work/said" 2>&1 &
 grading=$!
 for _ in $(seq 300); do [ "$(find build/kept -name 'integrate*' 2>/dev/null | wc -l)" -gt 4 ] && break; sleep 0.1; done
-pkill -INT -s $grading -x grade
+kill -INT -- -$grading
 code=0
 wait $grading || code=$?
 [ $code = 130 ] || { echo "FAILED: an interrupted grading ends with another code than 130"; failures=$((failures + 1)); }
 expect 0 '"complete": false' grep complete "$work/part.json"
 expect 0 "checks as before" ./grade
+
+# another folder than one's own is graded behind what walls the machine has
+cp -r starter/fragments "$work/other"
+expect 0 "3 of 3" ./grade "$work/other" phong
+expect 0 "$(if [ -x /usr/bin/bwrap ]; then echo bubblewrap; else echo "limits only"; fi)" ./grade "$work/other" phong
+expect 0 "2 of 2 families" ./grade stress --only mirror_direction,moved
+
+# other machines, other compilers
+if command -v clang++ >/dev/null; then expect 0 "3 of 3" env CXX=clang++ ./grade phong --fresh; fi
+expect 3 "there is no C++ compiler here" env PATH=/nonexistent "grader/$(uname -m)-linux/grade" phong
+mv "grader/$(uname -m)-linux" grader/m68k-linux
+expect 3 "expected one of: m68k-linux" ./grade phong
+mv grader/m68k-linux "grader/$(uname -m)-linux"
 
 # where nothing can be kept, it is graded all the same
 if [ "$(id -u)" = 0 ]; then user=(setpriv --reuid=65534 --regid=65534 --clear-groups); else user=(); fi

@@ -21,7 +21,7 @@ const fs::path here = fs::path(__FILE__).parent_path();
 /// What each scene in bad_scenes/ must be told.
 const std::map<std::string, std::string> complaints = {
     {"albedo_above_one.toml", "albedo_above_one.toml:6:10: 'albedo' is 1.01; expected "},
-    {"bad_mesh.toml", "bad_face.obj:4:1: a face has vertex 4; expected "},
+    {"bad_mesh.toml", "bad_face.obj:4:7: a face has vertex 4; expected "},
     {"beyond_double.toml", "beyond_double.toml:16:15: '1e400' could not be interpreted as a value; expected "},
     {"beyond_range.toml", "beyond_range.toml:15:14: 'center' is 1e+300; expected "},
     {"deep_key.toml", "deep_key.toml:6:130: too many dots in one key; expected "},
@@ -358,14 +358,14 @@ material = "m"
 }
 
 TEST_CASE("what is wrong in an OBJ file is told with its line", "[reader]") {
-    CHECK(obj_complaint("v 0 0 x\n").rfind(":1:1: ", 0) == 0);
-    CHECK(obj_complaint("v 0 0 0\nv 0 nan 0\n").rfind(":2:1: ", 0) == 0);
-    CHECK(obj_complaint("v 0 0 0\nv 0 1e400 0\n").rfind(":2:1: ", 0) == 0);
+    CHECK(obj_complaint("v 0 0 x\n").rfind(":1:7: ", 0) == 0);
+    CHECK(obj_complaint("v 0 0 0\nv 0 nan 0\n").rfind(":2:5: ", 0) == 0);
+    CHECK(obj_complaint("v 0 0 0\nv 0 1e400 0\n").rfind(":2:5: ", 0) == 0);
     CHECK(obj_complaint("v 0 0 0\nv 1 0\n").rfind(":2:1: ", 0) == 0);
     CHECK(obj_complaint("v 0 0 0\n\n\nf 1 1\n").rfind(":4:1: ", 0) == 0);
-    CHECK(obj_complaint("v 0 0 0\nf 1 1 0\n").rfind(":2:1: ", 0) == 0);
-    CHECK(obj_complaint("v 0 0 0\nf 1 1 1 -2\n").rfind(":2:1: ", 0) == 0);
-    CHECK(obj_complaint("v 0 0 0\nf 1 1 99999999999\n").rfind(":2:1: ", 0) == 0);
+    CHECK(obj_complaint("v 0 0 0\nf 1 1 0\n").rfind(":2:7: ", 0) == 0);
+    CHECK(obj_complaint("v 0 0 0\nf 1 1 1 -2\n").rfind(":2:9: ", 0) == 0);
+    CHECK(obj_complaint("v 0 0 0\nf 1 1 99999999999\n").rfind(":2:7: ", 0) == 0);
     CHECK(obj_complaint("") != "");
     CHECK(obj_complaint("\x7f" "ELF\x01\xff\n\xfe") != "");
 }

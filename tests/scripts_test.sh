@@ -8,7 +8,7 @@ source=$(cd "$(dirname "$0")/.." && pwd)
 # shellcheck source=tests/expect.sh
 . "$source/tests/expect.sh"
 chmod 755 "$work"
-tree="$work/Übung (1) & Lösung" bin=$work/bin stub=$work/stub
+tree="$work/Übung (1) & Lösung's" bin=$work/bin stub=$work/stub
 build=$tree/build/release
 
 # Only these programs are there, and the stand-ins.
@@ -114,6 +114,10 @@ expect 0 "graded $work: hand-in" in_it env -C "$work" CDPATH="$work" ./elsewhere
 expect 0 "graded $work/elsewhere: hand-in" in_it env -C "$work/elsewhere" "../stub/chained link" hand-in
 expect 0 "graded $work: hand-in" in_it env -C "$work" PATH="$work/elsewhere:$bin" link hand-in
 
+begin
+expect 0 "graded $work: hand-in" in_it env -C "$work" "$tree/grade" hand-in
+expect 0 "" test -e "$build/build.ninja"
+
 # the first build, without a terminal: a line at each tenth, on stderr alone
 begin
 expect 0 "Building, the first time: 260 steps, about 2 minutes." in_it ./grade
@@ -137,8 +141,9 @@ expect 0 "says:graded" echo "says:$(on_terminal "" ./grade)"
 steps 3
 expect 0 "0 lines" lines in_it ./grade
 expect 0 "building: 1 of 3, a few seconds left~" on_terminal "" ./grade
+expect 0 "building: 3 of 3~graded" on_terminal "" ./grade
 expect 0 "1" grep -c "" <(on_terminal "" ./grade)
-# a slow one is not silent for longer than 10 s
+# a slow one is not silent for longer than 15 s
 echo 'echo "[1/3] Building a.o"; sleep 16; echo "[2/3] Building b.o"' >"$stub/build"
 expect 0 "building: 1 of 3, a few seconds left" in_it ./grade
 begin
@@ -227,6 +232,22 @@ for stale in "CMAKE_HOME_DIRECTORY:INTERNAL=.*/CMAKE_HOME_DIRECTORY:INTERNAL=\/o
     expect 0 "CMAKE_HOME_DIRECTORY:INTERNAL=$tree" cat "$build/CMakeCache.txt"
     expect 0 "=Ninja" cat "$build/CMakeCache.txt"
 done
+# what is built for a processor that has more than this one is configured anew, with what was chosen
+if grep -q ^flags /proc/cpuinfo; then
+    : >"$stub/log"
+    grep -m 1 ^flags /proc/cpuinfo | sed 's/.*: //' >"$build/instructions"
+    expect 0 "graded" in_it ./grade
+    expect 0 "" not_called "cmake --preset"
+    echo "no_such_instruction" >>"$build/instructions"
+    expect 0 "graded" in_it ./grade
+    expect 0 "" called "cmake --preset release"
+    : >"$stub/log"
+    echo RT_MARCH:STRING=x86-64-v3 >>"$build/CMakeCache.txt"
+    sed -i "s/CMAKE_HOME_DIRECTORY:INTERNAL=.*/CMAKE_HOME_DIRECTORY:INTERNAL=\/other/" "$build/CMakeCache.txt"
+    expect 0 "graded" in_it ./grade
+    expect 0 "" called "cmake --preset release -DRT_MARCH=x86-64-v3"
+    rm "$build/instructions"
+fi
 echo 'echo "a.cpp: fatal error: error writing to /tmp/a.s: No space left on device"; exit 1' >"$stub/build"
 expect 3 "The disk is full" in_it ./grade
 
@@ -259,6 +280,7 @@ begin
 expect 0 "graded" in_it ./grade
 chmod 777 "$build"
 chmod 444 "$build/.ninja_log"
+rm "$build/.lock"
 expect 0 "0 lines" lines reader ./grade
 chmod -R u+w "$tree"
 

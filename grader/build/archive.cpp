@@ -4,6 +4,9 @@
 #include <archive_entry.h>
 #include <fmt/format.h>
 
+#include <locale.h>
+
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <set>
@@ -15,9 +18,36 @@ namespace {
 constexpr int most_entries = 20'000;
 constexpr std::int64_t most_unpacked = 256ll << 20;
 
+/// While it lives, this thread's names are UTF-8, without which the library gives up on all that are not ASCII.
+class NamesInUtf8 {
+public:
+    NamesInUtf8() {
+        for (const char* name : {"C.UTF-8", "C.utf8", "en_US.UTF-8", "en_GB.UTF-8"})
+            if (!locale_) locale_ = newlocale(LC_CTYPE_MASK, name, locale_t(0));
+        if (locale_) before_ = uselocale(locale_);
+    }
+    ~NamesInUtf8() {
+        if (!locale_) return;
+        uselocale(before_);
+        freelocale(locale_);
+    }
+    NamesInUtf8(const NamesInUtf8&) = delete;
+    NamesInUtf8& operator=(const NamesInUtf8&) = delete;
+
+private:
+    locale_t locale_ = locale_t(0), before_ = locale_t(0);
+};
+
+/// A path within an archive, as a name and nothing else; some programs write it with the other slash.
+std::string plain_path(std::string raw) {
+    std::replace(raw.begin(), raw.end(), '\\', '/');
+    return fs::path(raw).lexically_normal().generic_string();
+}
+
 }  // namespace
 
 Found look_into_archive(const fs::path& path, const std::vector<std::string>& fragments) {
+    const NamesInUtf8 names_in_utf8;
     const std::unique_ptr<archive, int (*)(archive*)> in(archive_read_new(), archive_read_free);
     archive_read_support_format_zip(in.get());
     archive_read_support_format_tar(in.get());
@@ -41,11 +71,15 @@ Found look_into_archive(const fs::path& path, const std::vector<std::string>& fr
         if (entries >= most_entries)
             throw SubmissionError(fmt::format("{}: holds more than {} files", path.string(), most_entries));
         const char* raw = archive_entry_pathname(entry);
-        if (!raw) continue;
+        if (!raw) {
+            ++found.unnamed;
+            continue;
+        }
         // the path is a name and nothing else: nothing is written to it
-        const std::string name = fs::path(raw).lexically_normal().generic_string();
+        const std::string name = plain_path(raw);
         if (name.starts_with("/") || name.starts_with("..")) continue;
         if (!names.contains(fs::path(name).filename().string())) {
+            if (archive_entry_filetype(entry) == AE_IFREG) found.look_at_name(name, fragments);
             // what is skipped is unpacked all the same
             if (archive_entry_size_is_set(entry)) unpacked += archive_entry_size(entry);
             if (unpacked > most_unpacked)
@@ -69,7 +103,9 @@ Found look_into_archive(const fs::path& path, const std::vector<std::string>& fr
             continue;
         }
         text.resize(have);
-        found.texts[name] = std::move(text);
+        const auto [place, fresh] = found.texts.try_emplace(name, text);
+        if (!fresh && place->second != text) found.doubled.insert(name);
+        place->second = std::move(text);
     }
     return found;
 }

@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "build/files.h"
+#include "build/source_fault.h"
 
 namespace grade {
 
@@ -47,7 +48,8 @@ std::string code_only(std::string_view text) {
 bool is_blank(const std::string& text, const std::filesystem::path& blank) {
     const std::string code = code_only(text);
     // the blank's first statement returns: whatever follows it never runs
-    if (code.empty() || code.find("){returnnot_started(") != code.npos) return true;
+    if (code.empty()) return source_fault(text, "").empty();
+    if (code.find("){returnnot_started(") != code.npos) return true;
     const auto original = read_text(blank);
     return original && code == code_only(*original);
 }

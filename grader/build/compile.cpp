@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "build/cache.h"
 #include "build/files.h"
 #include "build/process.h"
+#include "build/source_fault.h"
 
 namespace grade {
 
@@ -86,14 +88,18 @@ Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const 
     const Ending compiler = run(inside(sandbox, command, readable, work), compiler_limits(), work.string());
     if (!compiler.good()) {
         require_room(work, most_object_bytes);  // else no fault of the submission
-        return {false, {}, why_not_built(compiler, source.string(), shown)};
+        const std::string fault = source_fault(text, shown);
+        return {false, {}, fault.empty() ? why_not_built(compiler, source.string(), shown) : fault};
     }
 
     const auto symbol = chain.symbols.find(fragment);
     if (symbol == chain.symbols.end()) return {false, {}, "the framework calls no fragment of this name"};
-    bool defined = false;
-    for (const std::string& name : symbols_of(object)) defined = defined || name == symbol->second;
-    if (!defined) return {false, {}, wrong_signature(chain, object, fragment, shown)};
+    try {
+        if (std::ranges::count(symbols_of(object), symbol->second) == 0)
+            return {false, {}, wrong_signature(chain, object, fragment, shown)};
+    } catch (const std::runtime_error&) {
+        return {false, {}, shown + ": error: the object that the compiler makes of it cannot be read"};
+    }
 
     // groups of sections that other objects hold as well must go before their symbols become private
     const fs::path merged = work / "merged.o", own = work / (fragment + ".o");
@@ -103,7 +109,8 @@ Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const 
             compiler_limits(), work.string());
     if (step.good())
         step = run(inside(sandbox,
-                          {"/usr/bin/objcopy", "--keep-global-symbol=" + symbol->second, merged.string(), own.string()},
+                          {"/usr/bin/objcopy", "--keep-global-symbol=" + symbol->second, "--remove-section=.gnu.lto_*",
+                           "--remove-section=.gnu.debuglto_*", merged.string(), own.string()},
                           {}, work),
                    compiler_limits(), work.string());
     if (!step.good()) {
@@ -116,6 +123,7 @@ Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const 
 std::string link_child(const Toolchain& chain, const std::vector<fs::path>& objects, const fs::path& program) {
     std::vector<std::string> command{chain.compiler.string()};
     command.insert(command.end(), chain.link.begin(), chain.link.end());
+    command.push_back("-fno-lto");  // no compiler runs on what a fragment may hold
     for (const fs::path& object : objects) command.push_back(object.string());
     for (const fs::path& archive : chain.archives) command.push_back(archive.string());
     command.insert(command.end(), chain.libraries.begin(), chain.libraries.end());

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -10,6 +11,7 @@
 #include <cstring>
 #include <stdexcept>
 #include <system_error>
+#include <vector>
 
 namespace grade {
 
@@ -62,8 +64,42 @@ void require_room(const fs::path& folder, std::uintmax_t bytes) {
                                          space.available, bytes));
 }
 
+namespace {
+
+/// Why programs cannot be put there and started; empty where they can.
+std::string unfit(const fs::path& place) {
+    struct statvfs system {};
+    std::error_code error;
+    if (!fs::is_directory(place, error)) return error && error != std::errc::no_such_file_or_directory ? error.message() : "no such folder";
+    if (access(place.c_str(), W_OK | X_OK) != 0) return std::strerror(errno);
+    if (statvfs(place.c_str(), &system) == 0 && (system.f_flag & ST_NOEXEC)) return "mounted noexec: no program runs there";
+    return {};
+}
+
+fs::path find_temporary_place() {
+    std::vector<fs::path> places;
+    if (const char* chosen = std::getenv("TMPDIR"); chosen && *chosen) places.push_back(fs::absolute(chosen));
+    std::error_code error;
+    places.insert(places.end(), {"/tmp", "/var/tmp", fs::read_symlink("/proc/self/exe", error).parent_path()});
+    if (const char* home = std::getenv("HOME"); home && *home) places.push_back(fs::absolute(home) / ".cache");
+    std::string tried;
+    for (const fs::path& place : places) {
+        const std::string fault = unfit(place);
+        if (fault.empty()) return place;
+        tried += fmt::format("; {}: {}", place.string(), fault);
+    }
+    throw std::runtime_error("there is no folder for temporary files; expected one in TMPDIR" + tried);
+}
+
+}  // namespace
+
+const fs::path& temporary_place() {
+    static const fs::path place = find_temporary_place();
+    return place;
+}
+
 TemporaryFolder::TemporaryFolder() {
-    std::string pattern = (fs::temp_directory_path() / "grade-XXXXXX").string();
+    std::string pattern = (temporary_place() / "grade-XXXXXX").string();
     if (!mkdtemp(pattern.data()))
         throw std::runtime_error(fmt::format("{}: no such folder can be made: {}", pattern, std::strerror(errno)));
     path_ = pattern;

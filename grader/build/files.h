@@ -21,6 +21,10 @@ void write_text(const fs::path& path, std::string_view text);
 /// Throws std::runtime_error where the disk of a folder has less room than so many bytes.
 void require_room(const fs::path& folder, std::uintmax_t bytes);
 
+/// A folder for temporary files, whose programs can be started: TMPDIR, /tmp, /var/tmp, that of this program, ~/.cache;
+/// the first that serves. Throws std::runtime_error that says what is wrong with each where none does.
+const fs::path& temporary_place();
+
 /// A new folder that goes, with all that is in it, when this object does.
 class TemporaryFolder {
 public:

@@ -67,7 +67,7 @@ void write_bare_object(const fs::path& object, const std::string& symbol, const 
     // groups of sections that other objects hold as well must go before their symbols become private
     must_run({"/usr/bin/ld", "-r", "--force-group-allocation", object.string(), "-o", merged});
     must_run({"/usr/bin/objcopy", "--keep-global-symbol=" + symbol, "--strip-unneeded", "--remove-section=.comment",
-              "--remove-section=.note*", merged, target.string()});
+              merged, target.string()});
     std::istringstream lines(must_run({"/usr/bin/nm", "--format=posix", "--defined-only", target.string()}));
     std::string renamed;
     int count = 0;
@@ -163,11 +163,11 @@ void write_toolchain(const Toolchain& built, const fs::path& machine) {
     for (const std::string& library : built.libraries)
         if (!library.starts_with("/")) plain.push_back(library);
     write_text(machine / "toolchain.toml",
-               fmt::format("# How this kit's grader compiles and links.\nkit = true\nsource = \"../..\"\n"
+               fmt::format("# How this kit's grader compiles and links.\nkit = true\nprocessor = \"{}\"\nsource = \"../..\"\n"
                            "cache = \"../../build\"\ncompile = {}\nincludes = [\"../../starter\", \"../include\"]\n"
                            "link = {}\narchives = [\"libchild.a\", \"librt.a\"]\nlibraries = {}\nkit_libraries = {}\n"
                            "blanks = \"../blanks\"\nblank_objects = {}\nsolution_objects = {}\n",
-                           quoted(built.compile), quoted(built.link), quoted(plain), quoted(libraries), quoted(blanks),
+                           built.processor, quoted(built.compile), quoted(built.link), quoted(plain), quoted(libraries), quoted(blanks),
                            quoted(reference)));
 }
 
@@ -199,7 +199,7 @@ void write_machine(const Toolchain& built, const fs::path& program, const fs::pa
 void add_machines(const fs::path& kit, const fs::path& folder) {
     for (const char* file : {"assignment.toml", "grade"})
         if (read_text(kit / file) != read_text(folder / file))
-            throw std::runtime_error(
+            throw std::invalid_argument(
                 fmt::format("{}: its {} is another one; expected a hand-out of this very project", kit.string(), file));
     for (const auto& entry : fs::directory_iterator(kit / "grader")) {
         const fs::path target = folder / "grader" / entry.path().filename();
@@ -221,7 +221,7 @@ std::string kind_of_machine() {
 void hand_out(const fs::path& project, const Assignment& assignment, const fs::path& built_toolchain,
               const fs::path& folder, const std::vector<fs::path>& others) {
     if (fs::exists(folder) && !fs::is_empty(folder))
-        throw std::runtime_error(fmt::format("{}: is not empty; expected a new folder", folder.string()));
+        throw std::invalid_argument(fmt::format("{}: is not empty; expected a new folder", folder.string()));
     const Toolchain built = read_toolchain(built_toolchain);
     const fs::path program = built.archives.front().parent_path() / "grade_kit";
     if (!fs::exists(program)) throw std::runtime_error(fmt::format("{}: not built yet", program.string()));
@@ -238,6 +238,7 @@ void hand_out(const fs::path& project, const Assignment& assignment, const fs::p
     }
     fs::copy_file(project / "grader/kit/grade", folder / "grade");
     write_text(folder / ".gitignore", "build*/\n");
+    write_text(folder / ".gitattributes", "* text=auto eol=lf\n");  // a shell reads no CRLF
     write_starter(blanks, (folder / "starter/fragments").string());
     write_starter(blanks, (folder / "grader/blanks").string());
     copy_folder(folder_of_glm(built) / "glm", folder / "grader/include/glm");

@@ -11,8 +11,9 @@ namespace grade {
 /// headers, and in grader/MACHINE/ the grader, built: program, framework, reference fragments as objects without names
 /// or debug information, and the libraries that a plain system lacks, with their licences.
 ///
-/// Throws std::runtime_error where the folder is not empty or cannot be written, a part is not built, or needs the
-/// solution's sources; rt::InputError where the solution has no proper markers.
+/// Throws std::invalid_argument where the folder is not empty, or another hand-out is of another assignment;
+/// std::runtime_error where a part is not built or cannot be written; rt::InputError where the solution has no proper
+/// markers.
 ///
 /// project  the project's folder
 /// built    the toolchain file of the kit's parts: build/release/kit.toml

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <linux/close_range.h>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -17,6 +18,8 @@
 #include <cstring>
 #include <stdexcept>
 #include <utility>
+
+#include "build/interrupt.h"
 
 namespace grade {
 
@@ -88,6 +91,7 @@ Process::Process(const std::vector<std::string>& arguments, const Limits& limits
     pid_ = fork();
     if (pid_ == 0) {
         setpgid(0, 0);
+        prctl(PR_SET_PDEATHSIG, SIGKILL);  // nothing outlives the grader
         // the four ends may sit on each other's places: lift them first
         std::array<int, 4> ends{in.read, out.write, err.write, results.write};
         for (int& end : ends) end = fcntl(end, F_DUPFD, 16);
@@ -122,15 +126,16 @@ bool Process::pump(std::string_view bytes, std::size_t wanted, bool to_the_end, 
         if (!to_the_end && bytes.empty() && received_.size() >= wanted) return true;
         if (!to_the_end && wanted > received_.size() && results_ < 0) return false;
         if (Clock::now() > deadline) return false;
+        if (!to_the_end) check_interrupt();
         const std::size_t room = std::max(wanted, received_.size());
         std::array<pollfd, 5> events{{{bytes.empty() ? -1 : in_, POLLOUT, 0},
                                       {out_, POLLIN, 0},
                                       {err_, POLLIN, 0},
                                       {wanted > received_.size() || to_the_end ? results_ : -1, POLLIN, 0},
                                       {watch_, POLLIN, 0}}};
-        const int count = poll(events.data(), events.size(), milliseconds_until(deadline));
+        const int count = poll(events.data(), events.size(), std::min(milliseconds_until(deadline), 250));
         if (count < 0 && errno != EINTR) return false;
-        if (count == 0) return false;
+        if (count == 0) continue;
 
         bool moved = false;
         const auto pull = [&](std::size_t which, int& end, std::string& text, std::size_t most) {

@@ -1,8 +1,11 @@
 #include "build/runner.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <cstring>
+#include <stdexcept>
 
 #include "build/bytes.h"
 #include "child/protocol.h"
@@ -44,6 +47,9 @@ Runner::Runner(const fs::path& program, const Sandbox& sandbox, const fs::path& 
     limits.most_cpu_seconds = 600;
     limits.memory = 2ull << 30;
     limits.file_size = 1u << 20;
+    if (access(program.c_str(), X_OK) != 0)  // before any fragment has run: the machine's doing
+        throw std::runtime_error(fmt::format("{}: cannot be started: {}; expected TMPDIR to name a folder whose programs run",
+                                             program.string(), std::strerror(errno)));
     const fs::path folder = program.parent_path();
     const std::vector<std::string> command{program.string(), fmt::format("{}", seconds),
                                            (meshes / "check.toml").string()};

@@ -1,5 +1,6 @@
 #include "build/sandbox.h"
 
+#include "build/files.h"
 #include "build/process.h"
 
 namespace grade {
@@ -11,15 +12,15 @@ constexpr const char* bubblewrap = "/usr/bin/bwrap";
 }  // namespace
 
 Sandbox find_sandbox(bool trusted) {
-    if (trusted) return {Sandbox::Kind::limits_only, "resource limits only: the submission is trusted (--trusted)"};
+    if (trusted) return {Sandbox::Kind::limits_only, "resource limits only: the code is its owner's", {}};
     if (!fs::exists(bubblewrap))
-        return {Sandbox::Kind::limits_only, "resource limits only: bubblewrap is not installed"};
+        return {Sandbox::Kind::limits_only, "resource limits only: bubblewrap is not installed", {}};
 
     Sandbox sandbox{Sandbox::Kind::host,
-                    "bubblewrap: no network, no other processes, files read-only; resource limits"};
-    const fs::path folder = fs::temp_directory_path();
+                    "bubblewrap: no network, no other processes, files read-only; resource limits", {}};
+    const fs::path folder = temporary_place();
     if (!run(inside(sandbox, {"/usr/bin/true"}, {}, folder), Limits{}, folder.string()).good())
-        return {Sandbox::Kind::limits_only, "resource limits only: bubblewrap does not work on this machine"};
+        return {Sandbox::Kind::limits_only, "resource limits only: bubblewrap does not work on this machine", {}};
     return sandbox;
 }
 
@@ -33,6 +34,8 @@ std::vector<std::string> inside(const Sandbox& sandbox, const std::vector<std::s
                                    "/dev",          "--tmpfs",       "/tmp"};
     for (const char* system : {"/bin", "/lib", "/lib64", "/etc/alternatives", "/etc/ld.so.cache"})
         words.insert(words.end(), {"--ro-bind-try", system, system});
+    for (const fs::path& path : sandbox.readable)
+        words.insert(words.end(), {"--ro-bind", path.string(), path.string()});
     for (const fs::path& path : readable) words.insert(words.end(), {"--ro-bind", path.string(), path.string()});
     words.insert(words.end(), {"--bind", folder.string(), folder.string(), "--chdir", folder.string(), "--"});
     words.insert(words.end(), command.begin(), command.end());

@@ -12,7 +12,8 @@ namespace fs = std::filesystem;
 struct Sandbox {
     enum class Kind { host, limits_only };
     Kind kind = Kind::limits_only;
-    std::string description;  // for the report: what it is, and why it is no better
+    std::string description;         // for the report: what it is, and why it is no better
+    std::vector<fs::path> readable;  // seen by every command, beside what it names: libraries
 };
 
 /// What this machine offers: bubblewrap where it works, else limits only.

@@ -15,6 +15,7 @@ struct Submission {
     std::string name;                               // as it was given
     std::map<std::string, std::string> texts;       // by fragment
     std::map<std::string, std::string> complaints;  // by fragment: why its file was not taken
+    std::vector<std::string> notes;                 // on what was taken of several copies
     std::string folder;                             // where the fragments were, within it: "fragments/"; may be empty
 };
 
@@ -26,8 +27,9 @@ struct SubmissionError : std::runtime_error {
 /// Largest source file that is taken.
 constexpr std::uint64_t most_source_bytes = 256u << 10;
 
-/// Reads a folder, a .zip or a .tar.gz, with the fragments in fragments/, directly in it, or so in its only folder.
-/// Links are not followed. Throws SubmissionError.
+/// Reads a folder, a .zip or a .tar.gz, with the fragments in fragments/, directly in it, or in another of its folders: of
+/// several, one is taken, and a note says which and why. Where a fragment is missing and another file's name is near to its
+/// own, the complaint names that file. Links are not followed. Throws SubmissionError.
 Submission read_submission(const fs::path& path, const std::vector<std::string>& fragments);
 
 }  // namespace grade

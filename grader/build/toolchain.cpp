@@ -12,6 +12,7 @@
 
 #include "build/process.h"
 #include "build/refuse.h"
+#include "rt/processor.h"
 
 namespace grade {
 
@@ -44,6 +45,20 @@ std::map<std::string, std::string> fragment_symbols(const fs::path& child) {
         if (name.starts_with("rt::") && bracket != name.npos) map[name.substr(4, bracket - 4)] = symbol;
     }
     return map;
+}
+
+/// Throws where a child could not be made or started here: else that would look like a mistake in a fragment.
+void check_machine(const Toolchain& chain) {
+    if (!rt::processor_is(chain.processor.c_str()))
+        throw std::runtime_error(fmt::format("what fragments are linked with is built for {} processors, and this one is none; "
+                                             "expected a build on this machine, or with -DRT_MARCH=x86-64-v2", chain.processor));
+    if (access(chain.compiler.c_str(), X_OK) != 0)
+        throw std::runtime_error(fmt::format("{}: the compiler of the build is not there; expected it, or a new build",
+                                             chain.compiler.string()));
+    for (const fs::path& archive : chain.archives)
+        if (!fs::exists(archive)) throw std::runtime_error(fmt::format("{}: not built yet", archive.string()));
+    if (const fs::path header = chain.includes.front() / "rt/fragments.h"; !fs::exists(header))
+        throw std::runtime_error(fmt::format("{}: not there; expected the folder that was built, or a new build", header.string()));
 }
 
 /// The compiler of this machine, as a shell finds it.
@@ -80,6 +95,7 @@ Toolchain read_toolchain(const fs::path& path) try {
 
     Toolchain chain;
     chain.source = place(text("source"));
+    chain.processor = text("processor");
     chain.is_kit = file["kit"].value_or(false);
     chain.compiler = text("compiler").empty() ? find_compiler() : fs::path(text("compiler"));
     chain.description = text("description").empty() ? first_line(chain.compiler) : text("description");
@@ -97,9 +113,9 @@ Toolchain read_toolchain(const fs::path& path) try {
     chain.blanks = place(text("blanks"));
     chain.blank_objects = by_fragment(places("blank_objects"));
     chain.solution_objects = by_fragment(places("solution_objects"));
-    for (const fs::path& archive : chain.archives)
-        if (!fs::exists(archive)) throw std::runtime_error(fmt::format("{}: not built yet", archive.string()));
-    if (chain.archives.empty()) throw std::runtime_error(fmt::format("{}: names no archives", path.string()));
+    if (chain.archives.empty() || chain.includes.empty())
+        throw std::runtime_error(fmt::format("{}: names no archives or no headers", path.string()));
+    check_machine(chain);
     chain.symbols = fragment_symbols(chain.archives.front());
     refuse_other_arithmetic(chain);
     return chain;
@@ -110,8 +126,17 @@ Toolchain read_toolchain(const fs::path& path) try {
 
 fs::path own_toolchain() {
     std::error_code error;
-    const fs::path beside = fs::read_symlink("/proc/self/exe", error).parent_path() / "toolchain.toml";
-    return fs::exists(beside, error) ? beside : fs::path(GRADE_TOOLCHAIN);
+    const fs::path program = fs::read_symlink("/proc/self/exe", error), here = program.parent_path();
+    const fs::path beside = here / "toolchain.toml", built = here.parent_path() / "toolchain.toml";
+    if (fs::exists(beside, error)) return beside;
+    if (!fs::exists(built, error))
+        throw std::runtime_error(fmt::format("{}: not there; expected {} in the folder where it was built", built.string(),
+                                             program.filename().string()));
+    const fs::path home = toml::parse_file(built.string())["cache"].value_or(std::string());
+    if (!fs::equivalent(home, here.parent_path(), error))
+        throw std::runtime_error(fmt::format("{}: was built as part of {} and has been moved or copied; expected a build of "
+                                             "its own: ./grade makes it", here.parent_path().string(), home.string()));
+    return built;
 }
 
 std::string demangled(const std::string& symbol) {

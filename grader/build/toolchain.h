@@ -15,6 +15,7 @@ struct Toolchain {
     fs::path source;                     // the folder of the assignment: starter/, scenes/, assignment.toml
     fs::path compiler;
     std::string description;             // "GNU 12.2.0, Release"
+    std::string processor;               // the least kind that the archives run on: "x86-64-v2"; "": any
     bool is_kit = false;                 // handed out: no sources of the solution, and the code that runs is its owner's
     std::vector<std::string> compile;    // flags
     std::vector<fs::path> includes;      // the framework's headers: starter/ first
@@ -28,10 +29,12 @@ struct Toolchain {
     std::map<std::string, std::string> symbols;        // by fragment: its name for the linker
 };
 
-/// Paths in the file are relative to its folder. Throws std::runtime_error where the file or what it names is missing.
+/// Paths in the file are relative to its folder. Throws std::runtime_error where the file or what it names is missing, or
+/// made for another processor than this one.
 Toolchain read_toolchain(const fs::path& path);
 
-/// The toolchain file of this program: the one beside it, where it is part of a kit, else the build's.
+/// The toolchain file of this program: the one beside it, where it is part of a kit, else the one of the build that the
+/// program stands in. Throws std::runtime_error where that was built in another place: its paths lead there.
 fs::path own_toolchain();
 
 /// "rt::phong(rt::Material const&, ...)" for a linker's name; the name itself where it is not one of C++.

@@ -70,7 +70,7 @@ std::map<std::string, std::string> changed_texts(const Bundle& bundle, const Wor
 std::vector<RealGrading> grade_changed(const Workshop& workshop, const std::map<std::string, std::string>& changed,
                                        const std::vector<std::uint64_t>& seeds, const std::set<std::string>& only,
                                        int jobs) {
-    Submission submission{"calibration", {}, {}, ""};
+    Submission submission{.name = "calibration"};
     for (const std::string& name : workshop.assignment().names())
         submission.texts[name] = changed.contains(name) ? changed.at(name) : workshop.solution_text(name);
     GradingSettings settings;

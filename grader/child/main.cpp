@@ -14,6 +14,7 @@
 #include "child/protocol.h"
 #include "child/self_test.h"
 #include "child/swarm.h"
+#include "rt/processor.h"
 #include "rt/render.h"
 #include "rt/files/scene_reader.h"
 
@@ -107,6 +108,7 @@ std::string call_many(const std::string& payload) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    rt::require_processor();
     results = fcntl(3, F_DUPFD_CLOEXEC, 10);
     close(3);
     const double seconds = argc > 1 ? std::atof(argv[1]) : 10;

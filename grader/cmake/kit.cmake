@@ -1,19 +1,14 @@
 # What `grade hand-out` hands out, built for the oldest processors of this kind: the grader, the framework, the reference
 # fragments and the blanks. The target is grade_kit; ./grade hand-out builds it.
-add_library(rt_baseline_speed INTERFACE)
-get_target_property(options rt_speed INTERFACE_COMPILE_OPTIONS)
-list(FILTER options EXCLUDE REGEX "-march|-mprefer")
-target_compile_options(rt_baseline_speed INTERFACE ${options})
-if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|amd64|AMD64")
-    target_compile_options(rt_baseline_speed INTERFACE -march=x86-64-v2)
-endif()
-
+add_speed(rt_baseline_speed x86-64-v2)
 add_framework(rt_baseline rt_baseline_speed)
 add_child(child_baseline rt_baseline)
 
 add_library(solution_baseline OBJECT ${solution_sources})
 add_library(blanks_baseline OBJECT ${blank_sources})
 add_dependencies(blanks_baseline blank_sources)
+# A blank tells its file: as a student knows it, not where it was built.
+set_source_files_properties(${blank_sources} PROPERTIES COMPILE_OPTIONS -fmacro-prefix-map=${blanks_folder}=starter/fragments)
 foreach(objects solution_baseline blanks_baseline)
     target_link_libraries(${objects} PRIVATE rt_baseline rt_baseline_speed)
     precompile_fragments_header(${objects} rt_baseline rt_baseline_speed)
@@ -33,7 +28,7 @@ endforeach()
 add_executable(raytrace_baseline $<TARGET_OBJECTS:raytrace_main> $<TARGET_OBJECTS:solution_baseline>)
 target_link_libraries(raytrace_baseline PRIVATE rt_baseline)
 
-set_target_properties(raytrace_baseline rt_baseline child_baseline fragments_header_rt_baseline solution_baseline blanks_baseline grader_in_kit
-    grade_kit grade_kit_studies blank_sources
+set_target_properties(raytrace_baseline rt_baseline rt_baseline_processor child_baseline fragments_header_rt_baseline solution_baseline
+    blanks_baseline grader_in_kit grade_kit grade_kit_studies blank_sources
     PROPERTIES EXCLUDE_FROM_ALL ON)
 write_toolchain(${PROJECT_BINARY_DIR}/kit.toml child_baseline rt_baseline blanks_baseline solution_baseline "${libraries}")

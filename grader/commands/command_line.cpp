@@ -44,7 +44,7 @@ int run_hand_out(const std::string& folder, const std::vector<std::string>& othe
 
 int run_command_line(int argc, char** argv) {
     CLI::App app("Grades a submission: renders with its fragments, and measures what comes out", "grade");
-    std::string toolchain = own_toolchain().string(), handout, folder;
+    std::string toolchain, handout, folder;
     std::vector<std::string> others;
     app.add_option("--toolchain", toolchain, "what the build wrote about itself")->group("");
     app.set_version_flag("--version", fmt::format("grade {}", PENUMBRA_VERSION));
@@ -71,6 +71,7 @@ int run_command_line(int argc, char** argv) {
     return exit_code_of([&] {
         for (const Study& study : studies)
             if (app.got_subcommand(study.name)) return start_study(study, argv);
+        if (toolchain.empty()) toolchain = own_toolchain().string();
         if (tables->parsed()) return describe(handout, toolchain);
         if (starter->parsed()) return run_hand_out(folder, others, toolchain);
         if (picture->parsed()) return run_picture(picture_arguments, toolchain);

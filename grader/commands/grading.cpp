@@ -5,14 +5,17 @@
 
 #include <CLI/CLI.hpp>
 #include <future>
+#include <memory>
 #include <random>
 
 #include "build/cache.h"
 #include "build/interrupt.h"
+#include "build/process.h"
 #include "commands/last_run.h"
 #include "commands/watch.h"
 #include "commands/words.h"
 #include "judging/grading.h"
+#include "judging/own_picture.h"
 #include "report/page.h"
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
@@ -53,31 +56,43 @@ public:
     const Assignment& assignment() const { return assignment_; }
 
     Record grade() {
-        const Submission submission = read_submission(chosen_.submission, assignment_.names());
+        const auto start = Clock::now();
         ProgressLine line;
-        settings_.progress = [&](int done, int all, const std::string& doing) { line.show(done, all, doing); };
-        Record record = grade_submission(submission, assignment_, chain_, checks_, settings_);
+        progress_ = std::make_unique<Progress>(
+            [&](int done, int all, const std::string& doing) { line.show(done, all, doing); });
+        const Submission submission = read_submission(chosen_.submission, assignment_.names());
+        programs_ = std::make_unique<Programs>(submission, chain_, settings_.build, *progress_);
+        Record record = grade_programs(*programs_, assignment_, chain_, checks_, settings_, *progress_);
+        record.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
         record.command = command_;
+        record.notes = submission.notes;
         if (chosen_.own && cache_) compare_with_last(record, *cache_ / "last_run.json");
+        if (!arguments_.json.empty()) write_text(arguments_.json, to_json(record));
         return record;
     }
 
-    /// Everything that is asked for but the table.
-    void write(const Record& record) const {
-        if (!arguments_.json.empty()) write_text(arguments_.json, to_json(record));
-        if (html_.empty()) return;
-        fs::create_directories(html_);
-        const fs::path handout = fs::relative(chain_.source / "handout.md", html_);
-        write_text(html_ / "index.html", page(record, assignment_, handout.generic_string()));
-    }
-
+    /// The table; the exit code.
     int tell(const Record& record) const {
         fmt::print("{}\nseed {}; {}\n", table(record, assignment_, isatty(STDOUT_FILENO)), record.seed, record.sandbox);
         if (record.reused > 0)
             fmt::print("{} checks as before: nothing that they depend on has changed (--fresh runs them again)\n",
                        record.reused);
-        if (!html_.empty()) fmt::print("page: {}\n", (html_ / "index.html").string());
+        std::fflush(stdout);
         return arguments_.required && record.score() < *arguments_.required ? 1 : 0;
+    }
+
+    /// The page, with a picture of its own of what was graded last.
+    void write_page(Record record) const {
+        if (html_.empty()) return;
+        ProgressLine line;
+        line.show(0, 1, "drawing the picture of the page");
+        fs::create_directories(html_);
+        if (!own_scene_.empty())
+            add_own_picture(record, *programs_, own_scene_, settings_.seed, settings_.time_limit);
+        const fs::path handout = fs::relative(chain_.source / "handout.md", html_);
+        write_text(html_ / "index.html", page(record, assignment_, handout.generic_string()));
+        line.clear();
+        fmt::print("page: {}\n", (html_ / "index.html").string());
     }
 
 private:
@@ -88,7 +103,8 @@ private:
         settings_.time_limit = arguments_.time_limit;
         settings_.pictures = !html_.empty() || chosen_.own;
         settings_.build.jobs = arguments_.jobs;
-        settings_.build.trusted = arguments_.trusted;
+        // a kit grades the code of its own user
+        settings_.build.trusted = arguments_.trusted || (chain_.is_kit && chosen_.own);
         settings_.build.keep = arguments_.keep;
         if (chosen_.own && cache_ && !arguments_.fresh && arguments_.keep.empty())
             settings_.build.kept = Kept(*cache_ / "kept", chain_);
@@ -96,9 +112,9 @@ private:
         if (!arguments_.own_scene.empty())
             rt::read_scene(arguments_.own_scene);  // says what is wrong with it, before all the work
         if (!html_.empty())
-            settings_.own_scene = !arguments_.own_scene.empty() ? fs::path(arguments_.own_scene)
-                                  : fs::exists(gallery)         ? gallery
-                                                                : fs::path();
+            own_scene_ = !arguments_.own_scene.empty() ? fs::path(arguments_.own_scene)
+                         : fs::exists(gallery)         ? gallery
+                                                       : fs::path();
         if (!arguments_.json.empty())
             settings_.partial = [this](Record record) {
                 record.command = command_;
@@ -115,6 +131,9 @@ private:
     fs::path html_;
     GradingSettings settings_;
     FutureChecks checks_;
+    fs::path own_scene_;  // of the page; empty: none
+    std::unique_ptr<Progress> progress_;
+    std::unique_ptr<Programs> programs_;  // of the last grading
 };
 
 }  // namespace
@@ -125,7 +144,8 @@ void add_grade_options(CLI::App& app, GradeArguments& arguments) {
         ->type_name("[SUBMISSION] [FRAGMENT...]");
     app.add_flag("--watch", arguments.watch, "grade again at each save, until Ctrl-C");
     app.add_option("--seed", arguments.seed, "of all parameters and random numbers; default: 1 for the starter, else a fresh one")
-        ->type_name("N");
+        ->type_name("N")
+        ->check(CLI::NonNegativeNumber);
     app.add_option("--json", arguments.json, "write the record of the grading")->type_name("FILE");
     app.add_option("--html", arguments.html,
                    "write a page with all pictures into this folder; a whole starter always gets one")
@@ -147,16 +167,14 @@ int run_grade(const GradeArguments& arguments, const std::string& toolchain, con
     stop_at_interrupt();
     Session session(arguments, toolchain, command);
     if (arguments.watch) {
-        watch(session.chosen().submission, session.assignment(), session.chosen().fragments, [&] {
-            Record record = session.grade();
-            session.write(record);
-            return record;
-        });
+        watch(session.chosen().submission, session.assignment(), session.chosen().fragments,
+              [&] { return session.grade(); }, [&](const Record& record) { session.write_page(record); });
         return 0;
     }
     const Record record = session.grade();
-    session.write(record);
-    return session.tell(record);
+    const int code = session.tell(record);
+    session.write_page(record);
+    return code;
 }
 
 }  // namespace grade

@@ -116,7 +116,7 @@ int run_picture(const PictureArguments& arguments, const std::string& toolchain)
         choose(arguments.submission.empty() ? std::vector<std::string>{} : std::vector{arguments.submission}, chain,
                assignment);
     BuildSettings build;
-    build.trusted = arguments.trusted;
+    build.trusted = arguments.trusted || (chain.is_kit && chosen.own);
     if (const auto cache = cache_folder(chain); cache && chosen.own) build.kept = Kept(*cache / "kept", chain);
     Programs programs(read_submission(chosen.submission, assignment.names()), chain, build, progress);
     const fs::path mine = program_of(programs, arguments, assignment);

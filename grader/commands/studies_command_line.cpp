@@ -12,7 +12,7 @@ namespace grade {
 
 int run_studies_command_line(int argc, char** argv) {
     CLI::App app("Studies of a submission, and of the grader", "grade");
-    std::string toolchain = own_toolchain().string();
+    std::string toolchain;
     app.add_option("--toolchain", toolchain, "what the build wrote about itself")->group("");
     app.require_subcommand(1);
 
@@ -32,6 +32,7 @@ int run_studies_command_line(int argc, char** argv) {
     }
     const std::string command = command_of(argc, argv);
     return exit_code_of([&] {
+        if (toolchain.empty()) toolchain = own_toolchain().string();
         if (stress->parsed()) return run_stress(stress_arguments, toolchain, command);
         if (convergence->parsed()) return converge(converge_arguments, toolchain, command);
         if (part_one->parsed()) return lesson(lesson_arguments, toolchain), 0;

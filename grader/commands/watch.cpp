@@ -81,7 +81,7 @@ std::string screen(const Record& record, const std::set<std::string>& edited, bo
 }  // namespace
 
 void watch(const std::string& folder, const Assignment& assignment, const std::set<std::string>& only,
-           const std::function<Record()>& grade) try {
+           const std::function<Record()>& grade, const std::function<void(const Record&)>& shown) try {
     const bool terminal = isatty(STDOUT_FILENO);
     std::set<std::string> edited = only;
     for (;;) {
@@ -90,6 +90,7 @@ void watch(const std::string& folder, const Assignment& assignment, const std::s
         fmt::print("{}{}", terminal ? "\033[H\033[2J\033[3J" : "", screen(record, edited, terminal));
         if (!terminal) fmt::print("\n");
         std::fflush(stdout);
+        shown(record);
         for (edited.clear(); edited.empty();) {
             std::this_thread::sleep_for(std::chrono::milliseconds(150));
             check_interrupt();

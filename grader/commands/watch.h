@@ -14,7 +14,8 @@ namespace grade {
 ///
 /// only   fragments that are graded; empty: all
 /// grade  grades the folder as it is now
+/// shown  is called when a result is on the screen
 void watch(const std::string& folder, const Assignment& assignment, const std::set<std::string>& only,
-           const std::function<Record()>& grade);
+           const std::function<Record()>& grade, const std::function<void(const Record&)>& shown);
 
 }  // namespace grade

@@ -15,6 +15,9 @@ Chosen choose(const std::vector<std::string>& words, const Toolchain& chain, con
     for (const std::string& word : words) {
         if (std::ranges::count(names, word) > 0) {
             chosen.fragments.insert(word);
+        } else if (word.ends_with(".cpp") && std::ranges::count(names, fs::path(word).stem().string()) > 0) {
+            throw UsageError(fmt::format("{}: a file of one fragment; expected its name: {}", word,
+                                         fs::path(word).stem().string()));
         } else if (fs::exists(word, error) || word.find_first_of("/.") != word.npos) {
             if (!chosen.submission.empty())
                 throw UsageError(fmt::format("{}: one submission too many, after {}; expected one, and names of "

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "build/cache.h"
+#include "build/files.h"
 #include "build/stamp.h"
 #include "commands/studies.h"
 #include "convergence/report.h"
@@ -105,8 +106,9 @@ void write_reports(const ConvergenceRecord& record, const ConvergeArguments& arg
 CLI::App* add_converge_command(CLI::App& app, ConvergeArguments& arguments) {
     Amounts& amounts = arguments.amounts;
     CLI::App* converge = app.add_subcommand("converge", purpose_of("converge"));
-    converge->add_option("SUBMISSION SCENE...", arguments.words,
-                         "a folder, a .zip or a .tar.gz; scene files; default: starter, and those of scenes/bench");
+    converge->add_option("WORDS", arguments.words,
+                         "a folder, a .zip or a .tar.gz; scene files; default: starter, and those of scenes/bench")
+        ->type_name("[SUBMISSION] [SCENE...]");
     converge->add_option("--samples", amounts.samples, "levels of samples a pixel")
         ->delimiter(',')
         ->capture_default_str()
@@ -153,7 +155,7 @@ int converge(const ConvergeArguments& arguments, const std::string& toolchain, c
 
     ConvergenceRecord record;
     Bench bench;
-    bench.results = arguments.folder.empty() ? cache_folder(chain).value_or(fs::temp_directory_path()) / "convergence"
+    bench.results = arguments.folder.empty() ? cache_folder(chain).value_or(temporary_place()) / "convergence"
                                              : fs::path(arguments.folder);
     bench.fresh = arguments.fresh;
     ProgressLine line;

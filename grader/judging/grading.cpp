@@ -7,7 +7,6 @@
 
 #include "build/files.h"
 #include "judging/judge_check.h"
-#include "judging/own_picture.h"
 #include "judging/parallel.h"
 
 namespace grade {
@@ -178,14 +177,10 @@ void Grading::compile() {
     std::set<std::string> wanted;
     for (const FragmentRecord& fragment : record_.fragments) wanted.insert(fragment.name);
     links_expected_ = programs_.to_compile(wanted);
-    const bool draws = !settings_.own_scene.empty();
-    if (draws)
-        for (const auto& [name, object] : chain_.solution_objects) wanted.insert(name);
     checks_expected_ = checks_of_a_fragment * links_expected_;
-    progress_.expect(Work::compile, programs_.to_compile(wanted));
+    progress_.expect(Work::compile, links_expected_);
     progress_.expect(Work::link, links_expected_);
     progress_.expect(Work::check, checks_expected_);
-    progress_.expect(Work::picture, draws);
     programs_.compile(wanted);
 }
 
@@ -196,11 +191,6 @@ Record Grading::run() {
     std::vector<Task> open = recall();
     link(open);
     judge_all(open);
-    if (!settings_.own_scene.empty()) {
-        progress_.tell("drawing the submission's own picture");
-        add_own_picture(record_, programs_, settings_.own_scene, settings_.seed, settings_.time_limit);
-        progress_.done(Work::picture);
-    }
     return record_;
 }
 

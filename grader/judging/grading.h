@@ -17,7 +17,6 @@ struct GradingSettings {
     std::uint64_t seed = 1;
     double time_limit = 10;      // CPU time of one answer [s]
     bool pictures = false;       // for the page
-    fs::path own_scene;          // scene of the submission's own picture; empty: none
     int replicates = 256;        // of a statistic, after which it is inconclusive
     int statistics = 0;          // that share alpha; 0: those of these checks
     BuildSettings build;

@@ -46,6 +46,7 @@ void add_own_picture(Record& record, Programs& programs, const fs::path& scene, 
     rt::ivec2 size = rt::read_scene(scene.string()).camera.size;
     if (const int side = std::max(size.x, size.y); side > longest_side)
         size = {std::max(1, size.x * longest_side / side), std::max(1, size.y * longest_side / side)};
+    programs.compile(programs.names());
     const fs::path mine = programs.own_without({record.left_out.begin(), record.left_out.end()});
     Compared compared = draw_compared(programs, mine, scene, {samples, size, seed, 3 * time_limit});
     record.own_picture_scene = scene.filename().string();

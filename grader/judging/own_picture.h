@@ -25,7 +25,7 @@ struct ComparedSettings {
 /// mine  a program with the submission's fragments
 Compared draw_compared(Programs& programs, const fs::path& mine, const fs::path& scene, const ComparedSettings& settings);
 
-/// Adds the submission's own picture: with all of its fragments but those that crash or do not end, blanks for the
+/// Adds the submission's own picture to a record of these programs: with all of its fragments but those that crash or do not end, blanks for the
 /// others; small, and of few samples.
 void add_own_picture(Record& record, Programs& programs, const fs::path& scene, std::uint64_t seed, double time_limit);
 

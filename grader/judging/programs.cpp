@@ -27,8 +27,8 @@ Programs::Programs(const Submission& submission, const Toolchain& chain, const B
     : submission_(submission), chain_(chain), settings_(settings), progress_(progress) {
     work_ = settings.keep.empty() ? temporary_.path() : fs::absolute(settings.keep);
     fs::create_directories(work_);
-    sandbox_ = find_sandbox(settings.trusted || chain.is_kit);
-    if (chain.is_kit) sandbox_.description = "resource limits only: the code that a kit runs is its owner's";
+    sandbox_ = find_sandbox(settings.trusted);
+    if (chain.is_kit) sandbox_.readable.push_back(chain.archives.front().parent_path() / "lib");
 }
 
 fs::path Programs::folder(const std::string& name) const {
@@ -54,6 +54,12 @@ std::string Programs::complaint(const std::string& fragment) const {
 std::set<std::string> Programs::all() const {
     std::set<std::string> names;
     for (const auto& [name, object] : objects_) names.insert(name);
+    return names;
+}
+
+std::set<std::string> Programs::names() const {
+    std::set<std::string> names;
+    for (const auto& [name, object] : chain_.solution_objects) names.insert(name);
     return names;
 }
 

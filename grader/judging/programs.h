@@ -58,7 +58,8 @@ public:
     const std::map<std::string, Problem>& problems() const { return problems_; }
     std::string complaint(const std::string& fragment) const;  // of its problem; empty: none
     bool has(const std::string& fragment) const { return objects_.contains(fragment); }
-    std::set<std::string> all() const;  // those that there are
+    std::set<std::string> all() const;    // those that are compiled
+    std::set<std::string> names() const;  // of all fragments that there can be
     const std::string& text(const std::string& fragment) const { return submission_.texts.at(fragment); }
 
     /// The program with these fragments of the submission; made once. With none of them: the solution's.

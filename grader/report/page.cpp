@@ -159,6 +159,12 @@ std::string own_picture(const Record& record) {
 }
 
 /// What has changed since the last grading.
+std::string notes(const Record& record) {
+    std::string text;
+    for (const std::string& note : record.notes) text += fmt::format("<section class=\"card\"><p>Note: {}</p></section>\n", html(note));
+    return text;
+}
+
 std::string changes(const Record& record) {
     if (record.changes.empty()) return {};
     std::string items;
@@ -182,7 +188,7 @@ std::string page(const Record& record, const Assignment& assignment, const std::
         "style=\"width:{:.1f}%\"></i></div></div></header>\n",
         html(record.title), html(record.submission), record.seed,
         record.score(), record.max_score(), 100 * share, 100 * share);
-    text += changes(record) + overview(record, assignment, handout) + own_picture(record);
+    text += notes(record) + changes(record) + overview(record, assignment, handout) + own_picture(record);
     for (const Part& part : assignment.parts) {
         std::string sections;
         for (const FragmentRecord& fragment : record.fragments)

@@ -108,6 +108,7 @@ std::string to_json(const Record& record) {
     Json json;
     json["schema"] = "penumbra/result/v1";
     json["submission"] = record.submission;
+    if (!record.notes.empty()) json["notes"] = record.notes;
     json["title"] = record.title;
     json["seed"] = record.seed;
     json["sandbox"] = record.sandbox;

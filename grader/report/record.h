@@ -72,6 +72,7 @@ struct Record {
     std::vector<std::string> left_out;  // fragments that crash or do not end: their blanks stand in
     double own_picture_exposure = 1;
 
+    std::vector<std::string> notes;    // on the submission as a whole, a line each; untrusted text
     std::vector<std::string> changes;  // since the last grading of the same folder, a line each
 
     double score() const;

@@ -90,6 +90,7 @@ std::string table(const Record& record, const Assignment& assignment, bool color
     }
     text += fmt::format("{}{:<43}{:>6} of {}{}\n", color ? "\033[1m" : "", "Total", points_in_line(record.score()),
                         points_in_line(record.max_score()), color ? "\033[0m" : "");
+    for (const std::string& note : record.notes) text += "note: " + printable(note) + "\n";
     if (!record.changes.empty()) text += "Since the last run:\n";
     for (const std::string& change : record.changes) text += "  " + change + "\n";
     if (const auto ratio = record.efficiency_ratio())
@@ -103,7 +104,7 @@ void ProgressLine::show(int done, int all, const std::string& doing) {
     if (!on_) return;
     const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     std::string left;
-    if (done > 0 && elapsed > 1) left = fmt::format(", about {:.0f} s left", elapsed * (all - done) / done);
+    if (done > 0 && done < all && elapsed > 1) left = fmt::format(", about {:.0f} s left", elapsed * (all - done) / done);
     fmt::print(stderr, "\r\033[K{:.0f} %{}  {}", all > 0 ? 100.0 * done / all : 0, left, printable(doing, 60));
     std::fflush(stderr);
     shown_ = true;

@@ -43,7 +43,7 @@ StressSettings settings_of(const StressArguments& arguments) {
 
 void print_list() {
     for (const Family& family : all_families())
-        fmt::print("{:<24}{:<24}{}; {}\n", family.name, family.fragments.front(), family.swept, family.error);
+        fmt::print("{:<30}{:<24}{}; {}\n", family.name, family.fragments.front(), family.swept, family.error);
 }
 
 }  // namespace

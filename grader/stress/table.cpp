@@ -11,11 +11,11 @@ std::string table(const StressRecord& record, bool color) {
         return color ? code + text + "\033[0m" : text;
     };
     std::string text = paint(
-        "\033[1m", fmt::format("{:<27}{:<47}{:<13}{:<17}{}\n", "family", "swept", "scored tier", "passes", "solution"));
+        "\033[1m", fmt::format("{:<30}{:<47}{:<13}{:<17}{}\n", "family", "swept", "scored tier", "passes", "solution"));
     for (const FamilyRecord& f : record.families) {
         const std::string scored = !f.is_scored() ? "" : f.scored_passed() ? "passed" : f.started ? "failed" : "-";
         const char* code = !f.is_scored() || !f.started ? "\033[2m" : f.scored_passed() ? "\033[32m" : "\033[31m";
-        text += fmt::format("{:<27}{:<47}{}{:<17}{}\n", f.family->name, f.family->swept,
+        text += fmt::format("{:<30}{:<47}{}{:<17}{}\n", f.family->name, f.family->swept,
                             paint(code, fmt::format("{:<13}", scored)), f.started ? in_words(f.reach) : "-", in_words(f.solution));
         if (!f.started)
             text += fmt::format("    {}: {}\n", f.family->fragments.front(),

@@ -11,7 +11,8 @@ endfunction()
 function(add_framework name speed)
     get_filename_component(starter ${CMAKE_CURRENT_FUNCTION_LIST_DIR} DIRECTORY)
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${starter}/rt/*.cpp)
-    add_library(${name} STATIC ${sources})
+    list(REMOVE_ITEM sources ${starter}/rt/processor.cpp)
+    add_library(${name} STATIC ${sources} $<TARGET_OBJECTS:${name}_processor>)
     target_include_directories(${name} PUBLIC ${starter})
     target_link_libraries(${name}
         PUBLIC rt_numerics glm::glm fmt::fmt TBB::tbb
@@ -34,6 +35,14 @@ function(add_framework name speed)
         list(TRANSFORM of_room PREPEND ${starter}/rt/)
         compile_together(${name} rt_${room} ${of_room})
     endforeach()
+    # The one file that runs on any processor; no sanitizer has begun when it does.
+    get_target_property(built_for ${speed} RT_BUILT_FOR)
+    add_library(${name}_processor OBJECT ${starter}/rt/processor.cpp)
+    target_include_directories(${name}_processor PRIVATE ${starter})
+    target_compile_definitions(${name}_processor PRIVATE RT_BUILT_FOR="${built_for}")
+    target_compile_options(${name}_processor PRIVATE -fno-sanitize=all)
+    target_link_libraries(${name}_processor PRIVATE rt_numerics rt_warnings)
+    set_target_properties(${name} PROPERTIES RT_BUILT_FOR "${built_for}")
 endfunction()
 
 # add_fragments(name folder): the fragments of a folder, an object of its own for each.

@@ -33,7 +33,7 @@ struct alignas(64) Batch {
     Index depth[lanes];   // mirrors, glass and lobes so far
     Index bounce[lanes];  // diffuse bounces so far
     Real density[lanes];  // with which a lobe took the ray, where it is weighed against lamps, else 0; only after lobes [1/sr]
-    Index medium[lanes];  // material whose inside the ray is in; nothing: none
+    Bits inside[lanes];   // the regions that the ray is in: see media/nesting.h; 0: none
 
     Ray ray(int i) const { return {{ox[i], oy[i], oz[i]}, {dx[i], dy[i], dz[i]}, near[i], far[i]}; }
     void set_ray(int i, const Ray& r) {
@@ -47,7 +47,7 @@ struct alignas(64) Batch {
         time[to] = time[from], shape[to] = shape[from];
         set_weight(to, weight(from));
         key[to] = key[from], sample[to] = sample[from], slot[to] = slot[from], event[to] = event[from], density[to] = density[from];
-        depth[to] = depth[from], bounce[to] = bounce[from], medium[to] = medium[from];
+        depth[to] = depth[from], bounce[to] = bounce[from], inside[to] = inside[from];
     }
     Color weight(int i) const { return {weight_r[i], weight_g[i], weight_b[i]}; }
     void set_weight(int i, Color w) { weight_r[i] = w.x, weight_g[i] = w.y, weight_b[i] = w.z; }

@@ -64,7 +64,7 @@ void number_pairs(RenderPlan& plan) {
 
 RenderPlan make_plan(const Scene& scene, const Sampling& sampling) {
     RenderPlan plan;
-    bool moves = false;
+    bool moves = false, straight = false;
     const std::vector<char> used = materials_in_use(scene);
     for (std::size_t i = 0; i < used.size(); ++i) {
         if (!used[i]) continue;
@@ -75,6 +75,7 @@ RenderPlan make_plan(const Scene& scene, const Sampling& sampling) {
         plan.phong |= m.specular != Color(0);
         plan.emission |= m.emission != Color(0);
         plan.medium |= dielectric && m.medium.extinction > 0;
+        straight |= goes_straight_through(m);
         plan.lobe |= (dielectric || mirror) && !sharp;
         plan.specular |= (dielectric || mirror) && sharp;
         plan.mirrors |= mirror && sharp && scene.depth > 0;
@@ -111,6 +112,7 @@ RenderPlan make_plan(const Scene& scene, const Sampling& sampling) {
     plan.environment = scene.environment != Color(0);
     plan.environment_lit = plan.environment && plan.diffuse;
     plan.bounce = plan.diffuse && scene.bounces > 0;
+    plan.through = straight && (plan.point_lights || plan.light || plan.environment_lit);
     plan.counts_twice = plan.bounce && (plan.emission || plan.environment_lit);
     plan.split = plan.specular && scene.depth <= deepest_split && !plan.lobe && !plan.bounce && !plan.medium &&
                  !plan.light && !plan.environment_lit;
@@ -148,6 +150,7 @@ std::string describe(const RenderPlan& plan, const Scene& scene) {
     row("lobe", plan.lobe, "glossy or translucent surfaces", "no glossy or translucent surface");
     row("bounce", plan.bounce, fmt::format("up to {}", scene.bounces), "no diffuse surface, or no bounces asked for");
     row("medium", plan.medium, "random walks", "no medium");
+    row("through", plan.through, "shadow rays go through boundaries of ior 1", "no such boundary, or no shadow ray");
 
     text += "stages\n";
     row("camera", true, plan.lens ? "through the lens" : "through the pinhole", "");

@@ -54,6 +54,7 @@ struct RenderPlan {
     bool bvh = false;
     bool spheres = false, triangles = false, quads = false, discs = false;
     bool smooth = false;        // meshes with normals
+    bool through = false;       // shadow rays go through boundaries that bend no light
     bool counts_twice = false;  // a diffuse ray may find light that shadow rays have gathered; else all that is seen counts
 
     // which surfaces there are; no stage asks

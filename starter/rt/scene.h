@@ -78,6 +78,9 @@ struct Material {
     Medium medium;
 };
 
+/// Whether light goes through a surface without a bend: a boundary that only encloses a medium, or tints.
+inline bool goes_straight_through(const Material& m) { return m.transmittance != Color(0) && m.ior == 1 && m.exponent == inf; }
+
 // ---- lights ----
 
 /// A light without extent.

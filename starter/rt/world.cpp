@@ -154,6 +154,7 @@ World make_world(const Scene& scene, const Sampling& sampling) {
         world.bvh = build_bvh(world.surfaces.size(), [&](std::size_t id) { return layout.box_of(id); });
     else
         for (std::size_t id = 0; id < world.surfaces.size(); ++id) world.boxes.push_back(layout.box_of(id));
+    world.regions = find_regions(scene, world);
     return std::move(layout.world);
 }
 

@@ -5,6 +5,7 @@
 #include "rt/batch.h"
 #include "rt/tree/bvh.h"
 #include "rt/lamps/lamp_tree.h"
+#include "rt/media/regions.h"
 #include "rt/plan.h"
 
 namespace rt {
@@ -48,6 +49,7 @@ struct World {
     std::vector<Reflectance> reflectances;  // of no surface, which is black, and then of each material
     std::vector<Box> boxes;               // about all of a shape's motion, by number; where there is no tree
     Bvh bvh;
+    Regions regions;                      // which shapes enclose media, and where the eye is among them
 };
 
 World make_world(const Scene& scene, const Sampling& sampling);

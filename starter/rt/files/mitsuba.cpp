@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <stdexcept>
 #include <system_error>
 
@@ -15,7 +16,8 @@
 namespace rt {
 namespace {
 
-std::string camera(const Scene& scene) {
+/// world  of the scene, where it has media
+std::string camera(const Scene& scene, const World* world) {
     const Camera& c = scene.camera;
     const bool lens = c.lens_radius > 0;
     // Mitsuba has no plane in focus at infinity; single precision does not tell this one from it.
@@ -28,6 +30,8 @@ std::string camera(const Scene& scene) {
     xml +=
         fmt::format("\n    <transform name=\"to_world\"><lookat origin=\"{}\" target=\"{}\" up=\"{}\"/></transform>\n",
                     coordinates(c.eye), coordinates(c.eye - c.back), coordinates(c.up));
+    if (const std::string medium = world ? mitsuba_medium_at(*world, world->regions.start, "medium") : ""; !medium.empty())
+        xml += "    " + medium + "\n";
     xml += fmt::format("    <sampler type=\"independent\"><integer name=\"sample_count\" value=\"{}\"/></sampler>\n",
                        scene.samples);
     xml += fmt::format(
@@ -59,9 +63,9 @@ std::vector<std::string> find_unsaid(const Scene& scene) {
     std::vector<std::string> unsaid;
     const RenderPlan plan = make_plan(scene);
     if (plan.time)
-        unsaid.push_back("shapes that move while the shutter is open; expected close = open, or no velocity");
+        unsaid.emplace_back("shapes that move while the shutter is open; expected close = open, or no velocity");
     if (scene.background != Color(0))
-        unsaid.push_back("'background', which only the camera sees; expected 'environment'");
+        unsaid.emplace_back("'background', which only the camera sees; expected 'environment'");
     const std::vector<char> used = materials_on_shapes(scene);
     for (std::size_t i = 0; i < used.size(); ++i) {
         if (!used[i]) continue;
@@ -86,6 +90,11 @@ std::vector<std::string> find_unsaid(const Scene& scene) {
 MitsubaFiles to_mitsuba(const Scene& scene, const std::string& stem) {
     std::vector<std::string> unsaid = find_unsaid(scene);
     const MitsubaPaths paths = mitsuba_paths(scene, unsaid);
+    std::optional<World> in_media;
+    if (paths.media) in_media = make_world(scene);
+    const World* world = in_media ? &*in_media : nullptr;
+    if (world && !world->regions.asked.empty())
+        unsaid.emplace_back("a camera on the boundary of a medium; expected one within it or outside");
     if (!unsaid.empty()) {
         std::string message;
         for (const std::string& what : unsaid)
@@ -100,7 +109,7 @@ MitsubaFiles to_mitsuba(const Scene& scene, const std::string& stem) {
         "<scene version=\"3.0.0\">\n  <integrator type=\"{}\"><integer name=\"max_depth\" "
         "value=\"{}\"/></integrator>\n",
         paths.media ? "volpath" : "path", paths.max_depth);
-    out.xml += camera(scene) + lights(scene);
+    out.xml += camera(scene, world) + lights(scene);
     const std::vector<char> used = materials_on_shapes(scene);
     for (std::size_t i = 0; i < used.size(); ++i) {
         if (!used[i]) continue;
@@ -108,7 +117,7 @@ MitsubaFiles to_mitsuba(const Scene& scene, const std::string& stem) {
         out.xml += "  " + mitsuba_surface(m, fmt::format("material{}", i)) + "\n";
         if (has_medium(m)) out.xml += "  " + mitsuba_medium(m.medium, fmt::format("medium{}", i)) + "\n";
     }
-    add_mitsuba_shapes(scene, stem, out);
+    add_mitsuba_shapes(scene, world, stem, out);
     out.xml += "</scene>\n";
     return out;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "rt/files/mitsuba.h"
+#include "rt/world.h"
 
 /// The parts of a Mitsuba scene, as XML.
 namespace rt {
@@ -26,8 +27,13 @@ std::string mitsuba_surface(const Material& m, const std::string& id);
 /// What is behind a surface, with the identifier `id`.
 std::string mitsuba_medium(const Medium& medium, const std::string& id);
 
+/// A reference to the medium around a point, under this name; empty where there is none.
+std::string mitsuba_medium_at(const World& world, Bits inside, const char* name);
+
 /// Adds the scene's shapes; materials and media have the identifiers materialN and mediumN.
-void add_mitsuba_shapes(const Scene& scene, const std::string& stem, MitsubaFiles& out);
+///
+/// world  of the scene, where it has media
+void add_mitsuba_shapes(const Scene& scene, const World* world, const std::string& stem, MitsubaFiles& out);
 
 /// Which of Mitsuba's integrators follows the same paths, and how far.
 struct MitsubaPaths {

@@ -15,7 +15,7 @@ std::vector<char> materials_on_shapes(const Scene& scene) {
 
 MitsubaPaths mitsuba_paths(const Scene& scene, std::vector<std::string>& unsaid) {
     MitsubaPaths paths;
-    bool diffuse = false, specular = false, null = false, searched = false, found = false;
+    bool diffuse = false, specular = false, scatters = false, searched = false, found = false;
     Real brightest = 0;
     const std::vector<char> used = materials_on_shapes(scene);
     for (std::size_t i = 0; i < used.size(); ++i) {
@@ -23,26 +23,26 @@ MitsubaPaths mitsuba_paths(const Scene& scene, std::vector<std::string>& unsaid)
         const Material& m = scene.materials[i];
         diffuse |= m.albedo != Color(0);
         specular |= m.reflectance != Color(0) || m.transmittance != Color(0);
-        null |= is_null_boundary(m);
+        scatters |= has_medium(m) && m.medium.albedo != Color(0);
         paths.media |= has_medium(m);
         (m.sampled ? searched : found) |= m.emission != Color(0);
         brightest = std::max(brightest, largest(m.albedo));
     }
     searched |= !scene.lights.empty() || scene.environment != Color(0);
 
-    if (null && !scene.lights.empty())
-        unsaid.push_back("a light without extent beside a boundary of ior 1: Mitsuba's shadow rays go through it; "
-                         "expected lamps with extent");
+    if (scatters && !scene.lights.empty())
+        unsaid.emplace_back("a light without extent beside a medium that scatters: Mitsuba's media send shadow rays to it; "
+                            "expected lamps with extent");
     if (!diffuse) {
         if (!paths.media) paths.max_depth = scene.depth + 1;
     } else if (!specular && searched != found) {
         // Camera, bounces + 1 surfaces, lamp; where no shadow rays are sent, the last bounce ray must find the lamp.
         paths.max_depth = scene.bounces + (searched ? 2 : 1);
     } else if (scene.bounces == 0) {
-        unsaid.push_back(specular
-                             ? "diffuse surfaces beside mirrors, glass or lobes, with bounces = 0: Mitsuba limits both "
-                               "together; expected so many bounces that the rest is negligible"
-                             : "lamps with and without sampled = false, with bounces = 0; expected one kind");
+        unsaid.emplace_back(specular
+                                ? "diffuse surfaces beside mirrors, glass or lobes, with bounces = 0: Mitsuba limits "
+                                  "both together; expected so many bounces that the rest is negligible"
+                                : "lamps with and without sampled = false, with bounces = 0; expected one kind");
     } else {
         paths.comment = fmt::format(
             "Paths have no limit here; Penumbra ends them after {} diffuse bounces, {} mirrors, glass "

@@ -71,30 +71,46 @@ std::vector<Mesh> loose_triangles(const Scene& scene) {
     return meshes;
 }
 
+/// A point just before the front of a shape.
+vec3 before(const Sphere& s) { return s.center + vec3(s.radius * (1 + 1e-9), 0, 0); }
+vec3 before(vec3 p, vec3 normal) { return p + (1e-9 * largest(p) + 1e-15) * unit(normal); }
+vec3 before(const Quad& q) { return before(q.center, cross(q.u, q.v)); }
+vec3 before(const Disc& d) { return before(d.center, d.normal); }
+vec3 before(const Triangle& t) { return before((t.a + t.b + t.c) / 3.0, cross(t.b - t.a, t.c - t.a)); }
+
 /// One shape. Materials are numbered: their names may hold anything.
-std::string shape(const std::string& geometry, int material, const Scene& scene) {
+///
+/// front  a point before its front: what is there is its exterior
+std::string shape(const std::string& geometry, int material, const Scene& scene, const World* world, vec3 front) {
     const Material& m = scene.materials[std::size_t(material)];
     std::string xml = "  <shape type=" + geometry + fmt::format("<ref id=\"material{}\"/>", material);
     if (has_medium(m)) xml += fmt::format("<ref name=\"interior\" id=\"medium{}\"/>", material);
+    if (world && m.transmittance != Color(0))
+        xml += mitsuba_medium_at(*world, regions_around(*world, front, scene.shutter.open), "exterior");
     if (m.emission != Color(0)) xml += "<emitter type=\"area\">" + xml_color("radiance", m.emission) + "</emitter>";
     return xml + "</shape>\n";
 }
 
 }  // namespace
 
-void add_mitsuba_shapes(const Scene& scene, const std::string& stem, MitsubaFiles& out) {
+void add_mitsuba_shapes(const Scene& scene, const World* world, const std::string& stem, MitsubaFiles& out) {
     for (const Shape& in_scene : scene.shapes) {
         const Shape s = moved_to(in_scene, scene.shutter.open);
         const std::string said = std::visit([](const auto& g) { return geometry(g); }, s.geometry);
-        if (!said.empty()) out.xml += shape(said, s.material, scene);
+        if (said.empty()) continue;
+        const vec3 front = std::visit([](const auto& g) { return before(g); }, s.geometry);
+        out.xml += shape(said, s.material, scene, world, front);
     }
     const auto add_mesh = [&](const Mesh& mesh) {
+        const vec3 shift = scene.shutter.open * mesh.velocity;
+        const auto corner = [&](int i) { return mesh.vertices[std::size_t(mesh.triangles[0][i])] + shift; };
+        const vec3 front = mesh.triangles.empty() ? shift : before(Triangle{corner(0), corner(1), corner(2)});
         out.meshes.push_back(
-            {fmt::format("{}{}.ply", stem, out.meshes.size()), ply(mesh, scene.shutter.open * mesh.velocity)});
+            {fmt::format("{}{}.ply", stem, out.meshes.size()), ply(mesh, shift)});
         out.xml += shape(
             fmt::format("\"ply\"><string name=\"filename\" value=\"{}\"/><boolean name=\"face_normals\" value=\"{}\"/>",
                         out.meshes.back().name, mesh.normals.empty()),
-            mesh.material, scene);
+            mesh.material, scene, world, front);
     };
     for (const Mesh& mesh : loose_triangles(scene)) add_mesh(mesh);
     for (const Mesh& mesh : scene.meshes) add_mesh(mesh);

@@ -59,6 +59,11 @@ std::string mitsuba_surface(const Material& m, const std::string& id) {
                    id);
 }
 
+std::string mitsuba_medium_at(const World& world, Bits inside, const char* name) {
+    const Index material = world.regions.medium(inside);
+    return material == nothing ? "" : fmt::format("<ref name=\"{}\" id=\"medium{}\"/>", name, material);
+}
+
 std::string mitsuba_medium(const Medium& medium, const std::string& id) {
     return fmt::format("<medium type=\"homogeneous\" id=\"{}\">", id) + xml_number("sigma_t", medium.extinction) +
            xml_color("albedo", medium.albedo) +

@@ -4,80 +4,47 @@
 #include <tiny_obj_loader.h>
 
 #include <array>
-#include <cerrno>
 #include <charconv>
-#include <fstream>
+#include <istream>
 #include <map>
+#include <optional>
 #include <streambuf>
-#include <system_error>
+#include <string_view>
 
+#include "rt/files/obj_lines.h"
+#include "rt/files/polygon.h"
+#include "rt/files/read_number.h"
 #include "rt/files/scene_reader.h"
+#include "rt/files/toml_table.h"
 
 namespace rt {
 namespace {
 
-[[noreturn]] void fail_at_line(const std::string& path, int line, const std::string& wrong, const std::string& expected) {
-    throw InputError(fmt::format("{}:{}:1: {}; expected {}", path, line, wrong, expected));
+std::string_view without_plus(std::string_view word) {
+    return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
 }
 
-/// Whether the text starts with a number; the library takes anything else for a zero.
-template <class Number>
-bool starts_with_number(std::string_view text) {
-    Number number;
-    if (!text.empty() && text[0] == '+') text.remove_prefix(1);
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool whole_word = read.ptr == text.data() + text.size() || *read.ptr == '/';
-    return read.ec == std::errc() && whole_word && std::abs(double(number)) <= 1e70;
+/// The number that a word is; nothing: it is none. One that is too small is 0, one that is too large is infinite.
+std::optional<double> number_of(std::string_view word) {
+    const std::string_view digits = without_plus(word);
+    double number = 0;
+    const auto [end, error] = read_number(digits, number);
+    if (digits.empty() || end != digits.data() + digits.size() || error == std::errc::invalid_argument) return {};
+    if (error == std::errc::result_out_of_range) return std::strtod(std::string(digits).c_str(), nullptr);
+    return number;
 }
 
-void check_line(std::string_view line, const std::string& path, int number) {
-    const auto next_word = [&line] {
-        const auto start = std::min(line.find_first_not_of(" \t\r\n"), line.size());
-        line.remove_prefix(start);
-        const auto word = line.substr(0, line.find_first_of(" \t\r\n"));
-        line.remove_prefix(word.size());
-        return word;
-    };
-    const auto kind = next_word();
-    if (kind != "v" && kind != "vn" && kind != "f") return;
-    for (int i = 0; i < 3; ++i) {
-        const auto word = next_word();
-        if (kind == "f" ? !starts_with_number<int>(word) : !starts_with_number<double>(word))
-            fail_at_line(path, number, fmt::format("'{}' is followed by no number where there must be one", kind),
-                 kind == "f" ? "three vertex numbers or more" : "three numbers");
-    }
+/// As NaN and infinity are written, by some on Windows as 1.#QNAN.
+bool is_no_finite_number(std::string_view word) {
+    const auto number = number_of(word);
+    return number ? !std::isfinite(*number) : word.find("1.#") != word.npos || word.find("nan(") != word.npos;
 }
-
-/// Hands out a file line by line, so that it is known at any time which line is being read.
-class Lines : public std::streambuf {
-  public:
-    explicit Lines(const std::string& path) : path_(path), file_(path, std::ios::binary) {
-        if (!file_) throw std::system_error(errno, std::generic_category());
-        file_.peek();
-        if (file_.bad()) throw std::system_error(EISDIR, std::generic_category());
-    }
-    int number() const { return number_; }
-
-  protected:
-    int_type underflow() override {
-        if (!std::getline(file_, line_)) return traits_type::eof();
-        check_line(line_, path_, ++number_);
-        line_ += '\n';
-        setg(line_.data(), line_.data(), line_.data() + line_.size());
-        return traits_type::to_int_type(line_[0]);
-    }
-
-  private:
-    std::string path_, line_;
-    std::ifstream file_;
-    int number_ = 0;
-};
 
 /// What the file holds, as it is being read.
 struct Reading {
-    const std::string& path;
-    const Lines& lines;
-    std::vector<vec3> vertices, normals;
+    ObjLines lines;
+    std::vector<vec3> vertices, normals;  // a normal that is no number is 0, which is none
+    vec3 exact{0};                        // of the line that the library reads now
     struct Corner {
         int vertex, normal;  // -1: none
         auto operator<=>(const Corner&) const = default;
@@ -85,39 +52,142 @@ struct Reading {
     std::vector<std::array<Corner, 3>> triangles;
 
     /// OBJ counts from 1, or from -1 backwards.
-    int index(int i, std::size_t count, const char* what) const {
-        const auto n = std::int64_t(count), k = i > 0 ? std::int64_t(i) - 1 : n + i;
+    int index(std::string_view digits, std::string_view word, std::size_t count, const char* what) const {
+        std::int64_t i = 0;
+        digits = without_plus(digits);
+        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), i);
+        if (end != digits.data() + digits.size() || error == std::errc::invalid_argument)
+            lines.fail(word, fmt::format("{} in a face is no corner", in_quotes(word)),
+                       "a vertex number, or vertex/texture/normal");
+        const auto n = std::int64_t(count);
+        const std::int64_t k = error != std::errc() ? -1 : i > 0 ? i - 1 : n + i;
         if (i == 0 || k < 0 || k >= n)
-            fail_at_line(path, lines.number(), fmt::format("a face has {} {}", what, i),
-                 fmt::format("one of the {} so far", n));
+            lines.fail(word, fmt::format("a face has {} {}", what, digits), fmt::format("one of the {} so far", n));
         return int(k);
     }
 
-    void add_face(const tinyobj::index_t* corners, int count) {
-        const auto corner = [&](int i) {
-            const auto& c = corners[i];
-            return Corner{index(c.vertex_index, vertices.size(), "vertex"),
-                          c.normal_index ? index(c.normal_index, normals.size(), "normal") : -1};
-        };
-        for (int i = 2; i < count; ++i) triangles.push_back({corner(0), corner(i - 1), corner(i)});
+    Corner corner(std::string_view word) const {
+        std::array<std::string_view, 3> parts;
+        std::string_view rest = word;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const std::size_t slash = rest.find('/');
+            parts[i] = rest.substr(0, slash);
+            if (slash == rest.npos) break;
+            rest = rest.substr(slash + 1);
+            if (i == 2) lines.fail(word, fmt::format("{} has too many slashes", in_quotes(word)), "vertex/texture/normal");
+        }
+        if (parts[0].empty())
+            lines.fail(word, fmt::format("{} in a face is no corner", in_quotes(word)),
+                       "a vertex number, or vertex/texture/normal");
+        const auto texture = number_of(parts[1].empty() ? "1" : parts[1]);
+        if (!texture || *texture != std::floor(*texture))
+            lines.fail(word, fmt::format("{} has a texture that is no whole number", in_quotes(word)),
+                       "vertex/texture/normal");
+        return {index(parts[0], word, vertices.size(), "vertex"),
+                parts[2].empty() ? -1 : index(parts[2], word, normals.size(), "normal")};
+    }
+
+    void read_face(std::string_view keyword) {
+        std::vector<Corner> corners;
+        std::vector<vec3> places;
+        for (auto word = lines.word(); !word.empty(); word = lines.word()) {
+            corners.push_back(corner(word));
+            places.push_back(vertices[std::size_t(corners.back().vertex)]);
+        }
+        if (corners.size() < 3)
+            lines.fail(keyword, fmt::format("a face has {} corner{}", corners.size(), corners.size() == 1 ? "" : "s"), "three or more");
+        const auto split = split_polygon(places);
+        if (!split)
+            lines.fail(keyword, fmt::format("the face of {} corners crosses itself, and cannot be split into triangles", corners.size()),
+                       "corners in their order around the face, or triangles");
+        for (const auto& t : *split)
+            triangles.push_back({corners[std::size_t(t[0])], corners[std::size_t(t[1])], corners[std::size_t(t[2])]});
+    }
+
+    /// The next vertex or normal, as the library is to read it; empty: there is none.
+    std::string next_numbers() {
+        while (lines.next()) {
+            const std::string_view keyword = lines.word();
+            const ObjWord kind = obj_word(keyword);
+            if (kind == ObjWord::face) read_face(keyword);
+            if (kind == ObjWord::unsupported)
+                lines.fail(keyword, fmt::format("{} makes a shape that is no polygon, or is in another file", in_quotes(keyword)),
+                           "faces ('f') in this file");
+            if (kind == ObjWord::unknown)
+                lines.fail(keyword, fmt::format("{} is no word of the format", in_quotes(keyword)),
+                           "v, vn, f or another statement of a Wavefront OBJ file");
+            if (kind == ObjWord::vertex || kind == ObjWord::normal) return numbers(keyword, kind == ObjWord::vertex);
+        }
+        return {};
+    }
+
+    std::string numbers(std::string_view keyword, bool vertex) {
+        std::string text = vertex ? "v" : "vn";
+        bool none = false;
+        int count = 0;
+        for (auto word = lines.word(); !word.empty(); word = lines.word(), ++count) {
+            const auto number = number_of(word);
+            const bool extra = count >= 3;  // a weight, a colour
+            if (!vertex && is_no_finite_number(word)) {
+                none = true;
+                continue;
+            }
+            if (!number)
+                lines.fail(word, fmt::format("{} is no number", in_quotes(word)),
+                           word.find(',') == word.npos ? "three numbers" : "three numbers, with a point and no comma");
+            if (extra) continue;
+            if (!(std::abs(*number) <= huge)) lines.fail(word, fmt::format("{} is {}", in_quotes(word), *number), any_number.expected);
+            exact[count] = *number;
+            text += ' ';
+            text += without_plus(word);
+        }
+        if (count < 3) lines.fail(keyword, fmt::format("'{}' is followed by {} numbers", keyword, count), "three numbers");
+        if (none) exact = vec3(0), text = "vn 0 0 0";
+        return text + '\n';
+    }
+
+    /// The library's numbers; where it loses more than roundings, those that were checked.
+    vec3 checked(vec3 read) const {
+        for (int i = 0; i < 3; ++i)
+            if (!(std::abs(read[i] - exact[i]) <= 1e-14 * std::abs(exact[i]))) read[i] = exact[i];
+        return read;
     }
 };
 
-void read_lines(std::istream& stream, Reading& reading) {
+/// Hands the library vertices and normals, line by line; faces are read here, for it knows of no comments in them.
+class StatementBuffer : public std::streambuf {
+public:
+    explicit StatementBuffer(Reading& reading) : reading_(reading) {}
+
+protected:
+    int_type underflow() override {
+        line_ = reading_.next_numbers();
+        setg(line_.data(), line_.data(), line_.data() + line_.size());
+        return line_.empty() ? traits_type::eof() : traits_type::to_int_type(line_[0]);
+    }
+
+private:
+    Reading& reading_;
+    std::string line_;
+};
+
+void read_lines(Reading& reading) {
     using tinyobj::real_t;
     tinyobj::callback_t callback;
     callback.vertex_cb = [](void* r, real_t x, real_t y, real_t z, real_t) {
-        static_cast<Reading*>(r)->vertices.emplace_back(x, y, z);
+        Reading& reading = *static_cast<Reading*>(r);
+        reading.vertices.push_back(reading.checked({x, y, z}));
     };
     callback.normal_cb = [](void* r, real_t x, real_t y, real_t z) {
-        static_cast<Reading*>(r)->normals.emplace_back(x, y, z);
+        Reading& reading = *static_cast<Reading*>(r);
+        reading.normals.push_back(reading.checked({x, y, z}));
     };
-    callback.index_cb = [](void* r, tinyobj::index_t* corners, int count) {
-        static_cast<Reading*>(r)->add_face(corners, count);
-    };
+    StatementBuffer numbers(reading);
+    std::istream stream(&numbers);
+    stream.exceptions(std::ios::badbit);  // or the stream would keep InputError to itself
     std::string warning, error;
     if (!tinyobj::LoadObjWithCallback(stream, callback, &reading, nullptr, &warning, &error))
-        fail_at_line(reading.path, std::max(reading.lines.number(), 1), "no OBJ file: " + error, "a Wavefront OBJ file");
+        reading.lines.fail({}, "no OBJ file: " + error, "a Wavefront OBJ file");
 }
 
 bool has_normals(const Reading& reading) {
@@ -155,12 +225,10 @@ void use_mean_normals(Mesh& mesh) {
 }  // namespace
 
 Mesh read_obj(const std::string& path, bool smooth) {
-    Lines lines(path);
-    std::istream stream(&lines);
-    stream.exceptions(std::ios::badbit);  // or the stream would keep InputError to itself
-    Reading reading{path, lines, {}, {}, {}};
-    read_lines(stream, reading);
-    if (reading.triangles.empty()) fail_at_line(path, 1, "there is no face in the file", "one or more");
+    Reading reading{ObjLines(path), {}, {}, vec3(0), {}};
+    read_lines(reading);
+    if (reading.triangles.empty())
+        throw InputError(path + ":1:1: there is no face with an area in the file; expected one or more");
 
     Mesh mesh;
     mesh.vertices = reading.vertices;

@@ -27,7 +27,7 @@ Material read_material(const Table& table, const std::string& name) {
     m.transmittance = table.color("transmittance", share, m.transmittance);
     m.exponent = table.number("exponent", exponent, m.exponent);
     m.ior = table.number("ior", positive, m.ior);
-    m.emission = table.color("emission", not_negative, m.emission);
+    m.emission = table.color("emission", radiance, m.emission);
     m.sampled = table.flag("sampled", m.sampled);
     if (table.has("medium")) m.medium = read_medium(table.table("medium"));
     return m;

@@ -108,8 +108,8 @@ Scene parse_scene(std::string_view text, const std::string& path) {
     scene.camera = read_camera(top.table("camera"));
     scene.shutter = read_shutter(top.table("shutter"));
     scene.ambient = top.color("ambient", not_negative, Color(0));
-    scene.environment = top.color("environment", not_negative, Color(0));
-    scene.background = top.color("background", not_negative, Color(0));
+    scene.environment = top.color("environment", radiance, Color(0));
+    scene.background = top.color("background", radiance, Color(0));
     for (const Table& light : top.tables("light")) scene.lights.push_back(read_light(light));
     read_materials(top.table("materials"), scene);
     for (const Table& shape : top.tables("shape")) read_shape(shape, scene);

@@ -111,11 +111,24 @@ std::string in_quotes(std::string_view word) {
     return fmt::format("'{}{}'", one_line(std::string(word.substr(0, 60))), word.size() > 60 ? "..." : "");
 }
 
+struct Table::Inside {
+    std::shared_ptr<const toml::table> root;
+    const toml::table* table = nullptr;
+    std::string path, name;
+
+    const toml::node* find(std::string_view key, bool required) const;
+    Real checked(const toml::node& node, std::string_view key, Limits limits, const std::string& expected) const;
+    int whole(const toml::node& node, std::string_view key, int low, int high, const std::string& expected) const;
+    [[noreturn]] void fail(std::string_view key, const std::string& wrong, const std::string& expected) const;
+    [[noreturn]] void fail_at(const toml::node& node, const std::string& wrong, const std::string& expected) const;
+    Table inner(const toml::table& inner_table, const std::string& inner_name) const;
+};
+
 Table Table::parse(std::string_view text, const std::string& path) {
     check_nesting(text, path);
-    Table table;
+    toml::table root;
     try {
-        table.root_ = std::make_shared<const toml::table>(toml::parse(text, path));
+        root = toml::parse(text, path);
     } catch (const toml::parse_error& error) {
         const std::string_view what = error.description(), context = "Error while parsing ";
         const auto colon = what.starts_with(context) ? what.find(": ") : what.npos;
@@ -124,55 +137,62 @@ Table Table::parse(std::string_view text, const std::string& path) {
     } catch (const ParserFault&) {
         fail_in(path, {line_of_fault(text), 1}, "no TOML", "key = value, [table] or # comment");
     }
-    table.table_ = table.root_.get();
-    table.path_ = path;
-    table.name_ = "the scene";
+    auto whole = std::make_shared<const toml::table>(std::move(root));
+    const toml::table* const top = whole.get();
+    Table table;
+    table.inside_ = std::make_shared<const Inside>(Inside{std::move(whole), top, path, "the scene"});
     return table;
 }
 
 void Table::only(std::initializer_list<std::string_view> keys) const {
     const std::vector<std::string> known(keys.begin(), keys.end());
-    for (const auto& [key, node] : *table_) {
+    for (const auto& [key, node] : *inside_->table) {
         if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
         const auto nearest = nearest_word(key.str(), known);
-        const auto wrong = fmt::format("unknown key {} in {}", in_quotes(key.str()), name_);
+        const auto wrong = fmt::format("unknown key {} in {}", in_quotes(key.str()), inside_->name);
         const auto place = key.source().begin;
-        fail_in(path_, place ? place : node.source().begin, wrong,
+        fail_in(inside_->path, place ? place : node.source().begin, wrong,
                 nearest ? fmt::format("'{}'?", *nearest) : one_of(known));
     }
 }
 
-bool Table::has(std::string_view key) const { return table_->contains(key); }
+bool Table::has(std::string_view key) const { return inside_->table->contains(key); }
 
 std::vector<std::string> Table::keys() const {
     std::vector<std::string> keys;
-    for (const auto& [key, node] : *table_) keys.emplace_back(key.str());
+    for (const auto& [key, node] : *inside_->table) keys.emplace_back(key.str());
     return keys;
 }
 
 void Table::fail(std::string_view key, const std::string& wrong, const std::string& expected) const {
-    const toml::node* node = table_->get(key);
-    fail_at(node ? *node : *table_, wrong, expected);
+    inside_->fail(key, wrong, expected);
 }
 
-void Table::fail_at(const toml::node& node, const std::string& wrong, const std::string& expected) const {
-    fail_in(path_, node.source().begin, wrong, expected);
+void Table::Inside::fail(std::string_view key, const std::string& wrong, const std::string& expected) const {
+    const toml::node* node = table->get(key);
+    fail_at(node ? *node : *table, wrong, expected);
 }
 
-const toml::node* Table::find(std::string_view key, bool required) const {
-    const toml::node* node = table_->get(key);
-    if (!node && required) fail(key, fmt::format("'{}' is missing in {}", key, name_), fmt::format("{} = ...", key));
+void Table::Inside::fail_at(const toml::node& node, const std::string& wrong, const std::string& expected) const {
+    fail_in(path, node.source().begin, wrong, expected);
+}
+
+const toml::node* Table::Inside::find(std::string_view key, bool required) const {
+    const toml::node* node = table->get(key);
+    if (!node && required) fail(key, fmt::format("'{}' is missing in {}", key, name), fmt::format("{} = ...", key));
     return node;
 }
 
-Real Table::checked(const toml::node& node, std::string_view key, Limits limits, const std::string& expected) const {
+Real Table::Inside::checked(const toml::node& node, std::string_view key, Limits limits,
+                            const std::string& expected) const {
     const auto value = node.is_number() ? node.value<double>() : std::nullopt;
     if (!value) fail_at(node, fmt::format("{} is {}", in_quotes(key), type_of(node)), expected);
     if (!limits.hold(*value)) fail_at(node, fmt::format("{} is {}", in_quotes(key), *value), expected);
     return *value;
 }
 
-int Table::whole(const toml::node& node, std::string_view key, int low, int high, const std::string& expected) const {
+int Table::Inside::whole(const toml::node& node, std::string_view key, int low, int high,
+                         const std::string& expected) const {
     if (!node.is_integer()) fail_at(node, fmt::format("{} is {}", in_quotes(key), type_of(node)), expected);
     const auto value = **node.as_integer();
     if (value < low || value > high) fail_at(node, fmt::format("{} is {}", in_quotes(key), value), expected);
@@ -180,59 +200,60 @@ int Table::whole(const toml::node& node, std::string_view key, int low, int high
 }
 
 Real Table::number(std::string_view key, Limits limits, std::optional<Real> otherwise) const {
-    const toml::node* node = find(key, !otherwise);
-    return node ? checked(*node, key, limits, limits.expected) : *otherwise;
+    const toml::node* node = inside_->find(key, !otherwise);
+    return node ? inside_->checked(*node, key, limits, limits.expected) : *otherwise;
 }
 
 int Table::integer(std::string_view key, int low, int high, std::optional<int> otherwise) const {
-    const toml::node* node = find(key, !otherwise);
-    return node ? whole(*node, key, low, high, fmt::format("a whole number from {} to {}", low, high)) : *otherwise;
+    const toml::node* node = inside_->find(key, !otherwise);
+    if (!node) return *otherwise;
+    return inside_->whole(*node, key, low, high, fmt::format("a whole number from {} to {}", low, high));
 }
 
 bool Table::flag(std::string_view key, bool otherwise) const {
-    const toml::node* node = find(key, false);
+    const toml::node* node = inside_->find(key, false);
     if (node && !node->is_boolean()) fail(key, fmt::format("'{}' is {}", key, type_of(*node)), "true or false");
     return node ? **node->as_boolean() : otherwise;
 }
 
 std::string Table::text(std::string_view key) const {
-    const toml::node* node = find(key, true);
+    const toml::node* node = inside_->find(key, true);
     if (!node->is_string()) fail(key, fmt::format("'{}' is {}", key, type_of(*node)), "a string");
     return **node->as_string();
 }
 
 vec3 Table::vector(std::string_view key, Limits limits, std::optional<vec3> otherwise) const {
-    const toml::node* node = find(key, !otherwise);
+    const toml::node* node = inside_->find(key, !otherwise);
     if (!node) return *otherwise;
     const toml::array* array = node->as_array();
     const std::string expected = fmt::format("[x, y, z], each {}", limits.expected);
     if (!array) fail(key, fmt::format("'{}' is {}", key, type_of(*node)), expected);
     if (array->size() != 3) fail(key, fmt::format("'{}' has {} numbers", key, array->size()), expected);
     vec3 v;
-    for (int i = 0; i < 3; ++i) v[i] = checked((*array)[std::size_t(i)], key, limits, limits.expected);
+    for (int i = 0; i < 3; ++i) v[i] = inside_->checked((*array)[std::size_t(i)], key, limits, limits.expected);
     return v;
 }
 
 ivec2 Table::pair(std::string_view key, int low, int high, std::optional<ivec2> otherwise) const {
-    const toml::node* node = find(key, !otherwise);
+    const toml::node* node = inside_->find(key, !otherwise);
     if (!node) return *otherwise;
     const toml::array* array = node->as_array();
     const auto expected = fmt::format("[width, height], each a whole number from {} to {}", low, high);
     if (!array || array->size() != 2) fail(key, fmt::format("'{}' is no pair", key), expected);
-    const int x = whole((*array)[0], key, low, high, expected);
-    return {x, whole((*array)[1], key, low, high, expected)};
+    const int x = inside_->whole((*array)[0], key, low, high, expected);
+    return {x, inside_->whole((*array)[1], key, low, high, expected)};
 }
 
 Color Table::color(std::string_view key, Limits limits, std::optional<Color> otherwise) const {
-    const toml::node* node = find(key, !otherwise);
-    if (node && node->is_number()) return Color(checked(*node, key, limits, limits.expected));
+    const toml::node* node = inside_->find(key, !otherwise);
+    if (node && node->is_number()) return Color(inside_->checked(*node, key, limits, limits.expected));
     if (node && !node->is_array())
         fail(key, fmt::format("'{}' is {}", key, type_of(*node)), "[red, green, blue], or one number for all three");
     return vector(key, limits, otherwise);
 }
 
 int Table::choice(std::string_view key, std::span<const std::string_view> words, std::optional<int> otherwise) const {
-    if (!find(key, !otherwise)) return *otherwise;
+    if (!inside_->find(key, !otherwise)) return *otherwise;
     const std::string word = text(key);
     const auto found = std::find(words.begin(), words.end(), word);
     if (found == words.end())
@@ -240,31 +261,32 @@ int Table::choice(std::string_view key, std::span<const std::string_view> words,
     return int(found - words.begin());
 }
 
-Table Table::inner(const toml::table& table, const std::string& name) const {
-    Table inner = *this;
-    inner.table_ = &table;
-    inner.name_ = name;
+Table Table::Inside::inner(const toml::table& inner_table, const std::string& inner_name) const {
+    Table inner;
+    inner.inside_ = std::make_shared<const Inside>(Inside{root, &inner_table, path, inner_name});
     return inner;
 }
 
 Table Table::table(std::string_view key) const {
     static const toml::table empty;
-    const toml::node* node = find(key, false);
+    const toml::node* node = inside_->find(key, false);
     if (node && !node->is_table()) fail(key, fmt::format("{} is {}", in_quotes(key), type_of(*node)), "a table");
-    const std::string name = name_.starts_with('[') ? fmt::format("{}.{}", name_.substr(1, name_.size() - 2), key)
+    const std::string& outer = inside_->name;
+    const std::string name = outer.starts_with('[') ? fmt::format("{}.{}", outer.substr(1, outer.size() - 2), key)
                                                     : std::string(key);
-    return inner(node ? *node->as_table() : empty, fmt::format("[{}]", name));
+    return inside_->inner(node ? *node->as_table() : empty, fmt::format("[{}]", name));
 }
 
 std::vector<Table> Table::tables(std::string_view key) const {
-    const toml::node* node = find(key, false);
+    const toml::node* node = inside_->find(key, false);
     std::vector<Table> tables;
     if (!node) return tables;
     const std::string expected = fmt::format("[[{}]], once for each", key);
     if (!node->is_array()) fail(key, fmt::format("'{}' is {}", key, type_of(*node)), expected);
     for (const toml::node& element : *node->as_array()) {
-        if (!element.is_table()) fail_at(element, fmt::format("'{}' holds {}", key, type_of(element)), expected);
-        tables.push_back(inner(*element.as_table(), fmt::format("[[{}]]", key)));
+        if (!element.is_table())
+            inside_->fail_at(element, fmt::format("'{}' holds {}", key, type_of(element)), expected);
+        tables.push_back(inside_->inner(*element.as_table(), fmt::format("[[{}]]", key)));
     }
     return tables;
 }

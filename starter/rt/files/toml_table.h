@@ -6,7 +6,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <toml++/impl/forward_declarations.h>
 #include <vector>
 
 #include "rt/math.h"
@@ -24,6 +23,9 @@ constexpr Real huge = 1e70;
 
 inline constexpr Limits any_number{[](Real x) { return std::abs(x) <= huge; }, "a number from -1e70 to 1e70"};
 inline constexpr Limits not_negative{[](Real x) { return x >= 0 && x <= huge; }, "a number from 0 to 1e70"};
+/// What is seen as it is: a picture holds single precision.
+inline constexpr Limits radiance{[](Real x) { return x >= 0 && x <= Real(std::numeric_limits<float>::max()); },
+                                 "a number from 0 to 3.4e38, the largest that a picture holds"};
 inline constexpr Limits positive{[](Real x) { return x > 0 && x <= huge; }, "a number above 0, up to 1e70"};
 inline constexpr Limits positive_or_inf{[](Real x) { return x > 0 && (x <= huge || x == inf); },
                                         "a number above 0, or inf"};
@@ -68,15 +70,8 @@ class Table {
     [[noreturn]] void fail(std::string_view key, const std::string& wrong, const std::string& expected) const;
 
   private:
-    std::shared_ptr<const toml::table> root_;
-    const toml::table* table_ = nullptr;
-    std::string path_, name_;
-
-    const toml::node* find(std::string_view key, bool required) const;
-    Table inner(const toml::table& table, const std::string& name) const;
-    Real checked(const toml::node& node, std::string_view key, Limits limits, const std::string& expected) const;
-    int whole(const toml::node& node, std::string_view key, int low, int high, const std::string& expected) const;
-    [[noreturn]] void fail_at(const toml::node& node, const std::string& wrong, const std::string& expected) const;
+    struct Inside;  // toml++'s types, whose header takes seconds to read
+    std::shared_ptr<const Inside> inside_;
 };
 
 /// The word of the list that differs least; none: all of them differ in too many letters.

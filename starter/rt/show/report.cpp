@@ -60,6 +60,22 @@ Label label_of(const std::string& scene, ivec2 film, const RenderSettings& setti
     return label;
 }
 
+std::string report_range(const std::string& name, const Image& image) {
+    std::size_t bright = 0, dark = 0;
+    for (const Color& c : image.pixels) {
+        bright += std::isfinite(largest(c)) && largest(c) > Real(std::numeric_limits<float>::max());
+        dark += largest(c) > 0 && float(largest(c)) == 0;
+    }
+    std::string text;
+    if (bright > 0)
+        text += fmt::format("{}: {} pixels are brighter than the {:.2g} that a file holds, and are written as that; expected dimmer "
+                            "lights\n", name, bright, std::numeric_limits<float>::max());
+    if (dark > 0)
+        text += fmt::format("{}: {} pixels are darker than the {:.2g} that a file holds, and are written as 0; expected brighter "
+                            "lights\n", name, dark, std::numeric_limits<float>::denorm_min());
+    return text;
+}
+
 std::string report_fault(const std::string& scene, ivec2 film, const RenderSettings& settings, const Rendering& r) {
     int x = 0, y = 0;
     std::sscanf(r.fault.c_str(), "pixel %d,%d", &x, &y);

@@ -15,6 +15,9 @@ std::string report(const std::string& name, const RenderSettings& settings, cons
 /// The same in an EXR file, with the place of the picture in its film.
 Label label_of(const std::string& scene, ivec2 film, const RenderSettings& settings, const Rendering& rendering);
 
+/// What a file in single precision cannot hold of a picture; empty: it holds all.
+std::string report_range(const std::string& name, const Image& image);
+
 /// The number that is none, and the command which shows how it came about.
 std::string report_fault(const std::string& scene, ivec2 film, const RenderSettings& settings, const Rendering& rendering);
 

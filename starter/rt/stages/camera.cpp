@@ -17,6 +17,7 @@ void first_rays(const World& world, const CameraWork& work, const CameraNumbers&
     // Copies: the compiler keeps them in registers.
     const Camera camera = world.scene.camera;
     const Shutter shutter = world.scene.shutter;
+    const Bits inside = world.regions.start;
     const int n = work.pattern.n;
 #pragma GCC ivdep
     for (int i = 0; i < lanes; ++i) {
@@ -37,9 +38,18 @@ void first_rays(const World& world, const CameraWork& work, const CameraNumbers&
         batch.slot[i] = work.slot + i;
         batch.event[i] = Index(Event::camera);
         batch.depth[i] = batch.bounce[i] = 0;
-        batch.medium[i] = nothing;
+        batch.inside[i] = inside;
         batch.near[i] = i < work.count ? batch.near[i] : inf;
         if (i < work.count) weights[i] = film.weight;
+    }
+}
+
+/// Where rays start that begin near the boundary of a medium.
+void find_starts(const World& world, int count, Batch& batch) {
+    for (int i = 0; i < count; ++i) {
+        Ray ray = batch.ray(i);
+        batch.inside[i] = start_of(world, ray, batch.time[i]);
+        batch.near[i] = ray.near;
     }
 }
 
@@ -76,6 +86,7 @@ void camera_stage(const World& world, const CameraWork& work, Batch& batch, Chun
         send(std::integral_constant<Film, Film::cells>{});
     else
         send(std::integral_constant<Film, Film::pattern>{});
+    if (!world.regions.asked.empty()) find_starts(world, work.count, batch);
     chunk.rays[int(RayKind::camera)] += std::uint64_t(work.count);
 }
 

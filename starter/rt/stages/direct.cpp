@@ -13,13 +13,20 @@ struct alignas(64) Reflectances {
     Color specular(int i) const { return {specular_r[i], specular_g[i], specular_b[i]}; }
 };
 
-/// What is left of the light after its way through the medium in which the surface lies.
-Real left_by_medium(const World& world, Index medium, Real distance) {
-    return medium == nothing ? 1 : exp(-world.scene.materials[std::size_t(medium)].medium.extinction * distance);
+/// Dims what shadow rays carry by the medium in which their surfaces lie.
+void dim(const World& world, const Batch& b, const Batch& shadow, Colors& light) {
+    for (int i = 0; i < b.count; ++i) {
+        const Index medium = world.regions.medium(b.inside[i]);
+        if (medium == nothing || !(shadow.far[i] > 0)) continue;
+        light.set(i, left_by(world.scene.materials[std::size_t(medium)].medium, shadow.far[i]) * light.at(i));
+    }
 }
 
 /// Adds reflected light where the shadow ray met nothing, and counts the shadow rays.
-[[gnu::noinline]] void gather(const World& world, const Batch& b, Colors& light, Batch& shadow, Colors& found, Chunk& chunk) {
+///
+/// through  whether boundaries that bend no light let the rays pass
+[[gnu::noinline]] void gather(const World& world, const Batch& b, bool through, Colors& light, Batch& shadow, Colors& found,
+                              Chunk& chunk) {
     Index sent = 0;
     for (Index i = 0; i < lanes; ++i) {
         const bool wanted = bool(light.r[i] != 0) | bool(light.g[i] != 0) | bool(light.b[i] != 0);
@@ -28,10 +35,12 @@ Real left_by_medium(const World& world, Index medium, Real distance) {
     }
     if (sent == 0) return;
     shadow.count = b.count;
-    any_hit_stage(world, shadow);
-    if (world.plan.medium)
-        for (int i = 0; i < b.count; ++i)
-            if (shadow.far[i] > 0) light.set(i, left_by_medium(world, b.medium[i], shadow.far[i]) * light.at(i));
+    if (through) {
+        through_stage(world, b.inside, shadow, light);
+    } else {
+        any_hit_stage(world, shadow);
+        if (world.plan.medium) dim(world, b, shadow, light);
+    }
     for (int i = 0; i < lanes; ++i) {
         const bool lit = shadow.shape[i] == nothing;
         found.r[i] += lit ? b.weight_r[i] * light.r[i] : 0;
@@ -109,7 +118,7 @@ template <By by, class L>
         // BRDF x cosine, from the density of the lobe, over the density of the lamp's point.
         const Real reflected = (exponent + 2) / (exponent + 1) * of_lobe * cosine / sample.density;
         const Real share = reflected * power_heuristic(sample.density, of_lobe);
-        const Real seen = bool(sample.density > 0) & bool(cosine > 0) ? share : 0;
+        const Real seen = (bool(sample.density > 0) & bool(cosine > 0)) ? share : 0;
         const Color radiance = lamps.radiance(i);
         light.r[i] = seen * lobes.r[i] * radiance.x, light.g[i] = seen * lobes.g[i] * radiance.y,
         light.b[i] = seen * lobes.b[i] * radiance.z;
@@ -191,24 +200,26 @@ void direct_stage(const World& world, Pattern pattern, int wave, const Batch& b,
     const bool reflects = gather_reflectances(world, b.count, s, reflectances);
     const bool weighs = gather_lobes(world, b, s, lobes);
     if (!reflects && !weighs) return;
+    const bool through = world.plan.through;
     Colors light;
     for (int i = 0; i < lanes; ++i) shadow.time[i] = b.time[i];
     if (reflects)
         for (const PointLight& lamp : world.scene.lights) {
             point_light(world, lamp, b, s, shadow, light);
-            gather(world, b, light, shadow, found, chunk);
+            gather(world, b, through, light, shadow, found, chunk);
         }
     Numbers u, choice;
     const auto shine = [&](const auto& lamps, auto by) {
         if (weighs) {
             weighed_light<by()>(lamps, u, b, s, lobes, shadow, light);
-            gather(world, b, light, shadow, found, chunk);
+            // The lobe's rays find lamps behind such boundaries, and those count in full: their density is not known there.
+            gather(world, b, false, light, shadow, found, chunk);
         }
         if (!reflects) return;
         with_flag(world.plan.phong, [&](auto highlights) {
             area_light<highlights(), by()>(lamps, u, b, s, reflectances, shadow, light);
         });
-        gather(world, b, light, shadow, found, chunk);
+        gather(world, b, through, light, shadow, found, chunk);
     };
     const auto draw_point = [&](int l) {
         draw_2d(pattern, wave_dimension(world, wave, light_dimension + l, pattern.n), b.key, b.sample, lanes, u);
@@ -226,7 +237,7 @@ void direct_stage(const World& world, Pattern pattern, int wave, const Batch& b,
     if (reflects && world.plan.environment_lit) {
         draw_2d(pattern, wave_dimension(world, wave, environment_dimension, pattern.n), b.key, b.sample, lanes, u);
         environment_light(world, u, s, reflectances, shadow, light);
-        gather(world, b, light, shadow, found, chunk);
+        gather(world, b, through, light, shadow, found, chunk);
     }
 }
 

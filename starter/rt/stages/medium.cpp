@@ -17,13 +17,15 @@ Real phase(vec3 d, vec3 w, Real g) {
 
 void medium_stage(const World& world, Pattern pattern, int wave, Batch& b, Queue& next, Chunk& chunk) {
     if (!world.plan.medium) return;
-    if (std::all_of(b.medium, b.medium + b.count, [](Index medium) { return medium == nothing; })) return;
+    const auto around = [&](Bits inside) { return world.regions.medium(inside); };
+    if (std::all_of(b.inside, b.inside + b.count, [&](Bits inside) { return around(inside) == nothing; })) return;
     Numbers flight, turn;
     draw_1d(pattern, wave_dimension(world, wave, flight_dimension, pattern.n), b.key, b.sample, b.count, flight);
     draw_2d(pattern, wave_dimension(world, wave, phase_dimension, pattern.n), b.key, b.sample, b.count, turn);
     for (int i = 0; i < b.count; ++i) {
-        if (b.medium[i] == nothing) continue;
-        const Medium& medium = world.scene.materials[std::size_t(b.medium[i])].medium;
+        const Index material = around(b.inside[i]);
+        if (material == nothing) continue;
+        const Medium& medium = world.scene.materials[std::size_t(material)].medium;
         const Real t = free_flight(medium.extinction, flight.x[i]);
         if (!(t < b.far[i])) continue;
 
@@ -44,7 +46,7 @@ void medium_stage(const World& world, Pattern pattern, int wave, Batch& b, Queue
         to.event[j] = Index(Event::medium);
         to.depth[j] = b.depth[i];
         to.bounce[j] = b.bounce[i];
-        to.medium[j] = b.medium[i];
+        to.inside[j] = b.inside[i];
         ++chunk.rays[int(RayKind::medium)];
     }
 }

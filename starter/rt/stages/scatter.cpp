@@ -97,6 +97,7 @@ void collect(const World& world, const Batch& b, const Surfaces& s, const Index*
     constexpr bool specular = way == Way::mirror || way == Way::glass, bounces = way == Way::bounce;
     constexpr bool enters = way == Way::glass || way == Way::translucent;
     constexpr Event event = bounces ? Event::diffuse : specular ? Event::specular : Event::lobe;
+    const bool media = world.plan.medium, through = world.plan.through;
     for (int k = 0; k < count; ++k) {
         const Index i = leaving[k];
         const int j = first + k;
@@ -115,13 +116,13 @@ void collect(const World& world, const Batch& b, const Surfaces& s, const Index*
         to.sample[j] = c.sample[k] = b.sample[i];
         to.time[j] = b.time[i];
         to.slot[j] = b.slot[i];
-        to.event[j] = Index(event);
+        // Where shadow rays go through, they have gathered what a diffuse ray finds behind: it still is one.
+        const bool goes_on = enters && through && b.event[i] == Index(Event::diffuse) && goes_straight_through(m);
+        to.event[j] = goes_on ? b.event[i] : Index(event);
         to.depth[j] = b.depth[i] + !bounces;
         to.bounce[j] = b.bounce[i] + bounces;
         if constexpr (way == Way::glossy || way == Way::translucent) to.density[j] = 0;
-        to.medium[j] = !enters                                  ? b.medium[i]
-                       : behind || m.medium.extinction == 0 ? nothing
-                                                                : s.material[i];
+        to.inside[j] = enters && media ? world.regions.crossed(b.inside[i], b.shape[i], behind) : b.inside[i];
     }
 }
 
@@ -158,6 +159,21 @@ void note_densities(const Crossing& c, int count, Batch& to, int first) {
     }
 }
 
+/// Brings rays back to the right side of their surfaces, to which the interpolated normals of a mesh may not send them. What
+/// a lobe sends there counts in full: no sample of a lamp would have found it.
+template <Way way>
+void bring_back(const Crossing& c, int count, Batch& to, int first) {
+    for (int k = 0; k < count; ++k) {
+        const int j = first + k;
+        const Hit hit = c.hit(k);
+        const vec3 way_on{to.dx[j], to.dy[j], to.dz[j]};
+        const bool bent = vec3(c.nx[k], c.ny[k], c.nz[k]) != hit.normal;
+        if (!bent || !is_astray(way_on, hit.normal, way == Way::glass || way == Way::translucent)) continue;
+        to.set_ray(j, spawn_ray(hit, turned(way_on, hit.normal)));
+        if constexpr (way == Way::glossy) to.density[j] = 0;
+    }
+}
+
 /// Takes out lanes, from `first` on, that carry nothing or have nowhere to go.
 void close_ranks(Batch& b, int first) {
     int kept = first;
@@ -187,6 +203,7 @@ template <Way way>
         if constexpr (!specular) draw_2d(pattern, dimension, crossing.key, crossing.sample, taken, u);
         send<way>(u, crossing, leaving, k, taken, to, first);
         if (way == Way::glossy && world.plan.weigh) note_densities(crossing, taken, to, first);
+        if (way != Way::bounce && world.plan.smooth) bring_back<way>(crossing, taken, to, first);
         to.count = first + taken;
         close_ranks(to, first);
         chunk.rays[int(kind)] += std::uint64_t(to.count - first);

@@ -32,6 +32,15 @@ void nearest_stage(const World& world, Batch& batch);
 /// Finds whether there is any shape along each ray: its number, or nothing.
 void any_hit_stage(const World& world, Batch& batch);
 
+/// Shadow rays that go through boundaries which bend no light: dims what they carry by the media and boundaries on their
+/// way; where something else stops a ray, its number.
+///
+/// inside  the regions in which each lane starts
+void through_stage(const World& world, const Bits* inside, Batch& shadow, Colors& light);
+
+/// Share of the light that is left after a way through a medium.
+inline Real left_by(const Medium& medium, Real distance) { return exp(-medium.extinction * distance); }
+
 /// Ends the lanes that are scattered inside a medium before they meet a surface; their new rays go to next.
 void medium_stage(const World& world, Pattern pattern, int wave, Batch& batch, Queue& next, Chunk& chunk);
 
@@ -63,6 +72,14 @@ inline Outgoing outgoing(const Material& m, const Batch& b, const Surfaces& s, i
     }
     return whitted(m, fresnel);
 }
+
+/// Whether a way on from a surface leads to the wrong side of it.
+///
+/// n  normal of the surface, on the side that the ray came from
+inline bool is_astray(vec3 way_on, vec3 n, bool enters) { return enters ? dot(way_on, n) > 0 : dot(way_on, n) < 0; }
+
+/// The same direction on the other side of a surface.
+inline vec3 turned(vec3 direction, vec3 n) { return direction - 2 * dot(direction, n) * n; }
 
 /// Calls f with a flag as a compile-time constant.
 template <class F>

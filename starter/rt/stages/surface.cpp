@@ -20,6 +20,28 @@ vec3 smooth_normal(const World& world, Index shape, vec3 p) {
                 w * world.normals[std::size_t(corners.z)]);
 }
 
+/// The normal of a mirror or glass, bent so far that the viewer sees its front, and that what a mirror reflects to the
+/// viewer comes from above the surface: what comes from below is turned up about the surface.
+///
+/// n  interpolated, unit
+/// g  of the surface, unit, on the side of the viewer
+/// d  direction of travel, towards the surface
+///
+/// Source: Keller et al., "The Iray Light Transport Simulation and Rendering System", arXiv 1705.01263, 2017, appendix A.3.
+vec3 bent(vec3 n, vec3 g, vec3 d) {
+    const vec3 mirrored = d - 2 * dot(d, n) * n;
+    const Real above = dot(mirrored, g);
+    if (above > 0 && dot(d, n) < 0) return n;
+    const vec3 half_way = unit((above > 0 ? mirrored : mirrored - 2 * above * g) - d);
+    return dot(d, half_way) < 0 ? half_way : g;
+}
+
+/// Whether no light gets through the surface of glass, at this cosine.
+bool is_totally_reflected(const Material& m, bool behind, Real cosine) {
+    const Real from = behind ? m.ior : 1, to = behind ? 1 : m.ior;
+    return (to - from) * (to + from) + sqr(from * cosine) < 0;
+}
+
 template <bool time>
 void find_surfaces(const World& world, const Batch& b, Surfaces& s) {
     const SurfaceRecord* records = world.surfaces.data();
@@ -61,7 +83,16 @@ void find_smooth_normals(const World& world, const Batch& b, Surfaces& s) {
             vec3(s.px[i], s.py[i], s.pz[i]) - (world.plan.time ? moved(vec3(0), record.velocity, b.time[i]) : vec3(0));
         const vec3 n = smooth_normal(world, b.shape[i], p);
         const vec3 side = s.behind[i] ? -n : n;
-        // Seen from below, an interpolated normal would send light through the surface: there the flat one stands in.
+        const Material& m = world.scene.materials[std::size_t(s.material[i])];
+        if (m.reflectance != Color(0) || m.transmittance != Color(0)) {
+            const vec3 g{s.gx[i], s.gy[i], s.gz[i]}, d{b.dx[i], b.dy[i], b.dz[i]};
+            vec3 facing = bent(side, g, d);
+            // Interpolated normals would catch light in glass for ever, hit after hit; that of the flat surface lets it out.
+            if (m.transmittance != Color(0) && is_totally_reflected(m, s.behind[i], dot(d, facing))) facing = g;
+            s.nx[i] = facing.x, s.ny[i] = facing.y, s.nz[i] = facing.z;
+            continue;
+        }
+        // Seen from below, an interpolated normal would light what is turned away: there the flat one stands in.
         if (!(dot(side, vec3(b.dx[i], b.dy[i], b.dz[i])) < 0)) continue;
         s.nx[i] = side.x, s.ny[i] = side.y, s.nz[i] = side.z;
     }

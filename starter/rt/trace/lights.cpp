@@ -25,7 +25,9 @@ struct Lane {
 };
 
 /// Sends the shadow ray, and adds the light if it arrives.
-void tell_shadow(const Lane& lane, const Ray& ray, vec3 to_light, Color light) {
+///
+/// through  as the direct stage's
+void tell_shadow(const Lane& lane, const Ray& ray, vec3 to_light, bool through, Color light) {
     Told& told = lane.told;
     if (light == Color(0)) return tell(told, "", "none, so no shadow ray is sent");
     const std::string along = ray.direction == to_light ? "" : fmt::format(" along {}", text(ray.direction));
@@ -34,18 +36,20 @@ void tell_shadow(const Lane& lane, const Ray& ray, vec3 to_light, Color light) {
     shadow.count = 1;
     shadow.set_ray(0, ray);
     shadow.time[0] = lane.wave.batch.time[lane.i];
-    any_hit_stage(lane.world(), shadow);
+    const World& world = lane.world();
+    const Bits inside = lane.wave.batch.inside[lane.i];
+    Colors left;
+    left.set(0, Color(1));
+    through ? through_stage(world, &inside, shadow, left) : any_hit_stage(world, shadow);
     if (shadow.shape[0] != nothing) {
         const Index id = shadow.shape[0];
-        return tell(told, "shadow_ray", "{}: stopped by shape {} ({}) at {} m", sent, id, hit_name(lane.world(), id), text(shadow.far[0]));
+        return tell(told, "shadow_ray", "{}: stopped by shape {} ({}) at {} m", sent, id, hit_name(world, id), text(shadow.far[0]));
     }
     tell(told, "shadow_ray", "{}: arrives", sent);
-    const Index medium = lane.wave.batch.medium[lane.i];
-    if (medium != nothing) {
-        const Real left = exp(-lane.world().scene.materials[std::size_t(medium)].medium.extinction * ray.far);
-        tell(told, "medium", "leaves {} of it", text(left));
-        light = left * light;
-    }
+    const Index medium = world.plan.medium ? world.regions.medium(inside) : nothing;
+    if (!through && medium != nothing) left.set(0, Color(left_by(world.scene.materials[std::size_t(medium)].medium, ray.far)));
+    if (left.at(0) != Color(1)) tell(told, "medium", "leaves {} of it", text(left.at(0)));
+    light = left.at(0) * light;
     tell_added(told, lane.wave.batch.weight(lane.i) * light);
 }
 
@@ -67,7 +71,7 @@ void tell_point_light(const Lane& lane, const PointLight& lamp) {
         tell(lane.told, "point_irradiance", "{} on a surface that faces the light", text(irradiance));
         tell(lane.told, "phong", "{}", text(light));
     }
-    tell_shadow(lane, shadow_ray(hit, to_light, lamp.directional ? inf : distance), to_light, light);
+    tell_shadow(lane, shadow_ray(hit, to_light, lamp.directional ? inf : distance), to_light, lane.world().plan.through, light);
 }
 
 /// A point of a lamp, as the direct stage finds it.
@@ -118,8 +122,8 @@ void tell_lamp(const Lane& lane, std::size_t lamp, Real probability, vec2 u) {
     LightSample sample = tell_point(lane, emitter, u);
     sample.density *= probability;
     const Ray ray = shadow_ray(lane.hit(), sample.direction, sample.distance);
-    if (weighs) tell_shadow(lane, ray, sample.direction, tell_lobe(lane, emitter, sample));
-    if (reflects) tell_shadow(lane, ray, sample.direction, tell_direct_light(lane, emitter, sample));
+    if (weighs) tell_shadow(lane, ray, sample.direction, false, tell_lobe(lane, emitter, sample));
+    if (reflects) tell_shadow(lane, ray, sample.direction, world.plan.through, tell_direct_light(lane, emitter, sample));
 }
 
 void tell_environment(const Lane& lane) {
@@ -130,7 +134,7 @@ void tell_environment(const Lane& lane) {
     const Color light = sample.direction.z / (pi * sample.density) * lane.material().albedo * lane.world().scene.environment;
     tell(lane.told, "cosine_hemisphere", "u {}: {} about the normal, density {} / sr", text(u), text(sample.direction), text(sample.density));
     tell(lane.told, "", "in the world {}: {}", text(direction), text(light));
-    tell_shadow(lane, shadow_ray(lane.hit(), direction, inf), direction, light);
+    tell_shadow(lane, shadow_ray(lane.hit(), direction, inf), direction, lane.world().plan.through, light);
 }
 
 }  // namespace

@@ -16,8 +16,9 @@ std::string witnesses(const RenderPlan& plan) {
 
 void tell_medium(const Wave& wave, int i, Told& told) {
     const Batch& b = wave.batch;
-    if (b.medium[i] == nothing) return;
-    const Material& m = wave.world.scene.materials[std::size_t(b.medium[i])];
+    const Index medium = wave.world.plan.medium ? wave.world.regions.medium(b.inside[i]) : nothing;
+    if (medium == nothing) return;
+    const Material& m = wave.world.scene.materials[std::size_t(medium)];
     Numbers flight;
     draw_1d(wave.pattern, wave_dimension(wave.world, wave.number, flight_dimension, wave.pattern.n), b.key, b.sample, b.count, flight);
     const Real t = free_flight(m.medium.extinction, flight.x[i]);

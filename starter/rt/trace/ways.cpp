@@ -61,24 +61,38 @@ void tell_way(const Wave& wave, int i, Way way, Told& told) {
     const vec3 d(b.dx[i], b.dy[i], b.dz[i]), n = s.normal(i);
     const Real from = s.behind[i] ? m.ior : 1, to = s.behind[i] ? 1 : m.ior;
     const char* name = fragment_of[int(way)];
-    if (way == Way::mirror) return tell(told, name, "{}", text(mirror_direction(d, n)));
-    if (way == Way::glass) return tell(told, name, "ior {} to {}: {}", text(from), text(to), text(refracted_direction(d, n, from, to)));
+    const auto tell_turned = [&](vec3 way_on) {
+        const vec3 g = s.hit(i).normal;
+        if (way == Way::bounce || n == g || !is_astray(way_on, g, way == Way::glass || way == Way::translucent)) return;
+        tell(told, "", "on the wrong side of the flat triangle: turned to {}", text(turned(way_on, g)));
+    };
+    if (way == Way::mirror) {
+        tell(told, name, "{}", text(mirror_direction(d, n)));
+        return tell_turned(mirror_direction(d, n));
+    }
+    if (way == Way::glass) {
+        const vec3 refracted = refracted_direction(d, n, from, to);
+        tell(told, name, "ior {} to {}: {}", text(from), text(to), text(refracted));
+        return tell_turned(refracted);
+    }
     Numbers u;
     draw_2d(wave.pattern, wave_dimension(wave.world, wave.number, lobe_dimension, wave.pattern.n), b.key, b.sample, b.count, u);
     const Scattered scattered = way == Way::glossy        ? glossy_reflection(d, n, m.exponent, u.at(i))
                                 : way == Way::translucent ? translucency(d, n, from, to, m.exponent, u.at(i))
                                                           : color_bleeding(n, m.albedo, u.at(i));
     tell(told, name, "u {}: direction {}, weight {}", text(u.at(i)), text(scattered.direction), text(scattered.weight));
+    tell_turned(scattered.direction);
 }
 
 /// A lane that a medium has scattered.
 void tell_scattering(const Wave& wave, int i, Told& told) {
     const Batch& b = wave.batch;
-    if (b.medium[i] == nothing) return;
+    const Index medium = wave.world.plan.medium ? wave.world.regions.medium(b.inside[i]) : nothing;
+    if (medium == nothing) return;
     Numbers u;
     draw_2d(wave.pattern, wave_dimension(wave.world, wave.number, phase_dimension, wave.pattern.n), b.key, b.sample, b.count, u);
     const DirectionSample sample = scatter_direction(vec3(b.dx[i], b.dy[i], b.dz[i]),
-                                                     wave.world.scene.materials[std::size_t(b.medium[i])].medium.g, u.at(i));
+                                                     wave.world.scene.materials[std::size_t(medium)].medium.g, u.at(i));
     tell(told, fragment_of[int(Way::medium)], "u {}: {}, density {} / sr", text(u.at(i)), text(sample.direction), text(sample.density));
 }
 

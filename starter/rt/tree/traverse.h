@@ -51,7 +51,7 @@ inline void start(const Bvh& bvh, const Batch& b, Journeys& j) {
         const Real margin = 32 * roundoff * (largest(o) + reach);
         const Real speed = largest(d), over_speed = 1 / speed;
         Real enter = -inf, leave = inf;
-        vec3 over;
+        vec3 over(0);
         for (int a = 0; a < 3; ++a) {
             const Real part = d[a] * over_speed, size = std::abs(part);
             over[a] = std::copysign(1 / (size > 0x1p-60 ? size : 0x1p-60), part);
