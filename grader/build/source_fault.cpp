@@ -9,7 +9,7 @@ namespace grade {
 
 namespace {
 
-struct Fault {
+struct SourceFault {
     std::size_t at;
     std::string wrong, expected;
 };
@@ -28,7 +28,7 @@ bool is_wide(std::string_view text) {
 }
 
 /// What a file starts with that is no C++.
-Fault start_of(std::string_view text) {
+SourceFault start_of(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     if (first == text.npos) return {text.npos, {}, {}};
     std::string head(text.substr(first, 16));
@@ -44,7 +44,7 @@ Fault start_of(std::string_view text) {
 }
 
 /// Lines that git writes around the two sides of a merge.
-Fault conflict_in(std::string_view text) {
+SourceFault conflict_in(std::string_view text) {
     for (std::size_t at = 0; at < text.size();) {
         const std::string_view line = text.substr(at, std::min(text.find_first_of("\r\n", at), text.size()) - at);
         for (const char* marker : {"<<<<<<<", ">>>>>>>"})
@@ -57,7 +57,7 @@ Fault conflict_in(std::string_view text) {
 }
 
 /// The comment that has no end.
-Fault open_comment_in(std::string_view text) {
+SourceFault open_comment_in(std::string_view text) {
     const auto is_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
     for (std::size_t i = 0; i < text.size();) {
         const char c = text[i];
@@ -88,14 +88,14 @@ Fault open_comment_in(std::string_view text) {
 }  // namespace
 
 std::string source_fault(std::string_view text, const std::string& shown) {
-    const auto said = [&](const Fault& fault) {
+    const auto said = [&](const SourceFault& fault) {
         const std::string_view before = text.substr(0, fault.at);
         const std::size_t start = before.rfind('\n') + 1;  // npos + 1 is 0
         return fmt::format("{}:{}:{}: error: {}; expected {}\n", shown, 1 + std::count(before.begin(), before.end(), '\n'),
                            1 + fault.at - start, fault.wrong, fault.expected);
     };
     if (is_wide(text)) return said({0, "the file is UTF-16 text, which no compiler reads", "UTF-8: save it again as such"});
-    for (const Fault& fault : {start_of(text), conflict_in(text), open_comment_in(text)})
+    for (const SourceFault& fault : {start_of(text), conflict_in(text), open_comment_in(text)})
         if (fault.at != text.npos) return said(fault);
     if (const std::size_t nul = text.find('\0'); nul != text.npos)
         return said({nul, "there is a byte 0 in the file", "text"});
