@@ -157,7 +157,7 @@ TEST_CASE("of several copies one is taken, and it is said which and why", "[subm
     const TemporaryFolder folder;
     const auto taken = [&](const std::vector<Entry>& entries) {
         pack(folder.path() / "c.zip", entries, true);
-        return read_submission(folder.path() / "c.zip", names);
+        return read_submission(folder.path() / "c.zip", fragments_of_hand_in);
     };
     // the folder's name, the number of fragments, the length of the path
     Submission s = taken({{"a/moved.cpp", "other"}, {"hw/fragments/moved.cpp", "moved"}});
@@ -191,7 +191,7 @@ TEST_CASE("an unpacked archive is found in its only folder", "[submission]") {
     fs::create_directories(folder.path() / "HW3_Garc\xc3\xad" "a/work/fragments");
     write_text(folder.path() / "HW3_Garc\xc3\xad" "a/work/fragments/moved.cpp", "moved");
     write_text(folder.path() / "HW3_Garc\xc3\xad" "a/work/fragments/Phong.cpp", "phong");
-    const Submission s = read_submission(folder.path(), names);
+    const Submission s = read_submission(folder.path(), fragments_of_hand_in);
     CHECK(s.texts.at("moved") == "moved");
     CHECK(s.complaints.at("phong").find("Phong.cpp: rename it to phong.cpp") != std::string::npos);
 }

@@ -25,8 +25,8 @@ constexpr std::array everywhere = {"linux-vdso.", "ld-linux", "libc.so.",   "lib
                                    "libdl.so.",   "librt.so", "libpthread", "libstdc++.so.", "libz.so."};
 
 /// Headers that the grader or the framework is made of, and whose licences come along: no package owns their code here.
-constexpr std::array header_packages = {"libglm-dev", "libcli11-dev", "nlohmann-json3-dev", "libboost1.74-dev",
-                                        "libboost1.81-dev", "libboost1.83-dev"};
+/// Boost's asks for nothing beside a compiled program.
+constexpr std::array header_packages = {"libglm-dev", "libcli11-dev", "nlohmann-json3-dev"};
 
 /// Hidden files, what builds leave behind, and what needs the solution stay here.
 bool is_left_out(const fs::path& path) {

@@ -20,12 +20,12 @@ add_grade(grade_kit grader_in_kit rt_baseline)
 add_dependencies(grade_kit grade_kit_studies child_baseline solution_baseline blanks_baseline)
 # Their libraries are beside them; old-style, so that theirs are found there too.
 foreach(program grade_kit grade_kit_studies)
-    target_link_options(${program} PRIVATE -Wl,--disable-new-dtags)
+    target_link_options(${program} PRIVATE -Wl,--disable-new-dtags -Wl,--gc-sections)
     set_target_properties(${program} PROPERTIES BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH "$ORIGIN/lib")
 endforeach()
 
 # The renderer of these parts: its pictures have the same bits.
-add_executable(raytrace_baseline $<TARGET_OBJECTS:raytrace_main> $<TARGET_OBJECTS:solution_baseline>)
+add_executable(raytrace_baseline $<TARGET_OBJECTS:raytrace_main> $<TARGET_OBJECTS:raytrace_parts> $<TARGET_OBJECTS:solution_baseline>)
 target_link_libraries(raytrace_baseline PRIVATE rt_baseline)
 
 set_target_properties(raytrace_baseline rt_baseline rt_baseline_processor child_baseline fragments_header_rt_baseline solution_baseline

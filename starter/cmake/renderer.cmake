@@ -5,13 +5,14 @@ function(compile_together target group)
     set_source_files_properties(${ARGN} PROPERTIES UNITY_GROUP ${group})
 endfunction()
 
-# add_framework(name speed): the library of all files of rt/, without fragments.
+# add_framework(name speed): the library of all files of rt/, without fragments and without what only the program shows or
+# exports.
 #
 # speed  the target whose options the stages are compiled with
 function(add_framework name speed)
     get_filename_component(starter ${CMAKE_CURRENT_FUNCTION_LIST_DIR} DIRECTORY)
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${starter}/rt/*.cpp)
-    list(REMOVE_ITEM sources ${starter}/rt/processor.cpp)
+    list(FILTER sources EXCLUDE REGEX "/rt/(processor\\.cpp|show/|files/mitsuba)")
     add_library(${name} STATIC ${sources} $<TARGET_OBJECTS:${name}_processor>)
     target_include_directories(${name} PUBLIC ${starter})
     target_link_libraries(${name}
@@ -25,9 +26,9 @@ function(add_framework name speed)
     # that read and write them. Not the tables: they make assertions of toml++ throw. The plan is apart from
     # the rendering: a program that only plans needs no fragments.
     file(GLOB_RECURSE others RELATIVE ${starter}/rt ${starter}/rt/*.cpp)
-    list(FILTER others EXCLUDE REGEX "^(stages/|files/image|files/toml_table|not_started)")
-    set(rooms mitsuba files show trace plan rendering)
-    set(expressions "^files/mitsuba" "^files/" "^show/" "^trace" "^(calls|plan)\\." ".")
+    list(FILTER others EXCLUDE REGEX "^(stages/|show/|files/(image|mitsuba|toml_table)|not_started|processor)")
+    set(rooms files trace plan rendering)
+    set(expressions "^files/" "^trace" "^(calls|plan)\\." ".")
     foreach(room expression IN ZIP_LISTS rooms expressions)
         set(of_room ${others})
         list(FILTER of_room INCLUDE REGEX "${expression}")
@@ -78,7 +79,7 @@ endfunction()
 # the objects.
 function(add_renderer name fragments)
     cmake_parse_arguments(PARSE_ARGV 2 arg "LINKED" "" "")
-    add_executable(${name} $<TARGET_OBJECTS:raytrace_main> $<TARGET_OBJECTS:${fragments}>)
+    add_executable(${name} $<TARGET_OBJECTS:raytrace_main> $<TARGET_OBJECTS:raytrace_parts> $<TARGET_OBJECTS:${fragments}>)
     target_link_libraries(${name} PRIVATE rt)
     if(NOT arg_LINKED)
         get_target_property(sources ${fragments} SOURCES)
