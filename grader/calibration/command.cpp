@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "build/files.h"
+#include "files/files.h"
 #include "calibration/real.h"
 #include "calibration/report.h"
-#include "commands/studies.h"
+#include "studies/studies.h"
 #include "report/terminal.h"
 
 namespace grade {

@@ -5,8 +5,8 @@
 #include <exception>
 #include <stdexcept>
 
-#include "build/interrupt.h"
-#include "build/submission.h"
+#include "files/interrupt.h"
+#include "submission/submission.h"
 #include "commands/words.h"
 #include "rt/files/scene_reader.h"
 

@@ -6,8 +6,8 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 
-#include "build/cache.h"
-#include "build/interrupt.h"
+#include "programs/cache.h"
+#include "files/interrupt.h"
 #include "commands/words.h"
 #include "judging/own_picture.h"
 #include "report/picture.h"

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "assignment.h"
-#include "build/toolchain.h"
+#include "assignment/assignment.h"
+#include "programs/toolchain.h"
 
 namespace grade {
 

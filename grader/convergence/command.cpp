@@ -7,12 +7,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "build/cache.h"
-#include "build/files.h"
-#include "build/stamp.h"
-#include "commands/studies.h"
+#include "programs/cache.h"
+#include "files/files.h"
+#include "files/stamp.h"
+#include "studies/studies.h"
 #include "convergence/report.h"
-#include "judging/programs.h"
+#include "programs/programs.h"
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
 
