@@ -3,8 +3,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "build/bytes.h"
-#include "build/files.h"
+#include "protocol/bytes.h"
+#include "files/files.h"
 #include "judging/judge_check.h"
 
 namespace grade {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "convergence/error.h"
+#include "statistics/error.h"
 
 namespace grade {
 

@@ -1,6 +1,6 @@
 #include "convergence/keep.h"
 
-#include "build/bytes.h"
+#include "protocol/bytes.h"
 
 namespace grade {
 

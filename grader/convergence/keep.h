@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "build/files.h"
+#include "files/files.h"
 #include "rt/files/image.h"
 
 namespace grade {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "build/files.h"
-#include "build/stamp.h"
+#include "files/files.h"
+#include "files/stamp.h"
 #include "convergence/reference.h"
 #include "convergence/gathered.h"
 #include "rt/files/scene_reader.h"

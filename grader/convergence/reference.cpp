@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "build/stamp.h"
+#include "files/stamp.h"
 #include "convergence/keep.h"
 #include "rt/files/scene_reader.h"
 #include "statistics/image_fault.h"

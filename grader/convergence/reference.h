@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "build/runner.h"
+#include "programs/runner.h"
 #include "convergence/measure.h"
 #include "rt/scene.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "checks/kit/draw.h"
-#include "child/rows.h"
+#include "protocol/rows.h"
 #include "rt/files/image.h"
 
 /// Families of extreme cases, as data. A family is one quantity that is swept over decades, and one error that is

@@ -4,7 +4,7 @@
 #include <type_traits>
 
 #include "checks/kit/check.h"
-#include "child/rows.h"
+#include "protocol/rows.h"
 
 /// Fragments that are formulas: each row of outputs has one right value.
 namespace grade {
