@@ -111,7 +111,7 @@ TEST_CASE("a bias is found where there is one, and its standard error is right w
     const int runs = 200;
     for (int run = 0; run < runs; ++run) {
         const Halves halves{noisy(0, 0.02, random), noisy(0, 0.02, random)};
-        const Estimate none = squared_bias(noisy(0, 0.05, random), noisy(0, 0.05, random), halves);
+        const Estimate none = picture_bias(noisy(0, 0.05, random), noisy(0, 0.05, random), halves);
         CHECK_FALSE(none.is_positive());
         squares += std::pow(none.value / none.se, 2) / runs;
     }
@@ -119,13 +119,13 @@ TEST_CASE("a bias is found where there is one, and its standard error is right w
     CHECK(squares == Approx(1.0 / 3).margin(0.12));
 
     const Halves halves{noisy(0, 0.02, random), noisy(0, 0.02, random)};
-    const Estimate bias = squared_bias(noisy(0.02, 0.05, random), noisy(0.02, 0.05, random), halves);
+    const Estimate bias = picture_bias(noisy(0.02, 0.05, random), noisy(0.02, 0.05, random), halves);
     CHECK(bias.is_positive());
     CHECK(std::sqrt(bias.value) == Approx(0.02).margin(0.004));
     // in one pixel of 2304
     rt::Image one = noisy(0, 0.01, random), other = noisy(0, 0.01, random);
     one.pixels[777] += 0.5, other.pixels[777] += 0.5;
-    CHECK(squared_bias(one, other, halves).is_positive());
+    CHECK(picture_bias(one, other, halves).is_positive());
 }
 
 TEST_CASE("times and errors between the levels lie on straight lines on logarithmic axes") {

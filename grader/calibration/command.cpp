@@ -13,7 +13,7 @@
 #include "commands/studies.h"
 #include "report/terminal.h"
 
-namespace grade {
+namespace grade::calibration {
 
 namespace {
 
@@ -119,4 +119,4 @@ bool calibrate(const CalibrateArguments& arguments, const std::string& toolchain
     return true;
 }
 
-}  // namespace grade
+}  // namespace grade::calibration

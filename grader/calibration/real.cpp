@@ -10,7 +10,7 @@
 #include "judging/grading.h"
 #include "judging/judge_check.h"
 
-namespace grade {
+namespace grade::calibration {
 
 namespace {
 
@@ -130,4 +130,4 @@ bool says_one_of(const std::string& message, const std::vector<std::string>& wor
     return std::ranges::any_of(words, [&](const std::string& word) { return text.find(lower(word)) != text.npos; });
 }
 
-}  // namespace grade
+}  // namespace grade::calibration

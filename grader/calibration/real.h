@@ -9,7 +9,7 @@
 #include "calibration/workshop.h"
 #include "report/record.h"
 
-namespace grade {
+namespace grade::calibration {
 
 /// Variants of different fragments in one submission: the grader judges each fragment with the solution's others, so
 /// they cannot disturb each other, and what is not changed must pass.
@@ -55,4 +55,4 @@ bool is_found(Verdict verdict);
 /// Whether the message names the cause: holds one of the words, in any case.
 bool says_one_of(const std::string& message, const std::vector<std::string>& words);
 
-}  // namespace grade
+}  // namespace grade::calibration

@@ -6,7 +6,7 @@
 #include "calibration/pool.h"
 #include "statistics/engine.h"
 
-namespace grade {
+namespace grade::calibration {
 
 /// Checks of one grading seed, each with its store.
 struct PooledCheck {
@@ -40,4 +40,4 @@ Tally replay(const std::vector<PooledChecks>& seeds, const Settings& settings, l
 Tally replay_fixed(const std::vector<PooledChecks>& seeds, const Settings& settings, int replicates, long gradings,
                    std::uint64_t random);
 
-}  // namespace grade
+}  // namespace grade::calibration

@@ -14,7 +14,7 @@
 #include "judging/parallel.h"
 #include "statistics/distributions.h"
 
-namespace grade {
+namespace grade::calibration {
 
 namespace {
 
@@ -252,4 +252,4 @@ Summary summarize(const Workshop& workshop, int jobs,
     return summary;
 }
 
-}  // namespace grade
+}  // namespace grade::calibration

@@ -16,7 +16,7 @@
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
 
-namespace grade {
+namespace grade::convergence {
 
 namespace {
 
@@ -191,4 +191,4 @@ int converge(const ConvergeArguments& arguments, const std::string& toolchain, c
     return arguments.require && (broken || record.is_biased()) ? 1 : 0;
 }
 
-}  // namespace grade
+}  // namespace grade::convergence

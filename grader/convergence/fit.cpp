@@ -7,7 +7,7 @@
 #include "statistics/distributions.h"
 #include "statistics/moments.h"
 
-namespace grade {
+namespace grade::convergence {
 
 namespace {
 
@@ -160,4 +160,4 @@ Fit fit_errors(const std::vector<LevelErrors>& levels, std::optional<Estimate> b
     return fit;
 }
 
-}  // namespace grade
+}  // namespace grade::convergence

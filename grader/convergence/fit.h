@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "convergence/error.h"
+#include "statistics/picture_error.h"
 
-namespace grade {
+namespace grade::convergence {
 
 /// The errors of all pictures of one number of samples.
 struct LevelErrors {
@@ -37,4 +37,4 @@ struct Fit {
 ///       else b = 0. None: b is a free number, where there are levels enough
 Fit fit_errors(const std::vector<LevelErrors>& levels, std::optional<Estimate> bias);
 
-}  // namespace grade
+}  // namespace grade::convergence

@@ -8,7 +8,7 @@
 #include "statistics/distributions.h"
 #include "statistics/moments.h"
 
-namespace grade {
+namespace grade::convergence {
 
 namespace {
 
@@ -164,4 +164,4 @@ std::string expected_order(const std::string& sampler) {
     return "any";
 }
 
-}  // namespace grade
+}  // namespace grade::convergence

@@ -10,7 +10,7 @@
 #include "rt/math.h"
 
 /// What `grade converge` has measured: the one source of its table, plots, JSON and CSV.
-namespace grade {
+namespace grade::convergence {
 
 /// One picture.
 struct Run {
@@ -112,4 +112,4 @@ std::string to_json(const ConvergenceRecord& record);
 /// One line for each level of each curve.
 std::string to_csv(const ConvergenceRecord& record);
 
-}  // namespace grade
+}  // namespace grade::convergence

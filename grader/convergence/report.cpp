@@ -8,7 +8,7 @@
 
 #include "report/escape.h"
 
-namespace grade {
+namespace grade::convergence {
 
 namespace {
 
@@ -196,4 +196,4 @@ std::string plot_file(const SceneRecord& scene, Against against) {
     return fmt::format("{}-{}.svg", scene.name, against == Against::seconds ? "seconds" : "rays");
 }
 
-}  // namespace grade
+}  // namespace grade::convergence

@@ -1,6 +1,6 @@
 #include "judging/picture_cost.h"
 
-#include "convergence/error.h"
+#include "statistics/picture_error.h"
 
 namespace grade {
 

@@ -1,7 +1,7 @@
 #include "stress/exact.h"
 #include "stress/family.h"
 
-namespace grade {
+namespace grade::stress {
 
 namespace {
 
@@ -74,7 +74,7 @@ double error_of_patches(bool is_quad, const Aim& aim, double forgiven, Generator
         patches.push_back(p), rays.push_back(ray);
         rows.push_back(is_quad ? row(p.quad(), ray) : row(p.triangle(), ray));
     }
-    return worst_of(ask, fragment, rows, [&](std::size_t i, const Row& out) {
+    return worst_of_rows(ask, fragment, rows, [&](std::size_t i, const Row& out) {
         const Truth truth = truth_of(patches[i], is_quad, rays[i]);
         const bool hit = depth_in(truth, is_quad) > 0;
         if (std::isnan(out.at(0)) || std::isfinite(out[0]) != hit) return rt::inf;
@@ -111,53 +111,28 @@ std::vector<Family> flat_families() {
     std::vector<Family> all;
     for (const bool quad : {true, false}) {
         const std::string shape = quad ? "quad" : "triangle", hit = "hit_" + shape;
-        all.push_back({shape + "_scale",
-                       {hit},
-                       "size of " + shape + " and ray [m]",
-                       "error of the hit / size",
-                       1e-7,
-                       64 * u,
-                       sweep(-60, 60, 3),
-                       {-3, 3},
-                       scale(quad)});
-        all.push_back({shape + "_direction",
-                       {hit},
-                       "length of the direction",
-                       "error of the hit",
-                       1e-7,
-                       64 * u,
-                       sweep(-12, 12),
-                       {-3, 3},
-                       length(quad)});
-        all.push_back({shape + "_grazing",
-                       {hit},
-                       "angle between ray and " + shape,
-                       "error of the hit x angle",
-                       1e-7,
-                       64 * u,
-                       sweep(-12, -1),
-                       {-3, -1},
-                       grazing(quad)});
-        all.push_back({shape + "_far",
-                       {hit},
-                       "distance from the world's origin [m]",
-                       "error of the hit",
-                       1e-7,
-                       64 * u,
-                       sweep(0, 12),
-                       {0, 3},
-                       far_patches(quad)});
-        all.push_back({shape + "_needle",
-                       {hit},
-                       "length / width of the " + shape,
-                       "error of the hit / aspect",
-                       1e-7,
-                       64 * u,
-                       sweep(0, 12),
-                       {0, 3},
-                       needle(quad)});
+        all.push_back(
+            {.name = shape + "_scale", .fragments = {hit}, .swept = "size of " + shape + " and ray [m]",
+             .error = "error of the hit / size", .tolerance = 1e-7, .bound = 64 * u, .decades = sweep(-60, 60, 3),
+             .scored = {-3, 3}, .measure = scale(quad)});
+        all.push_back(
+            {.name = shape + "_direction", .fragments = {hit}, .swept = "length of the direction",
+             .error = "error of the hit", .tolerance = 1e-7, .bound = 64 * u, .decades = sweep(-12, 12),
+             .scored = {-3, 3}, .measure = length(quad)});
+        all.push_back(
+            {.name = shape + "_grazing", .fragments = {hit}, .swept = "angle between ray and " + shape,
+             .error = "error of the hit x angle", .tolerance = 1e-7, .bound = 64 * u, .decades = sweep(-12, -1),
+             .scored = {-3, -1}, .measure = grazing(quad)});
+        all.push_back(
+            {.name = shape + "_far", .fragments = {hit}, .swept = "distance from the world's origin [m]",
+             .error = "error of the hit", .tolerance = 1e-7, .bound = 64 * u, .decades = sweep(0, 12),
+             .scored = {0, 3}, .measure = far_patches(quad)});
+        all.push_back(
+            {.name = shape + "_needle", .fragments = {hit}, .swept = "length / width of the " + shape,
+             .error = "error of the hit / aspect", .tolerance = 1e-7, .bound = 64 * u, .decades = sweep(0, 12),
+             .scored = {0, 3}, .measure = needle(quad)});
     }
     return all;
 }
 
-}  // namespace grade
+}  // namespace grade::stress

@@ -8,9 +8,8 @@
 namespace grade {
 
 /// A check that calls its fragment.
-inline Check probe_check(std::string name, std::function<Rows(Generator&)> inputs, std::vector<Statistic> statistics,
-                         int share = 1) {
-    return {std::move(name), {}, Probe{{}, std::move(inputs)}, std::move(statistics), share};
+inline Check probe_check(std::string name, std::function<Rows(Generator&)> inputs, std::vector<Statistic> statistics) {
+    return {std::move(name), {}, Probe{{}, std::move(inputs)}, std::move(statistics)};
 }
 
 /// So many rows.

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "checks/kit/draw.h"
-#include "checks/kit/estimate.h"
-#include "checks/kit/formula.h"
+#include "checks/kit/kit.h"
 
 /// Warps of the unit square: what is common to the checks of directions and densities.
 namespace grade {
@@ -14,8 +12,8 @@ inline double turn(double x, double y) {
 }
 
 /// For a statistic of evenness: says so where one half of the circle about z gets nothing.
-inline void name_half_circles(Statistic& s, std::function<rt::vec2(const Row& inputs, const Row& outputs)> point) {
-    s.cause = [point](const Observation& seen) -> std::string {
+inline Cause half_circles(RowPoint point) {
+    return [point](const Observation& seen) -> std::string {
         double first = 0;
         for (std::size_t k = 0; k < seen.inputs.size(); ++k) first += point(seen.inputs[k], seen.outputs[k]).y < 0.5;
         const double share = first / double(seen.inputs.size());
@@ -25,31 +23,21 @@ inline void name_half_circles(Statistic& s, std::function<rt::vec2(const Row& in
     };
 }
 
-/// Directions must have length 1.
-inline Statistic unit_length() {
-    return property(
-        "V3", "length of the direction, off 1 by",
-        [](const Row&, const Row& out) {
-            return std::abs(std::sqrt(out[0] * out[0] + out[1] * out[1] + out[2] * out[2]) - 1);
-        },
-        1e-4, "the direction is no unit vector");
-}
-
-/// The density that is returned must be that of the direction that is returned. density(inputs, outputs)
-inline Statistic right_density(std::function<double(const Row&, const Row&)> density, double tolerance,
-                               std::vector<KnownRatio> known = {}) {
-    Statistic s = property(
-        "V3", "returned density, off by its share",
-        [density](const Row& in, const Row& out) {
-            const double right = density(in, out);
-            return std::abs(out.back() - right) / (right + 1e-6);
-        },
-        tolerance, "");
+/// The density that is returned must be that of the direction or point that is returned: density(sample).
+template <auto fragment, class Density>
+Statistic right_density(Density density, double tolerance, std::vector<KnownRatio> known) {
+    Statistic s = property({.id = "V3", .what = "returned density, off by its share",
+                            .violation = of_call<fragment>([density](const auto& sample) {
+                                const double right = density(sample);
+                                return std::abs(sample.density - right) / (right + 1e-6);
+                            }),
+                            .tolerance = tolerance});
     s.cause = [density, known](const Observation& seen) {
         double ratio = 0, count = 0;
-        for (std::size_t k = 0; k < seen.inputs.size(); ++k) {
-            const double right = density(seen.inputs[k], seen.outputs[k]);
-            if (right > 1e-6) ratio += seen.outputs[k].back() / right, ++count;
+        for (const Row& outputs : seen.outputs) {
+            const auto sample = result<fragment>(outputs);
+            const double right = density(sample);
+            if (right > 1e-6) ratio += sample.density / right, ++count;
         }
         return by_ratio("the density that is returned", known, "it is not the density of the returned direction")(
             ratio / count, 1);
