@@ -1,7 +1,43 @@
-#include "commands/command_line.h"
-#include "rt/processor.h"
+#include <CLI/CLI.hpp>
 
+#include "calibration/command.h"
+#include "commands/exit_code.h"
+#include "convergence/command.h"
+#include "lesson/command.h"
+#include "programs/toolchain.h"
+#include "rt/processor.h"
+#include "stress/command.h"
+
+using namespace grade;
+
+/// The command line of the studies: studies/studies.h.
 int main(int argc, char** argv) {
     rt::require_processor();
-    return grade::run_studies_command_line(argc, argv);
+    CLI::App app("Studies of a submission, and of the grader", "grade");
+    std::string toolchain;
+    app.add_option("--toolchain", toolchain, "what the build wrote about itself")->group("");
+    app.require_subcommand(1);
+
+    stress::StressArguments stress_arguments;
+    CLI::App* extremes = stress::add_stress_command(app, stress_arguments);
+    convergence::ConvergeArguments converge_arguments;
+    CLI::App* errors = convergence::add_converge_command(app, converge_arguments);
+    lesson::LessonArguments lesson_arguments;
+    CLI::App* part_one = lesson::add_lesson_command(app, lesson_arguments);
+    calibration::CalibrateArguments calibrate_arguments;
+    calibration::add_calibrate_command(app, calibrate_arguments);
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : usage;
+    }
+    const std::string command = command_of(argc, argv);
+    return exit_code_of([&] {
+        if (toolchain.empty()) toolchain = own_toolchain().string();
+        if (extremes->parsed()) return stress::run_stress(stress_arguments, toolchain, command);
+        if (errors->parsed()) return convergence::converge(converge_arguments, toolchain, command);
+        if (part_one->parsed()) return lesson::run_lesson(lesson_arguments, toolchain), 0;
+        return calibration::calibrate(calibrate_arguments, toolchain, command) ? 0 : int(below_required);
+    });
 }

@@ -2,8 +2,8 @@
 #include <iostream>
 #include <string_view>
 
-#include "assignment.h"
-#include "build/strip.h"
+#include "assignment/assignment.h"
+#include "assignment/strip.h"
 
 /// strip_solution [--check] SOLUTION STARTER [ASSIGNMENT]: makes the starter's fragments from the solution's, or with
 /// --check says where they differ from what it would make. Those that assignment.toml gives are filled in.

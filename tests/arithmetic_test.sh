@@ -10,13 +10,13 @@ grade=$build/grader/grade
 # self_test COMPILER OPTIONS...: prints what the self-test finds in a program that is compiled so
 cat >"$work/main.cpp" <<'END'
 #include <cstdio>
-#include "child/self_test.h"
+#include "arithmetic/self_test.h"
 int main() { std::puts(grade::arithmetic_fault().c_str()); }
 END
 self_test() {
     local compiler=$1
     shift
-    "$compiler" -std=c++20 -O3 -ffp-contract=off "$@" -Igrader grader/child/self_test.cpp "$work/main.cpp" -o "$work/test" && "$work/test"
+    "$compiler" -std=c++20 -O3 -ffp-contract=off "$@" -Igrader grader/arithmetic/self_test.cpp "$work/main.cpp" -o "$work/test" && "$work/test"
 }
 for compiler in g++ clang++; do
     command -v $compiler >/dev/null || continue

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <random>
 
-#include "build/files.h"
+#include "files/files.h"
 #include "calibration/nominal.h"
 #include "calibration/peers.h"
 #include "calibration/pool.h"

@@ -1,7 +1,7 @@
 #include <map>
 #include <set>
 
-#include "assignment.h"
+#include "assignment/assignment.h"
 #include "catch.h"
 #include "checks/kit/check.h"
 #include "checks/kit/estimate.h"

@@ -1,8 +1,10 @@
 #include <nlohmann/json.hpp>
 
-#include "build/files.h"
+#include "files/files.h"
 #include "catch.h"
-#include "child/rows.h"
+#include "protocol/rows.h"
+#include "diagnosis/diagnosis.h"
+#include "report/json.h"
 #include "judging/grading.h"
 #include "rt/files/scene_reader.h"
 

@@ -1,10 +1,11 @@
 #include <nlohmann/json.hpp>
 
-#include "build/process.h"
+#include "programs/process.h"
 #include "catch.h"
-#include "child/rows.h"
+#include "protocol/rows.h"
+#include "report/json.h"
 #include "report/bar.h"
-#include "report/diagnosis.h"
+#include "diagnosis/diagnosis.h"
 #include "report/escape.h"
 #include "report/page.h"
 #include "report/picture.h"

@@ -1,11 +1,11 @@
 #include <archive.h>
 #include <archive_entry.h>
 
-#include "build/code_only.h"
-#include "build/files.h"
-#include "build/near_name.h"
-#include "build/source_fault.h"
-#include "build/submission.h"
+#include "submission/code_only.h"
+#include "files/files.h"
+#include "submission/near_name.h"
+#include "submission/source_fault.h"
+#include "submission/submission.h"
 #include "catch.h"
 
 using namespace grade;

@@ -1,14 +1,14 @@
-#include "build/hand_out.h"
+#include "hand_out/hand_out.h"
 
 #include <fstream>
 #include <map>
 
-#include "assignment.h"
-#include "build/code_only.h"
-#include "build/files.h"
-#include "build/process.h"
-#include "build/strip.h"
-#include "build/toolchain.h"
+#include "assignment/assignment.h"
+#include "submission/code_only.h"
+#include "files/files.h"
+#include "programs/process.h"
+#include "assignment/strip.h"
+#include "programs/toolchain.h"
 #include "catch.h"
 
 using namespace grade;

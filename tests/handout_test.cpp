@@ -3,12 +3,12 @@
 #include <regex>
 #include <set>
 
-#include "assignment.h"
-#include "build/strip.h"
+#include "assignment/assignment.h"
+#include "assignment/strip.h"
 #include "catch.h"
 #include "checks/kit/check.h"
 #include "report/describe.h"
-#include "report/diagnosis.h"
+#include "diagnosis/diagnosis.h"
 
 using namespace grade;
 namespace fs = std::filesystem;

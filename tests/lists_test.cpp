@@ -3,8 +3,8 @@
 #include <regex>
 #include <set>
 
-#include "assignment.h"
-#include "build/files.h"
+#include "assignment/assignment.h"
+#include "files/files.h"
 #include "catch.h"
 #include "checks/kit/check.h"
 #include "child/probes.h"

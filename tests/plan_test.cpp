@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <set>
 
-#include "build/files.h"
+#include "files/files.h"
 #include "catch.h"
 #include "rt/calls.h"
 #include "rt/render.h"

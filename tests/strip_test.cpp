@@ -1,11 +1,11 @@
-#include "build/strip.h"
+#include "assignment/strip.h"
 
 #include <filesystem>
 #include <fstream>
 #include <regex>
 #include <set>
 
-#include "assignment.h"
+#include "assignment/assignment.h"
 #include "catch.h"
 #include "rt/files/scene_reader.h"
 

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "judging/judge_check.h"
-#include "kept_file.h"
+#include "programs/kept_file.h"
 
 namespace grade::calibration {
 

@@ -6,7 +6,9 @@
 #include <cctype>
 #include <nlohmann/json.hpp>
 
-#include "build/files.h"
+#include "diagnosis/diagnosis.h"
+#include "files/files.h"
+#include "report/json.h"
 #include "judging/grading.h"
 #include "judging/judge_check.h"
 

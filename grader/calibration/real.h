@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "calibration/workshop.h"
-#include "report/record.h"
+#include "record/record.h"
 
 namespace grade::calibration {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "judging/check_judge.h"
-#include "report/record.h"
+#include "record/record.h"
 #include "statistics/distributions.h"
 #include "statistics/moments.h"
 

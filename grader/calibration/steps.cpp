@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "build/files.h"
+#include "files/files.h"
 #include "calibration/peers.h"
 #include "calibration/pool.h"
 #include "calibration/real.h"

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "build/files.h"
+#include "files/files.h"
 #include "calibration/results.h"
 #include "judging/grading.h"
 #include "judging/judge_check.h"
-#include "judging/parallel.h"
+#include "programs/parallel.h"
 #include "statistics/distributions.h"
 
 namespace grade::calibration {

@@ -7,8 +7,8 @@
 #include <sstream>
 #include <tuple>
 
-#include "build/files.h"
-#include "build/process.h"
+#include "files/files.h"
+#include "programs/process.h"
 #include "rt/files/scene_reader.h"
 
 namespace grade::calibration {

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "build/compile.h"
-#include "build/files.h"
-#include "build/stamp.h"
-#include "judging/parallel.h"
-#include "judging/progress.h"
+#include "programs/compile.h"
+#include "files/files.h"
+#include "files/stamp.h"
+#include "programs/parallel.h"
+#include "programs/progress.h"
 
 namespace grade::calibration {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "assignment.h"
-#include "build/sandbox.h"
-#include "build/toolchain.h"
+#include "assignment/assignment.h"
+#include "programs/sandbox.h"
+#include "programs/toolchain.h"
 #include "calibration/variant.h"
 #include "checks/kit/check.h"
 

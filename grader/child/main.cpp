@@ -9,11 +9,11 @@
 #include <exception>
 #include <optional>
 
-#include "build/bytes.h"
+#include "protocol/bytes.h"
 #include "child/probes.h"
-#include "child/protocol.h"
-#include "child/self_test.h"
-#include "child/swarm.h"
+#include "protocol/protocol.h"
+#include "arithmetic/self_test.h"
+#include "protocol/swarm.h"
 #include "rt/processor.h"
 #include "rt/render.h"
 #include "rt/files/scene_reader.h"

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "child/rows.h"
+#include "protocol/rows.h"
 
 /// A probe calls one fragment on one row of numbers. The row holds the arguments of the fragment's declaration one
 /// after the other, each as rows.h writes its type; the output holds what the fragment returns, and then for each

@@ -1,4 +1,4 @@
-#include "child/swarm.h"
+#include "protocol/swarm.h"
 
 #include <algorithm>
 #include <array>

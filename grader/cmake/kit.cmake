@@ -14,7 +14,7 @@ foreach(objects solution_baseline blanks_baseline)
     precompile_fragments_header(${objects} rt_baseline rt_baseline_speed)
 endforeach()
 
-add_library(grader_in_kit STATIC child/self_test.cpp build/no_archive.cpp)
+add_library(grader_in_kit STATIC arithmetic/self_test.cpp kit/no_archive.cpp)
 target_link_libraries(grader_in_kit PUBLIC grader_core PRIVATE rt_warnings rt_baseline_speed)
 add_grade(grade_kit grader_in_kit rt_baseline)
 add_dependencies(grade_kit grade_kit_studies child_baseline solution_baseline blanks_baseline)

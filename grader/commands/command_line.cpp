@@ -1,17 +1,19 @@
 #include "commands/command_line.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 
-#include "build/files.h"
-#include "build/hand_out.h"
+#include "files/files.h"
+#include "hand_out/hand_out.h"
 #include "commands/exit_code.h"
 #include "commands/grading.h"
 #include "commands/picture.h"
-#include "commands/studies.h"
+#include "studies/studies.h"
 #include "commands/words.h"
 #include "report/describe.h"
+#include "rt/files/scene_reader.h"
 
 namespace grade {
 
@@ -26,18 +28,31 @@ int describe(const std::string& handout, const std::string& toolchain) {
         return graded;
     }
     const auto text = read_text(handout);
-    if (!text) throw UsageError(fmt::format("--update {}: cannot be read; expected the handout", handout));
+    if (!text) throw rt::InputError(fmt::format("--update {}: cannot be read; expected the handout", handout));
     write_text(handout, with_new_tables(*text, assignment, handout));
     return graded;
 }
 
 int run_hand_out(const std::string& folder, const std::vector<std::string>& others, const std::string& toolchain) {
     const Toolchain chain = read_toolchain(toolchain);
-    if (chain.is_kit) throw UsageError("a kit is handed out by the project that it comes from: it has no sources of the solution");
+    if (chain.is_kit) throw rt::InputError("a kit is handed out by the project that it comes from: it has no sources of the solution");
     const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
     hand_out(chain.source, assignment, fs::path(toolchain).parent_path() / "kit.toml", folder, {others.begin(), others.end()});
     fmt::print("{}\n", folder);
     return graded;
+}
+
+/// Becomes the second program, with the same words. Returns the exit code where that is not there: 3.
+int start_study(const Study& study, char** argv) {
+    std::error_code error;
+    const std::string program = fs::read_symlink("/proc/self/exe", error).string() + "_studies";
+    execv(program.c_str(), argv);
+    if (fs::exists(program, error))
+        fmt::print(stderr, "{}: cannot be started; grade {} is in it\n", program, study.name);
+    else
+        fmt::print(stderr, "grade {0} is in a program of its own, {1}, which is not built yet: ./grade {0} builds it, and so does "
+                           "cmake --build --preset release --target grade_studies\n", study.name, program);
+    return infrastructure;
 }
 
 }  // namespace

@@ -8,12 +8,13 @@
 #include <memory>
 #include <random>
 
-#include "build/cache.h"
-#include "build/interrupt.h"
-#include "build/process.h"
+#include "programs/cache.h"
+#include "files/interrupt.h"
+#include "programs/process.h"
 #include "commands/last_run.h"
 #include "commands/watch.h"
 #include "commands/words.h"
+#include "report/json.h"
 #include "judging/grading.h"
 #include "judging/own_picture.h"
 #include "report/page.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "build/files.h"
+#include "files/files.h"
 #include "report/terminal.h"
 
 namespace grade {

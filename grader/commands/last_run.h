@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "report/record.h"
+#include "record/record.h"
 
 namespace grade {
 

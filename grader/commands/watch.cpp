@@ -12,9 +12,9 @@
 #include <sstream>
 #include <thread>
 
-#include "build/files.h"
-#include "build/interrupt.h"
-#include "build/submission.h"
+#include "files/files.h"
+#include "files/interrupt.h"
+#include "submission/submission.h"
 #include "report/terminal.h"
 
 namespace grade {

@@ -4,8 +4,8 @@
 #include <set>
 #include <string>
 
-#include "assignment.h"
-#include "report/record.h"
+#include "assignment/assignment.h"
+#include "record/record.h"
 
 namespace grade {
 

@@ -7,12 +7,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "build/cache.h"
-#include "build/files.h"
-#include "build/stamp.h"
-#include "commands/studies.h"
+#include "programs/cache.h"
+#include "files/files.h"
+#include "files/stamp.h"
+#include "studies/studies.h"
 #include "convergence/report.h"
-#include "judging/programs.h"
+#include "programs/programs.h"
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
 
@@ -39,7 +39,7 @@ std::string submission_of(const std::vector<std::string>& words, const fs::path&
     for (const std::string& word : words)
         if (!word.ends_with(".toml")) others.push_back(word);
     if (others.size() > 1)
-        throw std::invalid_argument(fmt::format(
+        throw rt::InputError(fmt::format(
             "{}: one submission too many; expected a submission, then scenes whose names end in .toml", others[1]));
     return others.empty() ? (source / "starter").string() : others[0];
 }
@@ -47,7 +47,7 @@ std::string submission_of(const std::vector<std::string>& words, const fs::path&
 void check_amounts(const Amounts& amounts) {
     for (std::size_t i = 1; i < amounts.samples.size(); ++i)
         if (amounts.samples[i] <= amounts.samples[i - 1])
-            throw std::invalid_argument(fmt::format("--samples {}: {} is not above {}; expected ascending numbers",
+            throw rt::InputError(fmt::format("--samples {}: {} is not above {}; expected ascending numbers",
                                                     fmt::join(amounts.samples, ","), amounts.samples[i],
                                                     amounts.samples[i - 1]));
 }
@@ -149,7 +149,7 @@ int converge(const ConvergeArguments& arguments, const std::string& toolchain, c
     check_amounts(arguments.amounts);
     for (const std::string& file : {arguments.json, arguments.csv})
         if (const fs::path folder = fs::path(file).parent_path(); !folder.empty() && !fs::is_directory(folder))
-            throw std::invalid_argument(fmt::format("{}: there is no folder {}", file, folder.string()));
+            throw rt::InputError(fmt::format("{}: there is no folder {}", file, folder.string()));
     const auto scenes = scenes_of(arguments.words, chain.source);
     const Submission submission = read_submission(submission_of(arguments.words, chain.source), assignment.names());
 

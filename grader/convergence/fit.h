@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "statistics/picture_error.h"
+#include "statistics/error.h"
 
 namespace grade::convergence {
 

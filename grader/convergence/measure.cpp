@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <memory>
 
-#include "build/files.h"
-#include "build/stamp.h"
 #include "convergence/measured.h"
 #include "convergence/reference.h"
+#include "files/files.h"
+#include "files/stamp.h"
 #include "rt/files/scene_reader.h"
 
 namespace grade::convergence {

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "build/sandbox.h"
+#include "programs/sandbox.h"
 #include "convergence/record.h"
 #include "rt/scene.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "convergence/record.h"
-#include "kept_file.h"
+#include "programs/kept_file.h"
 
 namespace grade::convergence {
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "build/stamp.h"
-#include "kept_file.h"
+#include "files/stamp.h"
+#include "programs/kept_file.h"
 #include "rt/files/scene_reader.h"
 #include "statistics/image_fault.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "build/runner.h"
 #include "convergence/measure.h"
+#include "programs/runner.h"
 #include "rt/scene.h"
 
 namespace grade::convergence {

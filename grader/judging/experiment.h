@@ -1,6 +1,6 @@
 #pragma once
 
-#include "build/runner.h"
+#include "programs/runner.h"
 #include "checks/kit/check.h"
 
 namespace grade {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <mutex>
 
-#include "build/files.h"
+#include "files/files.h"
 #include "judging/judge_check.h"
-#include "judging/parallel.h"
+#include "programs/parallel.h"
 
 namespace grade {
 

@@ -5,10 +5,10 @@
 #include <set>
 #include <string>
 
-#include "assignment.h"
+#include "assignment/assignment.h"
 #include "checks/kit/check.h"
-#include "judging/programs.h"
-#include "report/record.h"
+#include "programs/programs.h"
+#include "record/record.h"
 
 namespace grade {
 

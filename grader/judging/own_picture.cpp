@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "build/runner.h"
-#include "judging/parallel.h"
+#include "programs/runner.h"
+#include "programs/parallel.h"
 #include "rt/files/scene_reader.h"
 
 namespace grade {

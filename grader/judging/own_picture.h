@@ -1,7 +1,7 @@
 #pragma once
 
-#include "judging/programs.h"
-#include "report/record.h"
+#include "programs/programs.h"
+#include "record/record.h"
 
 namespace grade {
 

@@ -1,6 +1,6 @@
 #include "judging/picture_cost.h"
 
-#include "statistics/picture_error.h"
+#include "statistics/error.h"
 
 namespace grade {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "judging/reference.h"
-#include "report/record.h"
+#include "record/record.h"
 
 namespace grade {
 

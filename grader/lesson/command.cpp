@@ -4,10 +4,10 @@
 
 #include <CLI/CLI.hpp>
 
-#include "assignment.h"
-#include "build/runner.h"
-#include "commands/studies.h"
-#include "judging/programs.h"
+#include "assignment/assignment.h"
+#include "programs/runner.h"
+#include "studies/studies.h"
+#include "programs/programs.h"
 #include "lesson/lesson.h"
 
 namespace grade::lesson {

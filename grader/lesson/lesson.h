@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "build/runner.h"
-#include "child/rows.h"
+#include "programs/runner.h"
+#include "protocol/rows.h"
 #include "report/plot.h"
 
 /// The lesson of part 1: how the error of an integral in one dimension falls with the number of points, by the way the

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "report/record.h"
+#include "record/record.h"
 
 namespace grade {
 

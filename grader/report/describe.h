@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "assignment.h"
+#include "assignment/assignment.h"
 
 /// What the handout says about points and checks, written by the program that gives the points.
 namespace grade {

@@ -7,7 +7,7 @@
 
 #include "report/bar.h"
 #include "report/cost.h"
-#include "report/diagnosis.h"
+#include "diagnosis/diagnosis.h"
 #include "report/escape.h"
 #include "report/picture.h"
 #include "report/style.h"

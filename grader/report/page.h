@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "assignment.h"
-#include "report/record.h"
+#include "assignment/assignment.h"
+#include "record/record.h"
 
 namespace grade {
 

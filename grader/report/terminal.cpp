@@ -8,7 +8,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "report/diagnosis.h"
+#include "diagnosis/diagnosis.h"
 #include "report/escape.h"
 
 namespace grade {

@@ -3,8 +3,8 @@
 #include <chrono>
 #include <string>
 
-#include "assignment.h"
-#include "report/record.h"
+#include "assignment/assignment.h"
+#include "record/record.h"
 
 namespace grade {
 

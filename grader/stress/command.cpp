@@ -6,9 +6,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "assignment.h"
-#include "build/files.h"
-#include "commands/studies.h"
+#include "assignment/assignment.h"
+#include "files/files.h"
+#include "studies/studies.h"
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
 #include "stress/report.h"

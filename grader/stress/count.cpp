@@ -7,8 +7,8 @@
 #include <mutex>
 #include <thread>
 
-#include "build/runner.h"
-#include "judging/parallel.h"
+#include "programs/runner.h"
+#include "programs/parallel.h"
 
 namespace grade::stress {
 

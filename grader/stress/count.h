@@ -1,6 +1,6 @@
 #pragma once
 
-#include "judging/programs.h"
+#include "programs/programs.h"
 #include "stress/run.h"
 
 namespace grade::stress {

@@ -8,9 +8,9 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "build/runner.h"
-#include "judging/parallel.h"
-#include "judging/programs.h"
+#include "programs/runner.h"
+#include "programs/parallel.h"
+#include "programs/programs.h"
 #include "stress/count.h"
 
 namespace grade::stress {

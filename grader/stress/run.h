@@ -3,9 +3,9 @@
 #include <functional>
 #include <vector>
 
-#include "assignment.h"
-#include "build/submission.h"
-#include "build/toolchain.h"
+#include "assignment/assignment.h"
+#include "submission/submission.h"
+#include "programs/toolchain.h"
 #include "stress/record.h"
 
 namespace grade::stress {

@@ -3,9 +3,9 @@
 #include <cstdlib>
 #include <exception>
 
-#include "build/files.h"
-#include "build/runner.h"
-#include "child/protocol.h"
+#include "files/files.h"
+#include "programs/runner.h"
+#include "protocol/protocol.h"
 #include "mutate.h"
 
 /// answers FAKE_CHILD CASES [SEED]: children that answer with mutated bytes. What comes back is what was asked for, or

@@ -4,8 +4,8 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "child/protocol.h"
-#include "child/rows.h"
+#include "protocol/protocol.h"
+#include "protocol/rows.h"
 
 /// The numbers of an answer are rows, or none; a value in them is read, or the reader throws.
 namespace {

@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "checks/kit/check.h"
-#include "child/rows.h"
+#include "protocol/rows.h"
 
 /// The arguments and the result of a fragment in the types of its declaration, out of the rows of a probe. The fragment
 /// is named, never called: the grader is not linked with it.

@@ -1,0 +1,118 @@
+#include "diagnosis/diagnosis.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cctype>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <tuple>
+
+namespace grade {
+
+namespace {
+
+/// The smaller one is told first: by verdict, by kind of evidence, by subject.
+using Rank = std::tuple<int, int, Subject>;
+
+int rank_of(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::did_not_build: return 0;
+        case Verdict::not_started: return 1;
+        case Verdict::crashed: return 2;
+        case Verdict::timed_out: return 3;
+        case Verdict::not_finite:
+        case Verdict::failed: return 4;
+        case Verdict::inconclusive: return 5;
+        case Verdict::passed: break;
+    }
+    return 6;
+}
+
+Rank rank_of(Verdict verdict, const CheckRecord& check, Subject subject) {
+    const bool is_picture = !check.scene.empty();
+    const int evidence = subject <= Subject::no_image ? 0 : is_picture ? 2 : 1;
+    return {rank_of(verdict), evidence, subject};
+}
+
+std::string section_of(const std::string& fragment, Verdict verdict, const std::string& words) {
+    switch (verdict) {
+        case Verdict::passed: return {};
+        case Verdict::crashed:
+        case Verdict::timed_out:
+        case Verdict::inconclusive: return std::string(verdicts_section);
+        case Verdict::not_finite:
+            return std::string(words.find("nan") != words.npos ? numbers_section : pictures_section);
+        default: return fragment;
+    }
+}
+
+}  // namespace
+
+Subject subject_of(std::string_view id) {
+    static const std::map<std::string_view, Subject> subjects = {
+        {"G1", Subject::sharing},    {"M2", Subject::sharing},    {"V0", Subject::no_image},
+        {"G4", Subject::tone},       {"A1", Subject::geometry},   {"A2", Subject::geometry},
+        {"L3", Subject::geometry},   {"D1", Subject::geometry},   {"D2", Subject::geometry},
+        {"D3", Subject::geometry},   {"M1", Subject::geometry},   {"M3", Subject::geometry},
+        {"P1", Subject::geometry},   {"F4", Subject::geometry},   {"W1", Subject::geometry},
+        {"W2", Subject::geometry},   {"I1", Subject::radiometry}, {"L1", Subject::radiometry},
+        {"L2", Subject::factor},     {"L4", Subject::radiometry}, {"P2", Subject::radiometry},
+        {"P3", Subject::geometry},   {"P4", Subject::radiometry}, {"F1", Subject::radiometry},
+        {"F2", Subject::radiometry}, {"F3", Subject::radiometry}, {"B1", Subject::radiometry},
+        {"W3", Subject::radiometry}, {"G2", Subject::variance},   {"G3", Subject::variance},
+        {"V1", Subject::variance},   {"V3", Subject::variance},   {"D4", Subject::variance},
+        {"M4", Subject::variance}};
+    const auto found = subjects.find(id);
+    return found == subjects.end() ? Subject::radiometry : found->second;  // a course's own
+}
+
+std::string section_of(const CheckRecord& check, const StatisticRecord* statistic) {
+    // what is no statistic's: no picture of radiance, or a fragment that remembers
+    if (!statistic && check.verdict == Verdict::failed)
+        return std::string(check.message.find("again") != check.message.npos ? rules_section : pictures_section);
+    if (!statistic) return section_of(check.fragment, check.verdict, check.message);
+    // a fragment that remembers, or makes its own numbers
+    const bool keeps_state = statistic->verdict == Verdict::failed && statistic->id == "V0";
+    return keeps_state ? std::string(rules_section) : section_of(check.fragment, statistic->verdict, statistic->hint);
+}
+
+Diagnosis diagnose(const FragmentRecord& fragment) {
+    if (!fragment.message.empty())
+        return {fragment.message, section_of(fragment.name, fragment.verdict, fragment.message)};
+    Diagnosis first;
+    std::optional<Rank> best;
+    const auto tell = [&](Rank rank, const std::string& words, const std::string& section) {
+        if (words.empty() || (best && *best <= rank)) return;
+        best = rank;
+        first = {words, section};
+    };
+    for (const CheckRecord& check : fragment.checks) {
+        if (check.verdict == Verdict::passed) continue;
+        tell(rank_of(check.verdict, check, Subject::no_image), check.message, section_of(check, nullptr));
+        for (const StatisticRecord& statistic : check.statistics)
+            if (statistic.verdict != Verdict::passed)
+                tell(rank_of(statistic.verdict, check, subject_of(statistic.id)), statistic.hint,
+                     section_of(check, &statistic));
+    }
+    return first;
+}
+
+std::string reading(const std::string& section) {
+    return section.empty() ? section : fmt::format("handout.md, \"{}\"", section);
+}
+
+std::string anchor(const std::string& section) {
+    std::string text;
+    for (const char c : section) {
+        if (std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_')
+            text += char(std::tolower(static_cast<unsigned char>(c)));
+        else if (c == ' ') text += '-';
+    }
+    return text;
+}
+
+std::string first_message(const FragmentRecord& fragment) { return diagnose(fragment).words; }
+
+}  // namespace grade

@@ -1,0 +1,250 @@
+#include "hand_out/hand_out.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sys/utsname.h>
+
+#include <array>
+#include <set>
+#include <sstream>
+
+#include "files/files.h"
+#include "programs/process.h"
+#include "assignment/strip.h"
+#include "programs/toolchain.h"
+#include "rt/files/scene_reader.h"
+
+namespace grade {
+
+namespace {
+
+/// What is handed out, by name: nothing that somebody has put beside it.
+constexpr std::array entries = {"LICENSE", "assignment.toml", "handout.md", "scenes", "starter"};
+
+/// What every system with a C++ compiler has: the C and C++ libraries, and zlib, without which Debian has no dpkg.
+constexpr std::array everywhere = {"linux-vdso.", "ld-linux", "libc.so.",   "libm.so.",      "libgcc_s.so.",
+                                   "libdl.so.",   "librt.so", "libpthread", "libstdc++.so.", "libz.so."};
+
+/// Headers that the grader or the framework is made of, and whose licences come along: no package owns their code here.
+/// Boost's asks for nothing beside a compiled program.
+constexpr std::array header_packages = {"libglm-dev", "libcli11-dev", "nlohmann-json3-dev"};
+
+/// Hidden files, what builds leave behind, and what needs the solution stay here.
+bool is_left_out(const fs::path& path) {
+    const std::string name = path.filename().string();
+    return name.starts_with(".") || name.starts_with("build") || name.starts_with("__") || name == "render_pictures";
+}
+
+void copy_folder(const fs::path& from, const fs::path& to) {
+    fs::create_directories(to);
+    for (const auto& entry : fs::directory_iterator(from)) {
+        const fs::path target = to / entry.path().filename();
+        if (is_left_out(entry.path())) continue;
+        if (entry.is_directory()) copy_folder(entry.path(), target);
+        else if (entry.is_regular_file()) fs::copy_file(entry.path(), target);
+    }
+}
+
+/// Runs a tool of the compiler's to its end; what it printed.
+std::string must_run(const std::vector<std::string>& command) {
+    Limits limits;
+    limits.output = 16u << 20;
+    limits.file_size = 256u << 20;
+    limits.cpu_seconds = limits.most_cpu_seconds = 60;
+    const Ending ending = run(command, limits, "/");
+    if (!ending.good())
+        throw std::runtime_error(fmt::format("{}: {}", fmt::join(command, " "),
+                                             ending.err.empty() ? "failed" : ending.err.substr(0, 600)));
+    return ending.out;
+}
+
+/// The object with nothing left to read but the name of its fragment and of what it calls: no debug information, no
+/// names of its own helpers, no note of the compiler.
+///
+/// symbol  the fragment's, for the linker
+void write_bare_object(const fs::path& object, const std::string& symbol, const fs::path& target) {
+    const TemporaryFolder work;
+    const std::string merged = (work.path() / "merged.o").string(), names = (work.path() / "names").string();
+    // groups of sections that other objects hold as well must go before their symbols become private
+    must_run({"/usr/bin/ld", "-r", "--force-group-allocation", object.string(), "-o", merged});
+    must_run({"/usr/bin/objcopy", "--keep-global-symbol=" + symbol, "--strip-unneeded", "--remove-section=.comment",
+              merged, target.string()});
+    std::istringstream lines(must_run({"/usr/bin/nm", "--format=posix", "--defined-only", target.string()}));
+    std::string renamed;
+    int count = 0;
+    for (std::string line; std::getline(lines, line);)
+        if (const std::string name = line.substr(0, line.find(' ')); name != symbol)
+            renamed += fmt::format("{} .L{}\n", name, count++);
+    if (renamed.empty()) return;
+    write_text(names, renamed);
+    must_run({"/usr/bin/objcopy", "--redefine-syms=" + names, target.string()});
+}
+
+void write_bare_objects(const std::map<std::string, fs::path>& objects, const Toolchain& built, const fs::path& folder) {
+    fs::create_directories(folder);
+    for (const auto& [name, object] : objects)
+        write_bare_object(object, built.symbols.at(name), folder / (name + ".o"));
+}
+
+bool is_everywhere(const std::string& name) {
+    return std::ranges::any_of(everywhere, [&](const char* start) { return name.starts_with(start); });
+}
+
+/// The libraries of a program that a plain system lacks, by the names under which the loader looks for them.
+std::map<std::string, fs::path> libraries_of(const fs::path& program) {
+    std::map<std::string, fs::path> all;
+    std::istringstream lines(must_run({"/usr/bin/ldd", program.string()}));
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string name, arrow, path;
+        words >> name >> arrow >> path;
+        if (arrow == "=>" && path == "not")
+            throw std::runtime_error(fmt::format("{}: needs {}, which is not here", program.string(), name));
+        if (arrow == "=>" && !is_everywhere(name)) all[name] = path;
+    }
+    return all;
+}
+
+/// Copies the text of a package's licence, where Debian's files are; elsewhere says where the library is from.
+void write_licence(const std::string& package, const fs::path& folder) {
+    const fs::path text = fs::path("/usr/share/doc") / package / "copyright";
+    std::error_code error;
+    if (const fs::path real = fs::canonical(text, error); !error)
+        fs::copy_file(real, folder / (package + ".txt"), fs::copy_options::overwrite_existing);
+}
+
+/// The package of a file; empty where nobody knows.
+std::string package_of(const fs::path& file) {
+    std::error_code error;
+    for (const fs::path& path : {fs::canonical(file, error), file})
+        for (const fs::path& name : {path, fs::path("/usr") / path.relative_path()}) {
+            const Ending said = run({"/usr/bin/dpkg-query", "--search", name.string()}, Limits{}, "/");
+            if (said.good()) return said.out.substr(0, said.out.find(':'));
+        }
+    return {};
+}
+
+void write_libraries(const fs::path& program, const Toolchain& built, const fs::path& machine) {
+    fs::create_directories(machine / "lib");
+    fs::create_directories(machine / "licences");
+    std::map<std::string, fs::path> all = libraries_of(program);
+    all.merge(libraries_of(program.string() + "_studies"));
+    for (const std::string& library : built.libraries)
+        if (library.starts_with("/")) {
+            // under the name that it tells those who are linked with it
+            const fs::path real = fs::canonical(library);
+            std::string name = real.filename().string();
+            std::istringstream lines(must_run({"/usr/bin/objdump", "-p", real.string()}));
+            for (std::string line; std::getline(lines, line);)
+                if (const auto at = line.find("SONAME"); at != line.npos)
+                    name = line.substr(line.find_first_not_of(' ', at + 6));
+            all[name] = real;
+        }
+    for (const auto& [name, path] : all) {
+        must_run({"/usr/bin/strip", "--strip-unneeded", fs::canonical(path).string(), "-o",
+                  (machine / "lib" / name).string()});
+        if (const std::string package = package_of(path); !package.empty()) write_licence(package, machine / "licences");
+    }
+    for (const char* package : header_packages) write_licence(package, machine / "licences");
+}
+
+std::string quoted(const std::vector<std::string>& words) {
+    return words.empty() ? "[]" : fmt::format("[\"{}\"]", fmt::join(words, "\", \""));
+}
+
+/// The toolchain file of a kit: relative to its folder, and without a compiler, which is found where it runs.
+void write_toolchain(const Toolchain& built, const fs::path& machine) {
+    std::vector<std::string> blanks, reference, libraries, plain;
+    for (const auto& [name, object] : built.solution_objects) {
+        reference.push_back("reference/" + name + ".o");
+        blanks.push_back("blanks/" + name + ".o");
+    }
+    for (const auto& entry : fs::directory_iterator(machine / "lib")) libraries.push_back("lib/" + entry.path().filename().string());
+    std::ranges::sort(libraries);
+    for (const std::string& library : built.libraries)
+        if (!library.starts_with("/")) plain.push_back(library);
+    write_text(machine / "toolchain.toml",
+               fmt::format("# How this kit's grader compiles and links.\nkit = true\nprocessor = \"{}\"\nsource = \"../..\"\n"
+                           "cache = \"../../build\"\ncompile = {}\nincludes = [\"../../starter\", \"../include\"]\n"
+                           "link = {}\narchives = [\"libchild.a\", \"librt.a\"]\nlibraries = {}\nkit_libraries = {}\n"
+                           "blanks = \"../blanks\"\nblank_objects = {}\nsolution_objects = {}\n",
+                           built.processor, quoted(built.compile), quoted(built.link), quoted(plain), quoted(libraries), quoted(blanks),
+                           quoted(reference)));
+}
+
+/// The folder that holds glm/, as the compiler finds it.
+fs::path folder_of_glm(const Toolchain& built) {
+    std::vector<std::string> command{built.compiler.string(), "-std=gnu++20", "-M", "-x", "c++"};
+    for (const fs::path& include : built.includes) command.insert(command.end(), {"-I", include.string()});
+    command.push_back((built.includes.front() / "rt/math.h").string());
+    std::istringstream words(must_run(command));
+    for (std::string word; words >> word;)
+        if (const auto at = word.find("/glm/"); at != word.npos) return word.substr(0, at);
+    throw std::runtime_error("GLM's headers are not found; expected glm/ among those of rt/math.h");
+}
+
+void write_machine(const Toolchain& built, const fs::path& program, const fs::path& machine) {
+    fs::create_directories(machine);
+    for (const char* part : {"", "_studies"})
+        must_run({"/usr/bin/strip", "--strip-all", "--remove-section=.comment", program.string() + part, "-o",
+                  (machine / "grade").string() + part});
+    for (const auto& [archive, name] : {std::pair(built.archives.at(0), "libchild.a"), {built.archives.at(1), "librt.a"}})
+        must_run({"/usr/bin/strip", "--strip-debug", "--remove-section=.comment", archive.string(), "-o", (machine / name).string()});
+    write_bare_objects(built.solution_objects, built, machine / "reference");
+    write_bare_objects(built.blank_objects, built, machine / "blanks");
+    write_libraries(program, built, machine);
+    write_toolchain(built, machine);
+}
+
+/// The graders of another hand-out, for other kinds of machines. They must be of the same assignment.
+void add_machines(const fs::path& kit, const fs::path& folder) {
+    for (const char* file : {"assignment.toml", "grade"})
+        if (read_text(kit / file) != read_text(folder / file))
+            throw rt::InputError(
+                fmt::format("{}: its {} is another one; expected a hand-out of this very project", kit.string(), file));
+    for (const auto& entry : fs::directory_iterator(kit / "grader")) {
+        const fs::path target = folder / "grader" / entry.path().filename();
+        if (fs::exists(entry.path() / "toolchain.toml") && !fs::exists(target))
+            fs::copy(entry.path(), target, fs::copy_options::recursive);
+    }
+}
+
+}  // namespace
+
+std::string kind_of_machine() {
+    utsname names{};
+    uname(&names);
+    std::string kind = fmt::format("{}-{}", names.machine, names.sysname);
+    for (char& c : kind) c = char(std::tolower(static_cast<unsigned char>(c)));
+    return kind;
+}
+
+void hand_out(const fs::path& project, const Assignment& assignment, const fs::path& built_toolchain,
+              const fs::path& folder, const std::vector<fs::path>& others) {
+    if (fs::exists(folder) && !fs::is_empty(folder))
+        throw rt::InputError(fmt::format("{}: is not empty; expected a new folder", folder.string()));
+    const Toolchain built = read_toolchain(built_toolchain);
+    const fs::path program = built.archives.front().parent_path() / "grade_kit";
+    if (!fs::exists(program)) throw std::runtime_error(fmt::format("{}: not built yet", program.string()));
+    std::set<std::string> given;
+    for (const Fragment& fragment : assignment.fragments)
+        if (fragment.given) given.insert(fragment.name);
+    const auto blanks = make_starter((project / "solution").string(), given);
+
+    fs::create_directories(folder);
+    for (const char* entry : entries) {
+        const fs::path from = project / entry, to = folder / entry;
+        if (fs::is_directory(from)) copy_folder(from, to);
+        else fs::copy_file(from, to);
+    }
+    fs::copy_file(project / "grader/kit/grade", folder / "grade");
+    write_text(folder / ".gitignore", "build*/\n");
+    write_text(folder / ".gitattributes", "* text=auto eol=lf\n");  // a shell reads no CRLF
+    write_starter(blanks, (folder / "starter/fragments").string());
+    write_starter(blanks, (folder / "grader/blanks").string());
+    copy_folder(folder_of_glm(built) / "glm", folder / "grader/include/glm");
+    write_machine(built, program, folder / "grader" / kind_of_machine());
+    for (const fs::path& kit : others) add_machines(kit, folder);
+}
+
+}  // namespace grade

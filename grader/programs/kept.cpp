@@ -1,0 +1,174 @@
+#include "programs/kept.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "protocol/bytes.h"
+
+namespace grade {
+
+namespace {
+
+/// FNV-1a, with the length, so that no two lists of texts are one.
+std::uint64_t add(std::uint64_t hash, std::string_view text) {
+    for (const char c : text) hash = (hash ^ std::uint64_t(static_cast<unsigned char>(c))) * 1099511628211u;
+    return (hash ^ text.size()) * 1099511628211u;
+}
+
+/// All files below a folder with one of these ends, in an order of their own.
+std::uint64_t add_files(std::uint64_t hash, const fs::path& folder, const std::vector<std::string>& ends) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file() && std::ranges::count(ends, entry.path().extension().string()) > 0)
+            files.push_back(entry.path());
+    std::ranges::sort(files);
+    for (const fs::path& file : files)
+        hash = add(add(hash, file.string()), read_text(file, std::uint64_t(1) << 30).value_or(""));
+    return hash;
+}
+
+/// The grader, the framework, how it is compiled and linked, and what checks read.
+std::uint64_t hash_of_framework(const Toolchain& chain) {
+    constexpr std::uint64_t most = std::uint64_t(1) << 30;
+    std::uint64_t hash = add(14695981039346656037u, read_text(fs::read_symlink("/proc/self/exe"), most).value_or(""));
+    for (const fs::path& archive : chain.archives) hash = add(hash, read_text(archive, most).value_or(""));
+    hash = add(hash, fmt::format("{} {} {} {}", chain.description, fmt::join(chain.compile, " "),
+                                 fmt::join(chain.link, " "), fmt::join(chain.libraries, " ")));
+    for (const auto& [name, object] : chain.solution_objects) hash = add(hash, read_text(object, most).value_or(""));
+    hash = add_files(hash, chain.blanks, {".cpp"});
+    hash = add_files(hash, chain.source / "starter/rt", {".h"});
+    return add_files(hash, chain.source / "scenes", {".obj", ".toml"});
+}
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const std::optional<double>& x) { return x ? Json(*x) : Json(); }
+std::optional<double> number(const Json& x) { return x.is_null() ? std::nullopt : std::optional(x.get<double>()); }
+
+Json to_json(const rt::Image& image) {
+    std::vector<std::uint8_t> bytes(image.pixels.size() * sizeof(rt::Color));
+    copy_bytes(bytes.data(), image.pixels.data(), bytes.size());
+    return {{"width", image.width}, {"height", image.height}, {"pixels", Json::binary(std::move(bytes))}};
+}
+
+rt::Image image(const Json& json) {
+    rt::Image result(json.at("width"), json.at("height"));
+    const auto& bytes = json.at("pixels").get_binary();
+    if (bytes.size() != result.pixels.size() * sizeof(rt::Color)) throw std::runtime_error("another size of image");
+    copy_bytes(result.pixels.data(), bytes.data(), bytes.size());
+    return result;
+}
+
+Json to_json(const StatisticRecord& s) {
+    return {{"id", s.id}, {"what", s.what}, {"value", to_json(s.value)}, {"truth", to_json(s.truth)},
+            {"low", to_json(s.low)}, {"high", to_json(s.high)}, {"delta0", s.delta0}, {"tolerance", s.tolerance},
+            {"exact", s.exact}, {"replicates", s.replicates}, {"verdict", int(s.verdict)}, {"hint", s.hint}};
+}
+
+StatisticRecord statistic(const Json& j) {
+    return {j.at("id"), j.at("what"), number(j.at("value")), number(j.at("truth")), number(j.at("low")),
+            number(j.at("high")), j.at("delta0"), j.at("tolerance"), j.at("exact"), j.at("replicates"),
+            Verdict(j.at("verdict").get<int>()), j.at("hint")};
+}
+
+Json to_json(const CheckRecord& c) {
+    Json statistics = Json::array();
+    for (const StatisticRecord& s : c.statistics) statistics.push_back(to_json(s));
+    // what a program prints may be any bytes
+    const std::vector<std::uint8_t> excerpt(c.excerpt.begin(), c.excerpt.end());
+    return {{"name", c.name}, {"fragment", c.fragment}, {"scene", c.scene}, {"samples", c.samples},
+            {"sampler", c.sampler}, {"share", c.share}, {"verdict", int(c.verdict)}, {"message", c.message},
+            {"excerpt", Json::binary(excerpt)}, {"statistics", statistics}, {"cpu_seconds", c.cpu_seconds},
+            {"picture", to_json(c.picture)}, {"solution_picture", to_json(c.solution_picture)}};
+}
+
+CheckRecord check_record(const Json& j) {
+    CheckRecord c;
+    c.name = j.at("name"), c.fragment = j.at("fragment"), c.scene = j.at("scene"), c.samples = j.at("samples");
+    c.sampler = j.at("sampler"), c.share = j.at("share"), c.verdict = Verdict(j.at("verdict").get<int>());
+    c.message = j.at("message"), c.cpu_seconds = j.at("cpu_seconds");
+    const auto& excerpt = j.at("excerpt").get_binary();
+    c.excerpt.assign(excerpt.begin(), excerpt.end());
+    for (const Json& s : j.at("statistics")) c.statistics.push_back(statistic(s));
+    c.picture = image(j.at("picture")), c.solution_picture = image(j.at("solution_picture"));
+    return c;
+}
+
+bool stays(Verdict verdict) {
+    return verdict == Verdict::passed || verdict == Verdict::failed || verdict == Verdict::not_finite ||
+           verdict == Verdict::inconclusive;
+}
+
+}  // namespace
+
+Kept::Kept(const fs::path& folder, const Toolchain& chain) : folder_(folder), framework_(hash_of_framework(chain)) {
+    fs::create_directories(folder);
+}
+
+fs::path Kept::path(const std::string& name, const std::string& made_from) const {
+    return folder_ / fmt::format("{}.{:016x}", name, add(framework_, made_from));
+}
+
+std::optional<fs::path> Kept::object(const std::string& fragment, const std::string& text) const {
+    if (folder_.empty()) return std::nullopt;
+    const fs::path object = path(fragment + ".o", text);
+    return fs::exists(object) ? std::optional(object) : std::nullopt;
+}
+
+namespace {
+
+/// What was kept under this name is of no use any more.
+void forget(const fs::path& folder, const std::string& name) {
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.path().stem() == name) fs::remove(entry.path());
+}
+
+}  // namespace
+
+void Kept::keep_object(const std::string& fragment, const std::string& text, const fs::path& object) const {
+    if (folder_.empty()) return;
+    forget(folder_, fragment + ".o");
+    if (const auto bytes = read_text(object)) write_text(path(fragment + ".o", text), *bytes);
+}
+
+void Kept::write(const std::string& name, const std::string& made_from, const nlohmann::ordered_json& json) const {
+    if (folder_.empty()) return;
+    forget(folder_, name);
+    const std::vector<std::uint8_t> bytes = Json::to_cbor(json);
+    write_text(path(name, made_from), {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+template <class Value>
+std::optional<Value> Kept::read(const std::string& name, const std::string& made_from,
+                                Value (*from)(const nlohmann::ordered_json&)) const {
+    if (folder_.empty()) return std::nullopt;
+    const auto bytes = read_text(path(name, made_from), std::uint64_t(1) << 30);
+    if (!bytes) return std::nullopt;
+    try {
+        return from(Json::from_cbor(*bytes));
+    } catch (const std::exception&) {
+        return std::nullopt;  // a broken file is as good as none
+    }
+}
+
+std::optional<CheckRecord> Kept::check(const std::string& key, const std::string& made_from) const {
+    return read<CheckRecord>(key, made_from, check_record);
+}
+
+void Kept::keep_check(const std::string& key, const std::string& made_from, const CheckRecord& record) const {
+    if (stays(record.verdict)) write(key, made_from, to_json(record));
+}
+
+std::optional<rt::Image> Kept::picture(const std::string& name, const std::string& made_from) const {
+    return read<rt::Image>(name, made_from, image);
+}
+
+void Kept::keep_picture(const std::string& name, const std::string& made_from, const rt::Image& picture) const {
+    write(name, made_from, to_json(picture));
+}
+
+}  // namespace grade

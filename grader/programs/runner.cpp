@@ -1,0 +1,168 @@
+#include "programs/runner.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+
+#include "protocol/bytes.h"
+#include "protocol/protocol.h"
+#include "rt/scene.h"
+#include "rt/files/scene_reader.h"
+
+namespace grade {
+
+struct Runner::Answer {
+    FrameKind kind;
+    std::string payload;
+};
+
+namespace {
+
+constexpr std::size_t most_error_bytes = 4096;
+
+Clock::time_point in_seconds(double seconds) {
+    return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+std::vector<double> numbers_of(const std::string& payload) {
+    std::vector<double> numbers(payload.size() / sizeof(double));
+    copy_bytes(numbers.data(), payload.data(), numbers.size() * sizeof(double));
+    return numbers;
+}
+
+int sampler_of(const std::string& name) {
+    if (const auto sampler = rt::sampler_named(name)) return int(*sampler);
+    throw rt::InputError(fmt::format("no sampler is named \"{}\"; expected {}", name, fmt::join(rt::sampler_names, ", ")));
+}
+
+}  // namespace
+
+Runner::Runner(const fs::path& program, const Sandbox& sandbox, const fs::path& meshes, double seconds)
+    : meshes_(meshes), limit_(seconds) {
+    Limits limits;
+    limits.cpu_seconds = seconds;
+    limits.most_cpu_seconds = 600;
+    limits.memory = 2ull << 30;
+    limits.file_size = 1u << 20;
+    if (access(program.c_str(), X_OK) != 0)  // before any fragment has run: the machine's doing
+        throw std::runtime_error(fmt::format("{}: cannot be started: {}; expected TMPDIR to name a folder whose programs run",
+                                             program.string(), std::strerror(errno)));
+    const fs::path folder = program.parent_path();
+    const std::vector<std::string> command{program.string(), fmt::format("{}", seconds),
+                                           (meshes / "check.toml").string()};
+    std::vector<fs::path> readable;
+    if (fs::exists(meshes)) readable.push_back(meshes);
+    process_ = std::make_unique<Process>(inside(sandbox, command, readable, folder), limits, folder.string());
+}
+
+Fault Runner::broken() {
+    const Ending ending = process_->finish(in_seconds(0.2));
+    const std::string excerpt = (ending.err.empty() ? ending.out : ending.err).substr(0, 1000);
+    switch (ending.how) {
+        case Ending::How::timed_out:
+            return {Verdict::timed_out, fmt::format("ran longer than {:g} s", limit_), excerpt};
+        case Ending::How::signalled:
+            return {Verdict::crashed, "ended by " + signal_in_words(ending.code), excerpt};
+        default:
+            return {
+                Verdict::crashed,
+                fmt::format("the program ended by itself with code {}: a fragment must return, not exit", ending.code),
+                excerpt};
+    }
+}
+
+Outcome<Runner::Answer> Runner::exchange(const std::string& request, std::size_t most_bytes) {
+    // a process that waits for something uses no CPU time: the wall clock ends it
+    const auto deadline = in_seconds(3 * limit_ + 2);
+    if (!process_->send(request, deadline)) return broken();
+    const auto head = process_->receive(sizeof(FrameHeader), deadline);
+    if (!head) return broken();
+    FrameHeader header{};
+    std::memcpy(&header, head->data(), sizeof header);
+    if (header.check != FrameHeader{}.check || header.bytes > std::max(most_bytes, most_error_bytes))
+        return Fault{Verdict::crashed, "the fragment wrote into the grader's channel", {}};
+    auto payload = process_->receive(header.bytes, deadline);
+    if (!payload) return broken();
+    return Answer{header.kind, std::move(*payload)};
+}
+
+std::optional<Fault> Runner::tell(const std::string& request) {
+    const auto outcome = exchange(request, 0);
+    if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
+    const Answer& answer = std::get<Answer>(outcome);
+    if (answer.kind == FrameKind::done) return std::nullopt;
+    return Fault{Verdict::crashed, "threw an exception: " + answer.payload, {}};
+}
+
+Outcome<std::vector<double>> Runner::ask(const std::string& request, int kind, std::size_t most_numbers) {
+    auto outcome = exchange(request, most_numbers * sizeof(double));
+    if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
+    const Answer& answer = std::get<Answer>(outcome);
+    if (answer.kind == FrameKind::error) return Fault{Verdict::crashed, "threw an exception: " + answer.payload, {}};
+    if (int(answer.kind) != kind || answer.payload.size() % sizeof(double) != 0)
+        return Fault{Verdict::crashed, "the fragment wrote into the grader's channel", {}};
+    return numbers_of(answer.payload);
+}
+
+Outcome<rt::Image> Runner::render(const Render& experiment, std::uint64_t seed, bool one_of_many) {
+    if (experiment.scene != scene_) {
+        const rt::Scene scene = rt::parse_scene(experiment.scene, (meshes_ / "check.toml").string());
+        size_ = scene.camera.size;
+        if (const auto fault = tell(frame(FrameKind::scene, experiment.scene))) return *fault;
+        scene_ = experiment.scene;
+    }
+    const rt::ivec2 size = experiment.size.x > 0 ? experiment.size : size_;
+    const RenderRequest request{seed, experiment.samples, sampler_of(experiment.sampler), size.x, size.y, one_of_many};
+    const std::size_t pixels = std::size_t(size.x) * std::size_t(size.y), count = image_head + 3 * pixels;
+    auto outcome =
+        ask(frame(FrameKind::render, bytes_of<RenderRequest>({&request, 1})), int(FrameKind::image), count);
+    if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
+
+    const auto& numbers = std::get<std::vector<double>>(outcome);
+    if (numbers.size() != count || numbers[0] != size.x || numbers[1] != size.y)
+        return Fault{Verdict::failed, "a picture of the wrong size came back", {}};
+    last_seconds_ = numbers[2];
+    last_rays_ = 0;
+    for (std::size_t i = 3; i < image_head; ++i) last_rays_ += numbers[i];
+    rt::Image image(size.x, size.y);
+    for (std::size_t i = 0; i < pixels; ++i)
+        image.pixels[i] = {numbers[image_head + 3 * i], numbers[image_head + 1 + 3 * i],
+                           numbers[image_head + 2 + 3 * i]};
+    return image;
+}
+
+Outcome<std::vector<double>> Runner::swarm(const SwarmRequest& request) {
+    auto outcome =
+        ask(frame(FrameKind::swarm, bytes_of<SwarmRequest>({&request, 1})), int(FrameKind::rows), 1 + request.count);
+    if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
+    auto& numbers = std::get<std::vector<double>>(outcome);
+    if (numbers.size() != 1 + request.count)
+        return Fault{Verdict::crashed, "the fragment wrote into the grader's channel", {}};
+    last_seconds_ = numbers.front();
+    numbers.erase(numbers.begin());
+    return std::move(numbers);
+}
+
+Outcome<Rows> Runner::probe(const std::string& fragment, const Rows& rows) {
+    constexpr std::size_t most_results = 16;  // numbers that a fragment returns
+    if (fragment != fragment_) {
+        if (const auto fault = tell(frame(FrameKind::fragment, fragment))) return *fault;
+        fragment_ = fragment;
+    }
+    const std::vector<double> flat = flatten(rows);
+    auto outcome =
+        ask(frame(FrameKind::rows, bytes_of<double>(flat)), int(FrameKind::rows), 2 + rows.size() * (1 + most_results));
+    if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
+
+    const auto& numbers = std::get<std::vector<double>>(outcome);
+    Rows results;
+    if (numbers.empty() || !unflatten(std::span(numbers).subspan(1), results) || results.size() != rows.size())
+        return Fault{Verdict::crashed, "the fragment wrote into the grader's channel", {}};
+    last_seconds_ = numbers[0];
+    return results;
+}
+
+}  // namespace grade

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "programs/process.h"
+#include "programs/sandbox.h"
+#include "protocol/swarm.h"
+#include "checks/kit/check.h"
+#include "statistics/verdict.h"
+
+namespace grade {
+
+/// Why there is nothing to measure.
+struct Fault {
+    Verdict verdict;      // crashed, timed_out, not_finite or failed
+    std::string message;  // what happened, and what to do
+    std::string excerpt;  // of what the program printed; untrusted
+};
+
+template <class Value>
+using Outcome = std::variant<Value, Fault>;
+
+/// A child program that is running: renders and answers probes until it breaks down.
+class Runner {
+public:
+    /// program  linked by link_child
+    /// meshes   where scenes look for meshes
+    /// seconds  CPU time for one answer
+    Runner(const fs::path& program, const Sandbox& sandbox, const fs::path& meshes, double seconds);
+
+    /// one_of_many  a replicate: one sample a pixel is random then, too
+    /// Throws rt::InputError for a scene that is none.
+    Outcome<rt::Image> render(const Render& experiment, std::uint64_t seed, bool one_of_many = true);
+    Outcome<Rows> probe(const std::string& fragment, const Rows& rows);
+
+    /// Calls whose arguments the child makes up.
+    Outcome<std::vector<double>> swarm(const SwarmRequest& request);
+
+    /// CPU time of the last answer, by the child's own account.
+    double seconds() const { return last_seconds_; }
+
+    /// Rays of all kinds in the last picture, likewise.
+    double rays() const { return last_rays_; }
+
+private:
+    struct Answer;
+    Outcome<std::vector<double>> ask(const std::string& request, int kind, std::size_t most_numbers);
+    std::optional<Fault> tell(const std::string& request);
+    Outcome<Answer> exchange(const std::string& request, std::size_t most_bytes);
+    Fault broken();
+
+    fs::path meshes_;
+    double limit_;
+    std::unique_ptr<Process> process_;
+    std::string scene_, fragment_;  // what the child was told last
+    rt::ivec2 size_{0};             // of that scene's image
+    double last_seconds_ = 0, last_rays_ = 0;
+};
+
+}  // namespace grade

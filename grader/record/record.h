@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rt/files/image.h"
+#include "statistics/verdict.h"
+
+/// The record of a grading: the one source of every report.
+namespace grade {
+
+struct StatisticRecord {
+    std::string id, what;
+    std::optional<double> value, truth, low, high;  // low, high: confidence interval of the value
+    double delta0 = 0, tolerance = 0;               // deviations that are still right, that must be found
+    bool exact = false;
+    int replicates = 0;
+    Verdict verdict = Verdict::inconclusive;
+    std::string hint;  // where it failed: what the deviation usually means
+};
+
+/// What one picture costs, and how far it is from the truth.
+struct PictureCost {
+    double mse = 0;          // mean over pixels and channels; 0: no noise and no bias. Chance can make it negative
+    double cpu_seconds = 0;  // of rendering alone, the fastest of all pictures
+
+    /// 1 / (MSE x CPU time); none where there is no error.
+    std::optional<double> efficiency() const;
+    double rmse() const;
+};
+
+struct CheckRecord {
+    std::string name, fragment;
+    std::string scene;    // TOML text; empty for a probe
+    int samples = 0;      // a pixel
+    std::string sampler;
+    int share = 1;        // of the fragment's points
+    Verdict verdict = Verdict::inconclusive;
+    std::string message;  // where there is nothing to measure: what happened, and what to do
+    std::string excerpt;  // of what the program printed; untrusted
+    std::vector<StatisticRecord> statistics;
+    double cpu_seconds = 0;
+    std::optional<PictureCost> cost, solution_cost;  // of a check that renders
+
+    // for the page only
+    rt::Image picture, solution_picture;
+};
+
+struct FragmentRecord {
+    std::string name, part;
+    double points = 0, max_points = 0;
+    Verdict verdict = Verdict::inconclusive;
+    std::string message;  // what to know about it as a whole; compiler errors are untrusted text
+    std::vector<CheckRecord> checks;
+    double cpu_seconds = 0;
+    bool finished = false;
+};
+
+struct Record {
+    std::string submission, title;
+    std::uint64_t seed = 0;
+    std::string sandbox, toolchain, version, command;
+    std::vector<FragmentRecord> fragments;  // in the order of the assignment
+    double wall_seconds = 0;
+    int reused = 0;  // checks whose records are those of an earlier grading
+
+    // a whole picture, as the submission's fragments draw it and as the solution's do, for the page only
+    rt::Image own_picture, own_picture_right;
+    std::string own_picture_scene, own_picture_fault;
+    std::vector<std::string> left_out;  // fragments that crash or do not end: their blanks stand in
+    double own_picture_exposure = 1;
+
+    std::vector<std::string> notes;    // on the submission as a whole, a line each; untrusted text
+    std::vector<std::string> changes;  // since the last grading of the same folder, a line each
+
+    double score() const;
+    double max_score() const;
+
+    /// The submission's efficiency over the solution's, the median of all pictures with noise; none: there are none.
+    std::optional<double> efficiency_ratio() const;
+};
+
+/// From bad to good: of two verdicts, the one to tell first.
+Verdict worse(Verdict a, Verdict b);
+
+/// Points of a fragment: its share of passed checks, rounded to 2 decimals.
+double points_of(const FragmentRecord& fragment);
+
+}  // namespace grade

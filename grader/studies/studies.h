@@ -1,0 +1,23 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace grade {
+
+/// A command that few need. All of them are in a second program, which is built when one is first asked for.
+struct Study {
+    const char* name;
+    const char* purpose;
+};
+
+constexpr std::array<Study, 4> studies{
+    {{"stress", "how extreme a scene the fragments survive: far, tiny, huge, grazing, narrow"},
+     {"converge", "error against run time: how fast it falls, with which sampler, and to which bias"},
+     {"lesson", "part 1 in plots: how fast errors fall, by the way of sampling"},
+     {"calibrate", "grade known wrong and right fragments: how far can verdicts be trusted?"}}};
+
+constexpr const char* purpose_of(std::string_view name) { return std::ranges::find(studies, name, &Study::name)->purpose; }
+
+}  // namespace grade

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "submission/submission.h"
+
+namespace grade {
+
+/// A submission's files by path, those that could be fragments: FRAGMENT.cpp in any folder.
+struct Found {
+    std::map<std::string, std::string> texts, complaints;
+    std::map<std::string, std::string> near;  // by path: the fragment that this file, by its name, is nearly
+    std::set<std::string> doubled;            // paths that are there twice, with different texts: the later one is taken
+    std::vector<std::string> archives;        // within the submission
+    int unnamed = 0;                          // files whose names cannot be read
+
+    /// Notes a file that is no fragment by its name.
+    void look_at_name(const std::string& path, const std::vector<std::string>& fragments);
+};
+
+/// Looks into a .zip or a .tar.gz; nothing is unpacked to the disk. Throws SubmissionError. A kit has no library for
+/// archives, and says so.
+Found look_into_archive(const fs::path& path, const std::vector<std::string>& fragments);
+
+/// The complaint about a file above most_source_bytes.
+std::string too_large();
+
+}  // namespace grade

@@ -1,0 +1,216 @@
+#include "submission/submission.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "submission/archive.h"
+#include "files/files.h"
+#include "submission/near_name.h"
+
+namespace grade {
+
+namespace {
+
+constexpr int most_files = 20'000, deepest_folder = 6;
+
+void look_at(const fs::path& folder, const std::string& prefix, const std::vector<std::string>& fragments,
+             Found& found) {
+    for (const std::string& fragment : fragments) {
+        const std::string file = fragment + ".cpp";
+        const fs::path path = folder / file;
+        std::error_code error;
+        const fs::file_status status = fs::symlink_status(path, error);
+        if (status.type() == fs::file_type::not_found) continue;
+        if (status.type() != fs::file_type::regular) {
+            found.complaints[prefix + file] = "not a regular file; links and devices are not followed";
+        } else if (auto text = read_text(path, most_source_bytes)) {
+            found.texts[prefix + file] = std::move(*text);
+        } else {
+            found.complaints[prefix + file] =
+                fs::file_size(path, error) > most_source_bytes ? too_large() : "cannot be read";
+        }
+    }
+}
+
+bool is_folder(const fs::path& path) {
+    std::error_code error;
+    return fs::symlink_status(path, error).type() == fs::file_type::directory;
+}
+
+void look_at_names(const fs::path& folder, const std::string& prefix, const std::vector<std::string>& fragments, Found& found) {
+    std::error_code error;
+    int count = 0;
+    for (fs::directory_iterator at(folder, error), end; !error && at != end && ++count < most_files; at.increment(error))
+        if (fs::symlink_status(at->path(), error).type() == fs::file_type::regular)
+            found.look_at_name(prefix + at->path().filename().string(), fragments);
+}
+
+/// Where fragments are expected; and where there is none, in all folders within.
+Found look_into_folder(const fs::path& folder, const std::vector<std::string>& fragments) {
+    Found found;
+    const auto look = [&](const std::string& prefix) {
+        look_at(folder / prefix, prefix, fragments, found);
+        look_at_names(folder / prefix, prefix, fragments, found);
+    };
+    look("");
+    for (const char* usual : {"fragments/", "starter/fragments/"})
+        if (is_folder(folder / fs::path(usual).parent_path()) && is_folder(folder / *fs::path(usual).begin())) look(usual);
+    if (!found.texts.empty() || !found.complaints.empty()) return found;
+    std::error_code error;
+    std::vector<std::string> inside;
+    int count = 0;
+    fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, error);
+    for (const fs::recursive_directory_iterator end; !error && at != end && ++count < most_files; at.increment(error)) {
+        if (!is_folder(at->path())) continue;
+        const std::string name = at->path().filename().string();
+        if (name.starts_with(".") || name == "build" || at.depth() >= deepest_folder) at.disable_recursion_pending();
+        else inside.push_back(at->path().lexically_relative(folder).generic_string() + "/");
+    }
+    std::ranges::sort(inside);
+    for (const std::string& prefix : inside) look(prefix);
+    return found;
+}
+
+std::string folder_of(const std::string& path) { return path.substr(0, path.rfind('/') + 1); }
+
+std::string in_words(const std::string& folder) { return folder.empty() ? "the top folder" : folder; }
+
+/// A folder with fragments in it, and what speaks for it.
+struct Place {
+    std::string folder;
+    int count = 0;
+    bool set_aside = false;  // by its name or that of a folder around it
+    bool named = false;      // fragments
+
+    /// What makes it the one to take, and not the other; empty: nothing.
+    std::string better_than(const Place& other) const {
+        if (set_aside != other.set_aside)
+            return set_aside ? "" : fmt::format("{} looks set aside by its name", other.folder);
+        if (count != other.count) return count < other.count ? "" : "it holds more fragments";
+        if (named != other.named) return named ? "it is named fragments" : "";
+        if (folder.size() != other.folder.size()) return folder.size() < other.folder.size() ? "its path is shorter" : "";
+        return folder < other.folder ? "its name comes first" : "";
+    }
+};
+
+/// The folders that hold fragments, the one to take first.
+std::vector<Place> places_of(const Found& found) {
+    std::map<std::string, Place> places;
+    const auto count = [&](const std::string& path) {
+        const std::string folder = folder_of(path);
+        // what macOS adds to archives is no submission
+        if (!folder.starts_with("__MACOSX")) ++places.try_emplace(folder, Place{folder}).first->second.count;
+    };
+    for (const auto& [path, text] : found.texts) count(path);
+    for (const auto& [path, complaint] : found.complaints) count(path);
+    std::vector<Place> sorted;
+    for (auto& [folder, place] : places) {
+        for (const fs::path& part : fs::path(folder)) place.set_aside |= is_set_aside(part.string());
+        place.named = folder == "fragments/" || folder.ends_with("/fragments/");
+        sorted.push_back(place);
+    }
+    // an aside that all of them share says nothing
+    if (std::ranges::all_of(sorted, &Place::set_aside))
+        for (Place& place : sorted) place.set_aside = false;
+    std::ranges::sort(sorted, [](const Place& a, const Place& b) { return !a.better_than(b).empty(); });
+    return sorted;
+}
+
+/// Why a fragment that has no file of its name is missing, where another file may be meant; empty: none may be.
+std::string nearest_to(const std::string& fragment, const std::string& folder, const Found& found) {
+    const std::string file = fragment + ".cpp";
+    std::string best;
+    int best_rank = 4;
+    const auto consider = [&](const std::string& path, int rank) {
+        if (path.starts_with("__MACOSX") || rank >= best_rank) return;
+        best = path, best_rank = rank;
+    };
+    for (const auto& [path, meant] : found.near)
+        if (meant == fragment) consider(path, folder_of(path) == folder ? 0 : 2);
+    for (const auto& [path, text] : found.texts)
+        if (path.ends_with("/" + file) || path == file) consider(path, 1);
+    if (best.empty()) return {};
+    if (best_rank == 1)
+        return fmt::format("not in {}; there is {}: put it there", in_words(folder), best);
+    return fmt::format("not in the submission; there is {}: rename it to {}", best, folder_of(best) == folder ? file : folder + file);
+}
+
+/// What is told of a submission with several files for one fragment.
+void note_copies(const std::vector<Place>& places, const Found& found, Submission& submission) {
+    for (const std::string& path : found.doubled)
+        if (folder_of(path) == submission.folder)
+            submission.notes.push_back(fmt::format("{} is in the archive twice, with different texts; the later one was taken, as by unpacking", path));
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        const auto copies = [&](const std::string& fragment) {
+            const std::string file = fragment + ".cpp";
+            return found.texts.contains(places[i].folder + file) && found.texts.contains(submission.folder + file);
+        };
+        std::vector<std::string> names;
+        for (const auto& [fragment, text] : submission.texts)
+            if (copies(fragment)) names.push_back(fragment + ".cpp");
+        if (names.empty()) continue;
+        const std::string which = names.size() > 3 ? fmt::format("{} fragments are", names.size())
+                                                   : fmt::format("{} {}", fmt::join(names, ", "), names.size() == 1 ? "is" : "are");
+        submission.notes.push_back(fmt::format("{} in {} and in {}; what is in {} was taken: {}", which, in_words(submission.folder),
+                                               in_words(places[i].folder), in_words(submission.folder), places[0].better_than(places[i])));
+    }
+    for (const auto& [path, fragment] : found.near)
+        if (path.ends_with(".cpp") && submission.texts.contains(fragment) && folder_of(path) == submission.folder)
+            submission.notes.push_back(fmt::format("{} was left out: {}.cpp is there as well", path, fragment));
+    if (found.unnamed > 0)
+        submission.notes.push_back(fmt::format("{} files were left out: their names cannot be read", found.unnamed));
+}
+
+std::string no_fragment(const fs::path& path, const Found& found, const std::vector<std::string>& fragments) {
+    const std::string expected = fmt::format("expected files such as fragments/{}.cpp", fragments.empty() ? "NAME" : fragments.front());
+    if (!found.archives.empty())
+        return fmt::format("{}: holds no fragment, but another archive, {}: unpack it; {}", path.string(), found.archives.front(), expected);
+    if (found.unnamed > 0)
+        return fmt::format("{}: holds no fragment whose name can be read; {}", path.string(), expected);
+    return fmt::format("{}: holds no fragment; {}", path.string(), expected);
+}
+
+}  // namespace
+
+void Found::look_at_name(const std::string& path, const std::vector<std::string>& fragments) {
+    const std::string file = fs::path(path).filename().string();
+    if (const auto fragment = nearly_named(file, fragments)) near[path] = *fragment;
+    for (const char* ending : {".zip", ".tar", ".tar.gz", ".tgz", ".7z", ".rar", ".tar.xz", ".tar.bz2"})
+        if (file.ends_with(ending) && !path.starts_with("__MACOSX")) archives.push_back(path);
+}
+
+std::string too_large() {
+    return fmt::format("larger than {} KiB; a fragment is a few lines", most_source_bytes / 1024);
+}
+
+Submission read_submission(const fs::path& path, const std::vector<std::string>& fragments) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (!fs::exists(status))
+        throw SubmissionError(fmt::format("{}: not there; expected a folder, a .zip or a .tar.gz", path.string()));
+    const Found found =
+        fs::is_directory(status) ? look_into_folder(path, fragments) : look_into_archive(path, fragments);
+
+    Submission submission;
+    submission.name = path.string();
+    const std::vector<Place> places = places_of(found);
+    submission.folder = places.empty() ? "" : places[0].folder;
+    for (const std::string& fragment : fragments) {
+        const std::string file = submission.folder + fragment + ".cpp";
+        if (const auto text = found.texts.find(file); text != found.texts.end())
+            submission.texts[fragment] = text->second;
+        if (const auto complaint = found.complaints.find(file); complaint != found.complaints.end())
+            submission.complaints[fragment] = complaint->second;
+        else if (const std::string near = nearest_to(fragment, submission.folder, found);
+                 !near.empty() && !submission.texts.contains(fragment))
+            submission.complaints[fragment] = near;
+    }
+    if (submission.texts.empty() && submission.complaints.empty())
+        throw SubmissionError(no_fragment(path, found, fragments));
+    note_copies(places, found, submission);
+    return submission;
+}
+
+}  // namespace grade

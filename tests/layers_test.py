@@ -1,0 +1,33 @@
+#!/usr/bin/env python3
+"""The folders of the grader are layers: a file includes files of its own folder and of those before it, of no other."""
+import pathlib
+import re
+import sys
+
+layers = ["files", "assignment", "statistics", "protocol", "checks/kit", "checks", "arithmetic", "submission", "record", "diagnosis", "programs",
+          "judging", "report", "hand_out", "studies", "stress", "lesson", "convergence", "calibration", "commands", ""]
+# What is compiled for others: the child's program knows the protocol only; archives.cpp and its stand-in in a kit are submission's.
+beside = {"child": {"protocol", "arithmetic"}, "archives": {"submission", "files"}, "kit": {"submission", "files"}}
+made_by_the_build = {"checks/fragment_checks.h": "checks/kit", "child/each_fragment.h": "child"}
+
+root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else "grader")
+wrong, seen = [], 0
+for path in sorted([*root.rglob("*.cpp"), *root.rglob("*.h")]):
+    folder = str(path.parent.relative_to(root)).removeprefix(".")
+    known = layers + list(beside)
+    if folder not in known:
+        wrong.append(f"{path}:1:1: the folder is no layer; expected one of {', '.join(known)}")
+        continue
+    for number, line in enumerate(path.read_text().splitlines(), 1):
+        if not (include := re.match(r'#include "((?!rt/)[^"]+)"', line)):
+            continue
+        seen += 1
+        other = made_by_the_build.get(include[1], str(pathlib.PurePath(include[1]).parent))
+        allowed = beside.get(folder) or layers[:layers.index(folder)]
+        if other != folder and other not in allowed:
+            wrong.append(f"{path}:{number}:1: {folder or 'the top'} includes {include[1]}; expected a file of {folder} or a layer below: "
+                         f"{', '.join(sorted(allowed))}")
+print("\n".join(wrong))
+if seen < 100:
+    sys.exit(f"{root}: only {seen} includes found; expected the grader's sources")
+sys.exit(bool(wrong))
