@@ -1,5 +1,5 @@
 #include "checks/fragment_checks.h"
-#include "checks/kit/kit.h"
+#include "checks/kit/warp.h"
 #include "statistics/furnace.h"
 #include "statistics/irradiance.h"
 
@@ -199,7 +199,8 @@ Check beside_wall(Generator& random) {
 }  // namespace
 
 Checks check_color_bleeding(Generator& random) {
-    return {any_surface(), estimates(random), hollow_sphere(random), beside_wall(random)};
+    const auto row_with = [](Generator& draw, vec2 u) { return row(exact_direction(draw), any_albedo(draw), u); };
+    return {any_surface(), ends_of_square(row_with), estimates(random), hollow_sphere(random), beside_wall(random)};
 }
 
 }  // namespace grade

@@ -65,9 +65,10 @@ Checks check_cosine_hemisphere(Generator& random) {
                            .hint = always("the directions are not distributed as cos(theta)/pi: do height and angle "
                                           "each use a number of their own?"),
                            .cause = half_circles(cell)});
+    const auto row_with = [](Generator&, rt::vec2 u) { return row(u); };
     return {probe_check("cosine_law", inputs,
                         {unit_direction<rt::cosine_hemisphere>("V3"), above, cosine, density, spread, purity()}),
-            open_sky(random)};
+            neighbours(3, row_with), ends_of_square(row_with), open_sky(random)};
 }
 
 }  // namespace grade

@@ -157,7 +157,7 @@ Check lamp_highlight(Generator& random) {
 }  // namespace
 
 Checks check_direct_light(Generator& random) {
-    const auto inputs = rows_of(96, [](Generator& random) {
+    const auto any_sample = [](Generator& random) {
         Material m;
         m.albedo = box(random, 0.1, 0.9);
         if (chance(random, 0.7)) m.specular = box(random, 0.1, 0.9);
@@ -168,7 +168,16 @@ Checks check_direct_light(Generator& random) {
         const LightSample sample{d, log_between(random, 0.3, 10),
                                  chance(random, 0.1) ? 0 : log_between(random, 0.05, 20)};
         return row(m, radiance, sample, n, c);
-    });
+    };
+    const auto highlights = [](Generator& random) {
+        const auto [m, n, d, c] = extreme_highlight(random);
+        return row(m, box(random, 1, 20), LightSample{d, 1, between(random, 0.5, 2)}, n, c);
+    };
+    const auto inputs = [=](Generator& random) {
+        Rows rows = rows_of(96, any_sample)(random);
+        for (const Row& r : rows_of(64, highlights)(random)) rows.push_back(r);
+        return rows;
+    };
     Formula<rt::direct_light> radiance{
         .id = "L1", .what = "radiance, off by", .tolerance = 1e-4,
         .right = estimate({}),

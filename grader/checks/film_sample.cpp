@@ -178,7 +178,16 @@ Checks check_film_sample(Generator& random) {
         [](const Row& in, const Row& out) {
             return SamplesOfASquare::Sample{place_in_pixel(in, out), result<rt::film_sample>(out).weight};
         }};
-    return {probe_check("in_the_pixel", inputs, {inside}),
+    // a single sample of a pixel: its two coordinates must not go together
+    const auto single = rows_over_square(24, [](vec2 u) { return row(Extent{vec2(3, 5), vec2(4, 6)}, 0, 1, u); });
+    const Statistic together = mean_of({.id = "A1", .what = "covariance of the two coordinates of a single sample, over their variance",
+                                        .number = [](const Row& in, const Row& out) {
+                                            const vec2 s = place_in_pixel(in, out) - 0.5;
+                                            return 12 * s.x * s.y;
+                                        },
+                                        .truth = 0, .delta0 = 0.02, .delta = 0.2,
+                                        .hint = always("x and y of a sample go together: each needs a coordinate of u of its own")});
+    return {probe_check("in_the_pixel", inputs, {inside}), probe_check("single_sample", single, {together}),
             probe_check("stratified", one_pixel, {variance_of_sample(n), dispersion_of_mean(n)}),
             even_in_the_pixel(n, inputs),
             slanted_edges(random),

@@ -42,6 +42,24 @@ Check ends() {
                                   .says = "a distance is negative: log of a number below 1 is"})});
 }
 
+/// Extinctions from 0.001 to 10,000 per metre: numbers u spread evenly, so that little noise is left.
+Check any_extinction() {
+    constexpr int each = 512;
+    const auto inputs = [](Generator& random) {
+        Rows rows;
+        for (int decade = -3; decade < 4; ++decade)
+            for (int k = 0; k < each; ++k)
+                rows.push_back(row(std::pow(10, decade + between(random, 0, 1)), (k + between(random, 0, 1)) / each));
+        return rows;
+    };
+    return probe_check("any_extinction", inputs,
+                       {mean_of({.id = "B1", .what = "mean distance times the extinction, from 0.001 to 10,000 per metre",
+                                 .number = of_call<rt::free_flight>([](double t, double s, double) { return t * s; }),
+                                 .delta0 = 0.002, .delta = 0.012,
+                                 .hint = by_ratio("the mean distance of extinctions from 0.001 to 10,000 per metre", {},
+                                                  "is the extinction clamped, or has it a factor?")})});
+}
+
 /// A ball that absorbs, in front of an even light: each pixel keeps exp(-s l), l its ray's way through the ball.
 Check attenuation(Generator& random) {
     const Place place = any_place(random);
@@ -84,7 +102,7 @@ Check attenuation(Generator& random) {
 }  // namespace
 
 Checks check_free_flight(Generator& random) {
-    return {distances(random), ends(), attenuation(random), white_medium(random)};
+    return {distances(random), any_extinction(), ends(), attenuation(random), white_medium(random)};
 }
 
 }  // namespace grade

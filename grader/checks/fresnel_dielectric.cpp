@@ -28,7 +28,7 @@ double schlick(double cosine, double from, double to) {
 }  // namespace
 
 Checks check_fresnel_dielectric(Generator& random) {
-    const auto inputs = rows_of(192, [](Generator& draw) {
+    const auto any_boundary = [](Generator& draw) {
         const double low = between(draw, 1, 1.2), high = between(draw, 1.3, 2.5);
         const bool up = chance(draw, 0.5);
         const double from = up ? high : low, to = chance(draw, 0.05) ? from : up ? low : high;
@@ -39,7 +39,21 @@ Checks check_fresnel_dielectric(Generator& random) {
         if (from > to && chance(draw, 0.6))
             cosine = std::sqrt(1 - (1 - close_to_zero(draw, 3e-5)) * rt::sqr(to / from));
         return row(cosine, from, to);
-    });
+    };
+    // out of air into what is thinner, and along a surface between equal indices
+    const auto thinner = [](Generator& draw) {
+        const double to = between(draw, 0.5, 0.9);
+        return row(between(draw, 0.05, 0.95) * std::sqrt(1 - to * to), 1.0, to);
+    };
+    const auto equal = [](Generator& draw) {
+        const double n = between(draw, 1, 2);
+        return row(chance(draw, 0.5) ? 0 : between(draw, 0, 1), n, n);
+    };
+    const auto inputs = [=](Generator& random) {
+        Rows rows = rows_of(192, any_boundary)(random);
+        for (const Row& r : rows_of_kinds(16, thinner, equal)(random)) rows.push_back(r);
+        return rows;
+    };
     const Statistic reflectance = formula<rt::fresnel_dielectric>(
         {.id = "F3", .what = "reflectance, off by", .tolerance = 1e-3,
          .right = law(0.5, 0.5, 1),

@@ -90,6 +90,8 @@ Checks check_glossy_reflection(Generator& random) {
     Checks checks = {rays(random, "head_on", 0)};
     const double angle = between(random, 0.9, 1.2);
     checks.push_back(rays(random, "at_an_angle", angle));
+    for (Check& check : lobe_of_any_exponent(true, [](vec3 d, vec3 n, double exponent, rt::vec2 u) { return row(d, n, exponent, u); }))
+        checks.push_back(std::move(check));
     checks.push_back(ball(random));
     checks.push_back(mirrored_lamp(random));
     return checks;

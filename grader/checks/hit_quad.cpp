@@ -33,6 +33,21 @@ Row ordinary_quad(Generator& random, bool clipped) {
     return row(q, ray_towards(random, q.center + x * q.u + y * q.v, normal_of_quad(q), size, clipped));
 }
 
+Row small_quad(Generator& random) {
+    const double size = log_between(random, 5e-4, 5e-3);
+    const rt::Frame frame = rt::frame_about(direction(random));
+    if (chance(random, 0.2)) {
+        const Quad flat{vec3(0), {size, 0, 0}, {0, size, 0}};
+        return row(flat, Ray{{-2 * size, 0, chance(random, 0.5) ? 0 : size}, {1, 0, 0}, 0, rt::inf});
+    }
+    const Quad q{size * box(random, -1, 1), size * frame.x, size * frame.y};
+    const double reach = chance(random, 0.7) ? 0.95 : 2.5;
+    double x, y;
+    do x = between(random, -reach, reach), y = between(random, -reach, reach);
+    while (std::abs(std::abs(x) - 1) < 0.03 || std::abs(std::abs(y) - 1) < 0.03);
+    return row(q, near_ray(random, q.center + x * q.u + y * q.v, frame.z, size));
+}
+
 /// Whether a point is on the quad, or would be if that reached from low to high.
 auto within(double low, double high) {
     return [=](const Quad& q, const Ray& ray) {
@@ -55,7 +70,7 @@ Checks check_hit_quad(Generator& random) {
         {"center is the middle of the quad; it is used as a corner", hit_where(flat, within(0, 2), in_interval)},
         {"only |p . u| is tested; |p . v| <= v . v as well", hit_where(flat, strip, in_interval)}};
     for (Suspect<rt::hit_quad>& s : flat_suspects<rt::hit_quad>(flat)) suspects.push_back(std::move(s));
-    Checks checks = flat_checks<rt::hit_quad>(flat, suspects, ordinary_quad);
+    Checks checks = flat_checks<rt::hit_quad>(flat, suspects, ordinary_quad, small_quad);
     checks.push_back(slanted_quad(random));
     return checks;
 }

@@ -58,6 +58,15 @@ Row ordinary_sphere(Generator& random, bool clipped) {
     return row(sphere, ray);
 }
 
+/// A sphere a millimetre large, and a ray that starts close by, or within it.
+Row small_sphere(Generator& random) {
+    const double radius = log_between(random, 1e-3, 1e-2);
+    const Sphere sphere{radius * box(random, -2, 2), radius};
+    const rt::vec3 d = direction(random), beside = between(random, 0, 0.9) * radius * tilted(random, d, rt::pi / 2);
+    const double start = chance(random, 0.3) ? between(random, -0.3, 0.3) : -1 - log_between(random, 0.02, 3);
+    return row(sphere, Ray{sphere.center + beside + start * radius * d, log_between(random, 0.5, 10) * d, 0, rt::inf});
+}
+
 Check silhouette(Generator& random) {
     const Place place = any_place(random);
     const rt::vec3 center = place({between(random, -0.5, 0.5), between(random, -0.4, 0.4), 0});
@@ -110,6 +119,7 @@ Checks check_hit_sphere(Generator& random) {
     const auto unclipped = rows_of(96, [](Generator& draw) { return ordinary_sphere(draw, false); });
     const auto clipped = rows_of(96, [](Generator& draw) { return ordinary_sphere(draw, true); });
     return {probe_check("nearest_crossing", unclipped, {distance_to_sphere("distance, off by")}),
+            probe_check("small_spheres", rows_of(96, small_sphere), {distance_to_sphere("distance to a small sphere, off by")}),
             probe_check("interval", clipped, {distance_to_sphere("distance within the interval, off by")}),
             silhouette(random)};
 }

@@ -48,6 +48,19 @@ Row ordinary_triangle(Generator& random, bool clipped) {
     return row(t, ray_towards(random, target, normal_of_triangle(t), size, clipped));
 }
 
+Row small_triangle(Generator& random) {
+    const double size = log_between(random, 5e-4, 5e-3);
+    if (chance(random, 0.2)) {
+        const Triangle flat{{-size, -size, 0}, {size, -size, 0}, {0, size, 0}};
+        return row(flat, Ray{{-2 * size, 0, chance(random, 0.5) ? 0 : size}, {1, 0, 0}, 0, rt::inf});
+    }
+    const rt::Frame frame = rt::frame_about(direction(random));
+    const vec3 center = size * box(random, -1, 1);
+    const Triangle t{center - size * frame.x - size * frame.y, center + size * frame.x - size * frame.y, center + size * frame.y};
+    const double x = between(random, -0.3, 0.3), y = between(random, -0.7, 0.3) - (chance(random, 0.3) ? 2 : 0);
+    return row(t, near_ray(random, center + size * (x * frame.x + y * frame.y), frame.z, size));
+}
+
 Check two_triangles(Generator& random) {
     const Place place = any_place(random);
     const rt::Quad q = any_quad(random, place, 0, 1);
@@ -107,7 +120,7 @@ Checks check_hit_triangle(Generator& random) {
         const Triangle thin = chance(draw, 0.5) ? Triangle{a, a, b} : Triangle{a, b, a};
         return row(thin, Ray{origin, rt::unit(a + between(draw, 0, 1) * (b - a) - origin), 0, rt::inf});
     });
-    Checks checks = flat_checks<rt::hit_triangle>(flat, triangle_suspects(flat), ordinary_triangle);
+    Checks checks = flat_checks<rt::hit_triangle>(flat, triangle_suspects(flat), ordinary_triangle, small_triangle);
     checks.push_back(probe_check(
         "no_area", nothing,
         {property({.id = "W1", .what = "a triangle without area is hit",

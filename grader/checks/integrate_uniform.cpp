@@ -101,7 +101,14 @@ Checks check_integrate_uniform(Generator&) {
                    : value > -0.3 ? off + ": it hardly falls: is each interval counted, once, with its width D/N?"
                                   : off;
         });
+    // from right to left the integral has the other sign
+    const auto backwards = [inputs](Generator& random) {
+        Rows rows = inputs(random);
+        for (Row& r : rows) std::swap(r[r.size() - 3], r[r.size() - 2]);
+        return rows;
+    };
     return {probe_check("regular_points", inputs, {regular_sum(), points}),
+            probe_check("backwards", backwards, {regular_sum()}),
             probe_check("convergence", more_points, {order})};
 }
 

@@ -332,6 +332,72 @@ Check dark_side() {
                                   .says = "the light shines backwards: behind a quad or a disc the density is 0"})});
 }
 
+/// Lamps from a centimetre to 100 m away, seen along an axis of the world or anyhow; spheres from the inside as well, and so
+/// close that they fill half of the sky.
+Check anywhere() {
+    const auto flat = [](Generator& draw) {
+        const Emitter light = emitter(draw, chance(draw, 0.5) ? Emitter::Kind::quad : Emitter::Kind::disc);
+        const vec3 p = center_of(light) + log_between(draw, 1, 100) * tilted(draw, normal_of(light), between(draw, 0, 1));
+        return row(light, p, square(draw));
+    };
+    const auto sphere = [](Generator& draw) {
+        const Emitter light = emitter(draw, Emitter::Kind::sphere);
+        const vec3 away = chance(draw, 0.5) ? exact_direction(draw) : direction(draw);
+        return row(light, light.sphere.center + light.sphere.radius * (1 + log_between(draw, 1e-2, 100)) * away, square(draw));
+    };
+    const auto within = [](Generator& draw) {
+        const Emitter light = emitter(draw, Emitter::Kind::sphere);
+        return row(light, light.sphere.center + light.sphere.radius * between(draw, 0, 0.95) * direction(draw), square(draw));
+    };
+    const Statistic inside = property(
+        {.id = "L4", .what = "density for a point within a sphere light",
+         .violation = of_call<rt::light_sample>([](const LightSample& s, const Emitter& light, vec3 p, vec2) {
+             const bool within = light.kind == Emitter::Kind::sphere && glm::length(p - light.sphere.center) < light.sphere.radius;
+             return within ? std::abs(s.density) : 0.0;
+         }),
+         .says = "a sphere light sends nothing to a point within it: the density is 0"});
+    const Statistic on = property(
+        {.id = "L1", .what = "distance of the samples from the light, in its size",
+         .violation = of_call<rt::light_sample>([](const LightSample& s, const Emitter& light, vec3 p, vec2 u) {
+             const bool within = light.kind == Emitter::Kind::sphere && glm::length(p - light.sphere.center) < light.sphere.radius;
+             return within ? 0.0 : off_light(s, light, p, u);
+         }),
+         .tolerance = 1e-2,
+         .says = "samples lie off the light where it is near or far, or straight along an axis of the world"});
+    const Statistic missing = mean_of(
+        {.id = "L1", .what = "share of the samples in front of a flat light that count",
+         .number = of_call<rt::light_sample>([](const LightSample& s, const Emitter& light, vec3, vec2) {
+             const bool within = light.kind == Emitter::Kind::sphere;
+             return within || s.density > 0 ? 1.0 : 0.0;
+         }),
+         .delta0 = 0.001, .delta = 0.01,
+         .hint = always("a point in front of a flat light gets no light, from 1 to 100 m away")});
+    return probe_check("anywhere", rows_of_kinds(64, flat, sphere, within), {on, inside, missing});
+}
+
+/// The solid angle of spheres that fill up to half of the sky.
+Check large_spheres() {
+    const auto inputs = [](Generator& random) {
+        Rows rows;
+        for (const double sine : {0.3, 0.6, 0.8, 0.95}) {
+            Emitter light = emitter(random, Emitter::Kind::sphere);
+            const vec3 p = light.sphere.center + light.sphere.radius / sine * direction(random);
+            for (const Row& u : rows_over_square(24, [](vec2 u) { return row(u); })(random))
+                rows.push_back(row(light, p, vec2(u[0], u[1])));
+        }
+        return rows;
+    };
+    return probe_check("large_spheres", inputs,
+                       {mean_of({.id = "L1", .what = "solid angle of spheres that fill up to half of the sky, over what it is",
+                                 .number = of_call<rt::light_sample>([](const LightSample& s, const Emitter& light, vec3 p, vec2) {
+                                     const double sine = light.sphere.radius / glm::length(p - light.sphere.center);
+                                     return s.density > 0 ? 1 / s.density / (2 * rt::pi * (1 - std::sqrt(1 - sine * sine))) : 0.0;
+                                 }),
+                                 .delta0 = 0.001, .delta = 0.02,
+                                 .hint = by_ratio("the solid angle of large spheres", {{2, "is the density halved?"}},
+                                                  "is the sine of the cone the radius over the distance of the centre?")})});
+}
+
 }  // namespace
 
 Checks check_light_sample(Generator& random) {
@@ -340,6 +406,8 @@ Checks check_light_sample(Generator& random) {
                      flat_light(random, Kind::quad, "quad_light"),
                      flat_light(random, Kind::disc, "disc_light"),
                      sphere_light(random),
+                     anywhere(),
+                     large_spheres(),
                      irradiance(random),
                      dark_side()};
     checks.push_back(shadow_check(random, "quad_penumbra", any_shadow(random, Kind::quad)));

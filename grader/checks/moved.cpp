@@ -48,9 +48,10 @@ struct Flight {
     std::string instant() const { return shutter(time, time + 1e-9); }
 };
 
-Flight any_flight(Generator& random) {
+/// sign  of the time
+Flight any_flight(Generator& random, double sign) {
     const Place place = any_place(random);
-    const double time = between(random, 0.4, 0.7) * (chance(random, 0.5) ? 1 : -1),
+    const double time = sign * between(random, 0.4, 0.7),
                  turn = between(random, 0, 2 * rt::pi);
     const vec2 step = 16.0 * vec2(std::cos(turn), std::sin(turn));
     return {place, time, step, vec2(between(random, -3, 3), between(random, -3, 3)) - time * step};
@@ -95,7 +96,7 @@ vec2 centroid_of_darkness(const rt::Image& image) {
 }
 
 Check moving_lamp(Generator& random) {
-    const Flight flight = any_flight(random);
+    const Flight flight = any_flight(random, -1);
     const std::string scene = toml(film_view(flight.place, {32, 32})) + flight.instant() + unsampled_lamp("lamp", 2) +
                               sphere("lamp", flight.place(flight.at_start()), 4 * film_pixel, flight.velocity());
     return place_check("lamp", "M1", "a lamp that flies by", scene, flight, centroid_of_light);
@@ -103,7 +104,7 @@ Check moving_lamp(Generator& random) {
 
 /// The shadow that a disc behind the camera throws on the floor below.
 Check shadow(Generator& random) {
-    const Flight flight = any_flight(random);
+    const Flight flight = any_flight(random, 1);
     const Place& place = flight.place;
     const double x = between(random, -0.3, 0.3), y = between(random, -0.3, 0.3);
     const vec3 toward(x, y, 1);
@@ -117,7 +118,7 @@ Check shadow(Generator& random) {
 
 /// A lamp that flies by behind the camera, which sees it in a mirror.
 Check reflection(Generator& random) {
-    const Flight flight = any_flight(random);
+    const Flight flight = any_flight(random, -1);
     const Place& place = flight.place;
     constexpr double eye = 3, height = 5;  // [m] of the camera and the lamp before the mirror, behind which the image is
     const View view = place.from_above(eye, vfov_of(16 * film_pixel, eye + height), {32, 32});

@@ -19,7 +19,7 @@ auto modelled(Model model) {
 }  // namespace
 
 Checks check_phong(Generator& random) {
-    const auto inputs = rows_of(96, [](Generator& draw) {
+    const auto any_surface = [](Generator& draw) {
         Material m;
         m.ambient = box(draw, 0.1, 0.5), m.albedo = box(draw, 0.1, 0.9), m.specular = box(draw, 0.1, 0.9);
         m.shininess = log_between(draw, 2, 60);
@@ -28,12 +28,24 @@ Checks check_phong(Generator& random) {
         // the viewer near the mirrored light, or anywhere above the surface
         const vec3 c = viewer(draw, n, d);
         return row(m, ambient, irradiance, n, d, c);
-    });
+    };
+    const auto highlights = [](Generator& draw) {
+        const auto [m, n, d, c] = extreme_highlight(draw);
+        return row(m, Color(0), box(draw, 1, 5), n, d, c);
+    };
+    const auto inputs = [=](Generator& random) {
+        Rows rows = rows_of(96, any_surface)(random);
+        for (const Row& r : rows_of(64, highlights)(random)) rows.push_back(r);
+        return rows;
+    };
     Formula<rt::phong> radiance{.id = "P4", .what = "radiance, off by", .tolerance = 1e-4, .right = modelled({})};
     for (const ModelMistake& mistake : reflection_mistakes)
         radiance.suspects.push_back({mistake.words, modelled(mistake.model)});
+    // a highlight that nobody sees, or Lambert's law would be taken in place of the fragment
+    ShadowScene polished = any_shadow(random, std::nullopt);
+    polished.specular = 1e-9;
     return {probe_check("reflected_radiance", inputs, {formula(radiance)}),
-            shadow_check(random, "lit_floor", any_shadow(random, std::nullopt))};
+            shadow_check(random, "lit_floor", polished)};
 }
 
 }  // namespace grade

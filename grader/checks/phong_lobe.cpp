@@ -60,11 +60,38 @@ Check lobe(const std::string& name, double n) {
                        {unit_direction<rt::phong_lobe>("V3"), width, density, spread, noise_of_lobe(n), purity()});
 }
 
+/// Exponents from 0 to 10,000: the density of each direction, and the lobe's width.
+Check any_exponent() {
+    const auto inputs = [](Generator& random) {
+        Rows rows = rows_of_decades(0, 4, 128, [](Generator& draw, double n) { return row(n, square(draw)); })(random);
+        for (int k = 0; k < 128; ++k) rows.push_back(row(chance(random, 0.2) ? 0 : between(random, 0, 1), square(random)));
+        return rows;
+    };
+    return probe_check(
+        "any_exponent", inputs,
+        {property({.id = "V3", .what = "returned density over that of the returned direction, off 1 by",
+                   .violation = of_call<rt::phong_lobe>([](const DirectionSample& s, double n, rt::vec2) {
+                       const double right = (n + 1) / (2 * rt::pi) * std::pow(std::max(0.0, s.direction.z), n);
+                       return std::abs(s.density - right) / (right + 1e-6);
+                   }),
+                   .tolerance = 0.02,
+                   .says = "the density is not (n + 1)/(2 pi) cos(alpha)^n of the returned direction, for some exponent "
+                           "from 0 to 10,000"}),
+         mean_of({.id = "P1", .what = "(n + 1) mean of -log cos(alpha), for exponents from 0 to 10,000",
+                  .number = of_call<rt::phong_lobe>([](const DirectionSample& s, double n, rt::vec2) {
+                      return -(n + 1) * std::log(std::max(s.direction.z, 1e-30));
+                  }),
+                  .delta0 = 0.01, .delta = 0.2,
+                  .hint = always("lobes of some exponents from 0 to 10,000 are too wide or too narrow")})});
+}
+
 }  // namespace
 
 Checks check_phong_lobe(Generator& random) {
     const double narrow = between(random, 20, 60), wide = between(random, 2, 6);
-    return {lobe("narrow_lobe", narrow), lobe("wide_lobe", wide)};
+    const auto row_with = [](Generator& draw, rt::vec2 u) { return row(log_between(draw, 1, 1e4), u); };
+    return {lobe("narrow_lobe", narrow), lobe("wide_lobe", wide), any_exponent(), neighbours(3, [](Generator& draw, rt::vec2 u) { return row(between(draw, 1, 3), u); }),
+            ends_of_square(row_with)};
 }
 
 }  // namespace grade

@@ -191,7 +191,9 @@ Checks check_pixel_mean(Generator& random) {
         Weights weight;
         for (int i = 0; i < n; ++i) {
             // a bright emitter among dim surfaces: radiance has no upper bound
-            radiance.push_back(chance(random, 0.2) ? box(random, 5, 50) : box(random, 0, 0.9));
+            radiance.push_back(chance(random, 0.05)  ? box(random, 1e3, 1e6)
+                               : chance(random, 0.2) ? box(random, 5, 50)
+                                                     : box(random, 0, 0.9));
             weight.push_back(between(random, 0.2, 1.6));
         }
         return row(radiance, weight);

@@ -66,7 +66,7 @@ Checks check_point_irradiance(Generator& random) {
                                  : chance(draw, 0.1) ? rt::pi / 2 - close_to_zero(draw, 1e-3)
                                                      : between(draw, 0, chance(draw, 0.75) ? 1.45 : 3);
             const vec3 d = tilted(draw, n, angle);
-            const double r = log_between(draw, 0.3, 10);
+            const double r = chance(draw, 0.6) ? log_between(draw, 0.3, 10) : log_between(draw, 0.01, 1000);
             return row(PointLight{directional ? d : p + r * d, box(draw, 0.5, 20), directional}, p, n);
         });
     };

@@ -23,7 +23,8 @@ Row ordinary_boundary(Generator& random, bool total) {
     const vec3 n = direction(random);
     const double low = between(random, 1, 1.2), high = between(random, 1.25, 2.5);
     const bool up = total || chance(random, 0.5);
-    const double from = up ? high : low, to = up ? low : high;
+    double from = up ? high : low, to = up ? low : high;
+    if (total && chance(random, 0.3)) to /= from, from = 1;  // out of air into what is thinner
     const double critical = up ? std::asin(to / from) : rt::pi / 2;
     const double angle = total ? between(random, critical + 0.05, 1.55) : between(random, 0, critical - 0.05);
     return row(-tilted(random, n, angle), n, from, to);

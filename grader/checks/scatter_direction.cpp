@@ -143,9 +143,14 @@ Checks check_scatter_direction(Generator& random) {
         const double g = values[whole_between(draw, 0, 4)];
         return row(d, g, square(draw));
     });
+    const auto row_with = [](Generator& draw, vec2 u) {
+        const vec3 d = exact_direction(draw);
+        const double g = between(draw, -0.9, 0.9);
+        return row(d, g, u);
+    };
     return {directions("forward", forward), directions("backward", backward),
             probe_check("any_g", extremes, {unit_direction<rt::scatter_direction>("V3"), density()}),
-            white_medium(random), ahead_and_behind(random)};
+            neighbours(3, row_with), ends_of_square(row_with), white_medium(random), ahead_and_behind(random)};
 }
 
 }  // namespace grade

@@ -50,7 +50,9 @@ Check cone(const std::string& name, double sine) {
 
 Checks check_sphere_cone(Generator& random) {
     const double small = between(random, 0.05, 0.15), large = between(random, 0.6, 0.95);
-    return {cone("small_sphere", small), cone("large_sphere", large),
+    const auto row_with = [](Generator& draw, rt::vec2 u) { return row(log_between(draw, 1e-3, 1), u); };
+    return {cone("small_sphere", small), cone("large_sphere", large), neighbours(3, [](Generator& draw, rt::vec2 u) { return row(between(draw, 0.8, 1), u); }),
+            ends_of_square(row_with),
             shadow_check(random, "sphere_penumbra", any_shadow(random, rt::Emitter::Kind::sphere))};
 }
 

@@ -146,11 +146,12 @@ Check edge_noise(Generator& random) {
 }  // namespace
 
 Checks check_stratified_2d(Generator& random) {
-    const int side = whole_between(random, 3, 5), odd = std::array{6, 7, 11, 13, 15}[whole_between(random, 0, 4)];
+    const int side = whole_between(random, 3, 5), odd = std::array{7, 11, 13}[whole_between(random, 0, 2)];
     const SamplesOfASquare samples{
         [](vec2, int i, int n, vec2 u) { return row(i, n, u); },
         of_result<vec2>([](vec2 p) { return SamplesOfASquare::Sample{p}; })};
-    return {cells("grid_of_cells", side * side), cells("any_number_of_cells", odd), edge_noise(random),
+    return {cells("grid_of_cells", side * side), cells("any_number_of_cells", odd), cells("two_cells", 2),
+            cells("three_cells", 3), cells("five_cells", 5), edge_noise(random),
             error_orders(random, samples), rings(random, samples)};
 }
 

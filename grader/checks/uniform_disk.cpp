@@ -33,7 +33,9 @@ Checks check_uniform_disk(Generator& random) {
                            .hint = always("equal areas of the disk do not get equally many points: do radius and angle "
                                           "each use a number of their own?"),
                            .cause = half_circles(cell)});
+    const auto row_with = [](Generator&, rt::vec2 u) { return row(u); };
     return {probe_check("even_on_the_disk", inputs, {inside, density, radius, even, purity()}),
+            neighbours(2, row_with), ends_of_square(row_with),
             shadow_check(random, "disc_penumbra", any_shadow(random, rt::Emitter::Kind::disc))};
 }
 

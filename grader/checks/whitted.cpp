@@ -75,7 +75,7 @@ Statistic all_weights() {
 }  // namespace
 
 Checks check_whitted(Generator& random) {
-    const auto inputs = rows_of(64, [](Generator& draw) {
+    const auto any_weights = [](Generator& draw) {
         Material m;
         m.albedo = box(draw, 0, 1);
         m.ior = between(draw, 1.1, 2);
@@ -87,8 +87,16 @@ Checks check_whitted(Generator& random) {
             if (chance(draw, 0.4)) m.transmittance[(one + 1) % 3] = m.transmittance[(one + 2) % 3] = 0;
         }
         return row(m, between(draw, 0.05, 0.95));
-    });
-    return {probe_check("weights", inputs, {all_weights()}), invisible_glass(random)};
+    };
+    // total reflection, none, and glass that hardly lets anything through
+    const auto ends = [](Generator& draw) {
+        Material m;
+        m.ior = between(draw, 1.1, 2);
+        m.reflectance = box(draw, 0.2, 0.9);
+        m.transmittance[whole_between(draw, 0, 2)] = log_between(draw, 1e-4, 1);
+        return row(m, chance(draw, 0.4) ? 1 : chance(draw, 0.3) ? 0 : between(draw, 0.05, 0.95));
+    };
+    return {probe_check("weights", rows_of_kinds(64, any_weights, ends), {all_weights()}), invisible_glass(random)};
 }
 
 }  // namespace grade

@@ -19,6 +19,13 @@ inline rt::Ray ray_towards(Generator& random, rt::vec3 target, rt::vec3 normal, 
     return close ? ray_towards(random, target, normal, size, clipped) : ray;
 }
 
+/// A ray that starts within a few sizes of its target.
+inline rt::Ray near_ray(Generator& random, rt::vec3 target, rt::vec3 normal, double size) {
+    const rt::vec3 d = tilted(random, (chance(random, 0.5) ? 1.0 : -1.0) * normal, between(random, 0, 1.3));
+    const double distance = size * log_between(random, 0.05, 3), speed = log_between(random, 1e-3, 10);
+    return {target - distance * d, speed * d, 0, rt::inf};
+}
+
 /// Where the ray's line meets a plane.
 inline double plane_crossing(const rt::Ray& ray, rt::vec3 point, rt::vec3 normal) {
     return rt::dot(point - ray.origin, normal) / rt::dot(ray.direction, normal);
@@ -72,9 +79,10 @@ std::vector<Suspect<fragment>> flat_suspects(const FlatShape<Shape>& flat) {
 /// The checks of a flat shape: distances of whole rays, and within their intervals.
 ///
 /// draw(random, clipped)  a row
+/// small(random)          one of a shape a millimetre large, close by; or of a ray that runs along its plane
 template <auto fragment, class Shape>
 Checks flat_checks(const FlatShape<Shape>& flat, const std::vector<Suspect<fragment>>& suspects,
-                   Row (*draw)(Generator&, bool clipped)) {
+                   Row (*draw)(Generator&, bool clipped), Row (*small)(Generator&)) {
     const auto distance = [&](const std::string& what) {
         return formula<fragment>(
             {.id = "W1", .what = what, .tolerance = 1e-3,
@@ -88,6 +96,7 @@ Checks flat_checks(const FlatShape<Shape>& flat, const std::vector<Suspect<fragm
     };
     return {probe_check("inside", rows_of(96, [=](Generator& random) { return draw(random, false); }),
                         {distance("distance, off by")}),
+            probe_check("small_and_edge_on", rows_of(96, small), {distance("distance to a small shape, off by")}),
             probe_check("interval", rows_of(160, [=](Generator& random) { return draw(random, true); }),
                         {distance("distance within the interval, off by")})};
 }

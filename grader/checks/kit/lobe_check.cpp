@@ -182,4 +182,34 @@ std::vector<Statistic> lobe_statistics(const LobeSetting& setting) {
     return statistics;
 }
 
+Checks lobe_of_any_exponent(bool reflected, Row (*row_with)(rt::vec3 d, rt::vec3 n, double exponent, rt::vec2 u)) {
+    const auto inputs = [row_with](Generator& random) {
+        Rows rows;
+        for (int decade = 0; decade < 4; ++decade)
+            for (const Row& u : rows_over_square(24, [](rt::vec2 u) { return row(u); })(random)) {
+                const rt::vec3 n = exact_direction(random);
+                rows.push_back(row_with(-n, n, std::pow(10, decade + between(random, 0, 1)), {u[0], u[1]}));
+            }
+        return rows;
+    };
+    // (n + 2)/2pi cos^n x cosine, times 1 - cos, integrates to 1/(n + 3)
+    const auto widened = [reflected](const Row& in, const Row& out) {
+        const Scattered s = from_row<Scattered>(out);
+        const rt::vec3 d(in[0], in[1], in[2]), axis = reflected ? -d : d;
+        const double exponent = in[reflected ? 6 : 8];
+        return s.weight.x == 0 ? 0 : s.weight.x * (1 - rt::dot(s.direction, axis)) * (exponent + 3);
+    };
+    const auto ends = [row_with](Generator& random, rt::vec2 u) {
+        const rt::vec3 n = exact_direction(random);
+        return row_with(-n, n, log_between(random, 1, 1e4), u);
+    };
+    return {probe_check("any_exponent", inputs,
+                        {mean_of({.id = "P1", .what = "width of lobes with exponents n from 1 to 10,000: mean of 1 - cos(alpha), times n + 3",
+                                  .number = widened,
+                                  .delta0 = 0.002, .delta = 0.02,
+                                  .hint = by_ratio("the width of lobes with exponents from 1 to 10,000", {},
+                                                   "is the exponent clamped, or another one than n?")})}),
+            ends_of_square(ends)};
+}
+
 }  // namespace grade

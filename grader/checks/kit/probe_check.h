@@ -22,6 +22,27 @@ std::function<Rows(Generator&)> rows_of(int count, F draw) {
     };
 }
 
+/// So many rows of each kind: whatever the seed, each is there.
+template <class... Draw>
+std::function<Rows(Generator&)> rows_of_kinds(int each, Draw... draw) {
+    return [=](Generator& random) {
+        Rows rows;
+        for (int k = 0; k < each; ++k) (rows.push_back(draw(random)), ...);
+        return rows;
+    };
+}
+
+/// Rows with a number of each decade between two powers of ten.
+template <class F>
+std::function<Rows(Generator&)> rows_of_decades(int low, int high, int each, F row_with) {
+    return [=](Generator& random) {
+        Rows rows;
+        for (int decade = low; decade < high; ++decade)
+            for (int k = 0; k < each; ++k) rows.push_back(row_with(random, std::pow(10, decade + between(random, 0, 1))));
+        return rows;
+    };
+}
+
 /// side^2 rows in any order, whose numbers u lie one in each cell of a grid over the unit square: a mean over them has
 /// the same expectation as over independent numbers, and much less noise.
 template <class F>

@@ -60,6 +60,24 @@ inline rt::vec3 viewer(Generator& random, rt::vec3 n, rt::vec3 d) {
     return tilted(random, n, between(random, 0, 1.5));
 }
 
+/// A highlight as the handout promises it: of any exponent from 1 to 10,000, seen from within it or from where it is 0 since
+/// the viewer is on the other side of the mirrored light; now and then white.
+struct Highlight {
+    rt::Material material;
+    rt::vec3 n, to_light, to_viewer;
+};
+inline Highlight extreme_highlight(Generator& random) {
+    Highlight h;
+    const bool behind = chance(random, 0.4);
+    h.n = direction(random), h.to_light = tilted(random, h.n, between(random, 0, 1.2));
+    const rt::vec3 mirrored = 2 * rt::dot(h.n, h.to_light) * h.n - h.to_light;
+    h.material.shininess = behind ? whole_between(random, 1, 4) : log_between(random, 10, 1e4);
+    h.material.specular = chance(random, 0.3) ? rt::Color(1) : box(random, 0.1, 0.9);
+    h.to_viewer = tilted(random, behind ? -mirrored : mirrored,
+                         behind ? between(random, 0, 1.2) : between(random, 0, 2) / std::sqrt(h.material.shininess));
+    return h;
+}
+
 /// A mistake, as the model that it makes.
 struct ModelMistake {
     const char* words;

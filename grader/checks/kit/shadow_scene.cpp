@@ -21,7 +21,7 @@ std::string text(Generator& random, const ShadowScene& s, double camera_height) 
     const double half_view = 1.6 * penumbra_of(s) + 0.35;  // of the floor, across the edge
     const double vfov = vfov_of(half_view * size.y / size.x, camera_height);
     std::string scene = toml(View{place({0, 0, camera_height}), place({0, 0, 0}), y, vfov, size}) +
-                        material("floor", {{"albedo", s.albedo}}) + material("black", {}) + place.floor("floor", 5) +
+                        material("floor", {{"albedo", s.albedo}, {"specular", s.specular}}) + material("black", {}) + place.floor("floor", 5) +
                         quad("black", place({-2.5, 0, s.blocker_height}), 2.5 * x, 5.0 * y) +
                         place.floor("black", 5, s.light_height + 0.7);
     const vec3 light = place({0, 0, s.light_height});

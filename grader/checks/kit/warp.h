@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "checks/kit/kit.h"
 
 /// Warps of the unit square: what is common to the checks of directions and densities.
@@ -21,6 +23,70 @@ inline Cause half_circles(RowPoint point) {
                    ? "only half of the circle is used: the angle runs through a full turn, 2 pi"
                    : "";
     };
+}
+
+constexpr double neighbour_step = 1e-7;
+
+/// How far apart the answers to numbers u are that lie side by side, over the distance of these: a warp keeps strata and
+/// patterns together. Rows 2k and 2k + 1 are neighbours; the first `count` numbers of an answer are its place.
+inline Statistic keeps_neighbours(std::size_t count) {
+    return {.id = "V3", .what = "how far apart neighbours of the unit square come",
+            .measure =
+                [count](const Observation& seen) {
+                    std::vector<double> stretched;
+                    for (std::size_t k = 0; k + 1 < seen.outputs.size(); k += 2) {
+                        double square = 0;
+                        for (std::size_t i = 0; i < count; ++i)
+                            square += rt::sqr(seen.outputs[k][i] - seen.outputs[k + 1][i]);
+                        stretched.push_back(std::sqrt(square) / neighbour_step);
+                    }
+                    std::ranges::nth_element(stretched, stretched.begin() + std::ptrdiff_t(stretched.size() / 2));
+                    return stretched[stretched.size() / 2];
+                },
+            .truth = 0, .delta = 40, .exact = true,
+            .hint = always("numbers u side by side give answers far apart: is an angle in degrees where cos and sin take "
+                           "radians? One turn is 2 pi")};
+}
+
+/// Neighbours stay neighbours.
+///
+/// row_with(random, u)  the fragment's arguments
+template <class RowWith>
+Check neighbours(std::size_t count, RowWith row_with) {
+    const auto inputs = [row_with](Generator& random) {
+        Rows rows;
+        for (int k = 0; k < 64; ++k) {
+            const rt::vec2 u = rt::vec2(0.1) + 0.7 * square(random);
+            Generator same = random;
+            rows.push_back(row_with(random, u));
+            rows.push_back(row_with(same, u + rt::vec2(0, neighbour_step)));
+        }
+        return rows;
+    };
+    return probe_check("neighbours", inputs, {keeps_neighbours(count)});
+}
+
+/// u at the ends of its range: each answer is a number, and a direction that counts is a unit vector.
+///
+/// row_with(random, u)  the fragment's arguments
+template <class RowWith>
+Check ends_of_square(RowWith row_with) {
+    return probe_check("ends_of_u", rows_of(96, [row_with](Generator& random) {
+                           const rt::vec2 u = end_of_square(random);
+                           return row_with(random, u);
+                       }),
+                       {property({.id = "V3", .what = "answers that are no finite numbers",
+                                  .violation = [](const Row&, const Row& outputs) {
+                                      return std::ranges::all_of(outputs, [](double x) { return std::isfinite(x); }) ? 0.0 : 1.0;
+                                  },
+                                  .says = "an answer is no finite number where a coordinate of u is 0, or just below 1"}),
+                        property({.id = "V3", .what = "length of directions along an axis of the world, or with u at its ends, off 1 by",
+                                  .violation = [](const Row&, const Row& outputs) {
+                                      const bool counts = outputs.size() > 3 && std::any_of(outputs.begin() + 3, outputs.end(), [](double x) { return x != 0; });
+                                      return counts ? std::abs(std::hypot(outputs[0], outputs[1], outputs[2]) - 1) : 0.0;
+                                  },
+                                  .tolerance = 1e-4,
+                                  .says = "the direction is no unit vector where the axis is one of the world's, or u is at its ends"})});
 }
 
 /// The density that is returned must be that of the direction or point that is returned: density(sample).
