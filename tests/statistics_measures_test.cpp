@@ -31,7 +31,9 @@ TEST_CASE("a region's mean is the mean of its pixels alone") {
     const Image image = film(8, 6, [](double x, double) { return x < 4 ? 1.0 : 3.0; });
     CHECK(region_mean(image, {2, 1, 4, 3}).y == Approx(2));
     CHECK(column_profile(image, whole(image))[3] == Approx(1));
-    CHECK(row_profile(image, {4, 0, 4, 6}).size() == 6);
+    const Image stairs = film(8, 6, [](double x, double y) { return std::floor(y) + (x < 4 ? 0.0 : 10.0); });
+    CHECK(row_profile(stairs, {4, 0, 4, 6}) == std::vector<double>{10, 11, 12, 13, 14, 15});
+    CHECK(column_profile(stairs, {3, 2, 2, 3}) == std::vector<double>{3, 13});
 }
 
 TEST_CASE("a slanted edge through box-filtered pixels has mean 0 and mean square (1 + slope^2) / 12") {
@@ -44,7 +46,10 @@ TEST_CASE("a slanted edge through box-filtered pixels has mean 0 and mean square
     CHECK(sharp.mean == Approx(0).margin(2e-3));
     CHECK(sharp.mean_square == Approx((1 + 0.125 * 0.125) / 12).epsilon(0.02));
     CHECK(slanted_spread(step(0.5), {0, 0, 20, 16}, edge, 2, 5).mean == Approx(0.5).epsilon(0.01));
-    CHECK(slanted_spread(transposed(transposed(step(0))), {0, 0, 20, 16}, edge, 2, 5).mean == Approx(sharp.mean));
+    const Image level = transposed(step(0));
+    CHECK(level.width == 16);
+    CHECK(level.at(3, 7) == step(0).at(7, 3));
+    CHECK(slanted_spread(transposed(level), {0, 0, 20, 16}, edge, 2, 5).mean == Approx(sharp.mean));
 }
 
 TEST_CASE("without a filter the spread of a slanted edge is 0") {
