@@ -35,11 +35,6 @@ std::string timeless_hash(const Record& record) {
     return fmt::format("{:016x}", std::hash<std::string>{}(json.dump()));
 }
 
-Verdict verdict_named(const std::string& text) {
-    const auto found = std::ranges::find(verdict_names, text);
-    return found == verdict_names.end() ? Verdict::inconclusive : static_cast<Verdict>(found - verdict_names.begin());
-}
-
 }  // namespace
 
 std::vector<Bundle> bundles(const std::vector<const Variant*>& variants, const std::string& name, bool alternate) {
@@ -120,6 +115,11 @@ std::optional<RealGrading> read_grading(const fs::path& path) {
         grading.fragments.push_back(
             {f.at("name"), verdict_named(f.at("verdict")), f.at("message"), f.at("cpu_seconds")});
     return grading;
+}
+
+Verdict verdict_named(const std::string& text) {
+    const auto found = std::ranges::find(verdict_names, text);
+    return found == verdict_names.end() ? Verdict::inconclusive : static_cast<Verdict>(found - verdict_names.begin());
 }
 
 bool is_found(Verdict verdict) {

@@ -49,6 +49,9 @@ std::map<std::string, std::string> changed_texts(const Bundle& bundle, const Wor
 void write_grading(const fs::path& path, const RealGrading& grading);
 std::optional<RealGrading> read_grading(const fs::path& path);
 
+/// The verdict that the record spells so; inconclusive for a word that is none.
+Verdict verdict_named(const std::string& text);
+
 /// Whether a verdict says that a fragment is wrong.
 bool is_found(Verdict verdict);
 

@@ -46,7 +46,8 @@ Checks check_cosine_hemisphere(Generator& random) {
                                       .says = "directions with z < 0 leave the hemisphere"});
     const Statistic density = right_density<rt::cosine_hemisphere>(
         [](const DirectionSample& s) { return s.direction.z / rt::pi; }, 1e-3,
-        {{2, "is the hemisphere's density twice too large?"}, {rt::pi, "1/pi is missing: the density is cos(theta)/pi"}});
+        {{2, "is the hemisphere's density twice too large?"},
+         {rt::pi, "1/pi is missing: the density is cos(theta)/pi"}});
     const Statistic cosine = mean_of(
         {.id = "V3", .what = "mean cosine",
          .number = of_call<rt::cosine_hemisphere>([](const DirectionSample& s) { return s.direction.z; }),

@@ -39,7 +39,8 @@ Check truth_table() {
               [](Event e, bool sampled) { return e == Event::camera || !sampled; }},
              {"a sampled emitter does not count after glass or a mirror: caustics are missing",
               but_after(Event::specular)},
-             {"a sampled emitter does not count after a glossy lobe, which sends no shadow rays", but_after(Event::lobe)},
+             {"a sampled emitter does not count after a glossy lobe, which sends no shadow rays",
+              but_after(Event::lobe)},
              {"a sampled emitter does not count inside a medium, which sends no shadow rays",
               but_after(Event::medium)}}});
     right.hint = always("the answer is wrong for some kind of path");

@@ -23,7 +23,8 @@ Check distances(Generator& random) {
               {0.5, "are distances uniform? -log(1 - u) is not"}})});
     const Statistic spread = uniform_in_square(
         {.id = "V3", .what = "chi squared of the distances per degree of freedom",
-         .point = of_call<rt::free_flight>([](double t, double s, double) { return rt::vec2(-std::expm1(-t * s), 0.5); }),
+         .point = of_call<rt::free_flight>(
+             [](double t, double s, double) { return rt::vec2(-std::expm1(-t * s), 0.5); }),
          .columns = 32, .rows = 1,
          .hint = always("the distances are not distributed as s exp(-s t)")});
     return probe_check("distances", inputs, {mean, spread});
@@ -90,10 +91,11 @@ Check attenuation(Generator& random) {
         return of_picture({.id = "B1", .what = "light left after a " + which + " way, over exp(-s l)",
                            .number = [=](const rt::Image& image) { return over_due(image) / around; },
                            .delta = delta,
-                           .hint = by_ratio("the light left after a " + which + " way",
-                                            {{std::exp(-typical * radius * (1 / extinction - extinction)),
-                                              "is the distance multiplied by the extinction? It must be divided by it"},
-                                             {std::exp(-typical * radius * (1 - extinction)), "is the extinction used?"}})});
+                           .hint = by_ratio(
+                               "the light left after a " + which + " way",
+                               {{std::exp(-typical * radius * (1 / extinction - extinction)),
+                                 "is the distance multiplied by the extinction? It must be divided by it"},
+                                {std::exp(-typical * radius * (1 - extinction)), "is the extinction used?"}})});
     };
     return render_check("attenuation", {scene, 16, "sobol"},
                         {left_after("short", 0.7, 1.3, 1, 0.05), left_after("long", 1.8, 2, 1.93, 0.06)});

@@ -53,7 +53,8 @@ Row ordinary_sphere(Generator& random, bool clipped) {
             ray.near = std::max(0.0, chance(random, 0.5) ? (t0 + t1) / 2 : t1 + (t1 - t0));
         if (clipped && chance(random, 0.5)) ray.far = std::max(ray.near, 0.0) + std::abs(t1) * between(random, 0.1, 2);
         for (const double t : {t0, t1})
-            if (std::abs(t - ray.near) < margin || std::abs(t - ray.far) < margin) return ordinary_sphere(random, clipped);
+            if (std::abs(t - ray.near) < margin || std::abs(t - ray.far) < margin)
+                return ordinary_sphere(random, clipped);
     }
     return row(sphere, ray);
 }

@@ -73,8 +73,10 @@ Statistic sum_of_given() {
          .right = sum_over_strata([](const StratumOf&, const Strata&) { return 1.0; }),
          .suspects = {
              {"the sum of each stratum is divided by the number of all points; expected its own number N_t",
-              sum_over_strata([](const StratumOf& s, const Strata& all) { return double(s.u.size()) / points_of_all(all); })},
-             {"the sum of each stratum is divided by the number of points of the first one; expected its own number N_t",
+              sum_over_strata(
+                  [](const StratumOf& s, const Strata& all) { return double(s.u.size()) / points_of_all(all); })},
+             {"the sum of each stratum is divided by the number of points of the first one; expected its own number "
+              "N_t",
               sum_over_strata(
                   [](const StratumOf& s, const Strata& all) { return double(s.u.size()) / double(all[0].u.size()); })},
              {"the sum of each stratum is not divided by its number of points N_t",

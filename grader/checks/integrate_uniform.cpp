@@ -38,7 +38,8 @@ Statistic regular_sum() {
               }},
              {"the factor D is missing",
               [](double right, const Integrand&, double a, double b, int) { return right / (b - a); }},
-             {"the factor 1/N is missing", [](double right, const Integrand&, double, double, int n) { return right * n; }},
+             {"the factor 1/N is missing",
+              [](double right, const Integrand&, double, double, int n) { return right * n; }},
              {"the factor D/N is missing",
               [](double right, const Integrand&, double a, double b, int n) { return right * n / (b - a); }}}});
 }

@@ -310,7 +310,8 @@ Check irradiance(Generator& random) {
                      .number = of_call<rt::light_sample>(share),
                      .delta = 0.01,
                      .hint = by_ratio("the irradiance by " + name,
-                                      {{0.5, "is the density twice too large?"}, {2, "is the density twice too small?"}},
+                                      {{0.5, "is the density twice too large?"},
+                                       {2, "is the density twice too small?"}},
                                       "is the density per solid angle that of the sample?")});
         statistics.push_back(k < 2 ? find_half_a_percent(mean) : mean);
     }

@@ -120,7 +120,7 @@ Check shadow(Generator& random) {
 Check reflection(Generator& random) {
     const Flight flight = any_flight(random, -1);
     const Place& place = flight.place;
-    constexpr double eye = 3, height = 5;  // [m] of the camera and the lamp before the mirror, behind which the image is
+    constexpr double eye = 3, height = 5;  // [m] of camera and lamp before the mirror, behind which the image is
     const View view = place.from_above(eye, vfov_of(16 * film_pixel, eye + height), {32, 32});
     const std::string scene = toml(view) + flight.instant() + unsampled_lamp("lamp", 2) +
                               material("mirror", {{"reflectance", 1}}) + place.floor("mirror", 1) +

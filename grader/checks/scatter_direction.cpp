@@ -67,8 +67,8 @@ Check directions(const std::string& name, double g) {
              const vec3 w = s.direction;
              return vec2(cosine_distribution(rt::dot(w, d), g), turn(rt::dot(w, frame.x), rt::dot(w, frame.y)));
          }),
-         .hint = always("the directions are not spread as the phase function says: the cosine depends on one coordinate "
-                        "of u, the angle about d on the other")});
+         .hint = always("the directions are not spread as the phase function says: the cosine depends on one "
+                        "coordinate of u, the angle about d on the other")});
     return probe_check(name, inputs, {mean, spread, density(), unit_direction<rt::scatter_direction>("V3")});
 }
 

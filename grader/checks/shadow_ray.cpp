@@ -40,7 +40,8 @@ Checks check_shadow_ray(Generator& random) {
     const Statistic aim = about_ray(
         "angle off the light [rad]",
         [](const Ray& r, const Hit&, vec3 to_light, double) {
-            return glm::length(rt::cross(rt::unit(r.direction), to_light)) + (rt::dot(r.direction, to_light) > 0 ? 0 : 1);
+            const double sine = glm::length(rt::cross(rt::unit(r.direction), to_light));
+            return sine + (rt::dot(r.direction, to_light) > 0 ? 0 : 1);
         },
         1e-3, "the ray does not run towards the light");
     const Statistic start = about_ray(

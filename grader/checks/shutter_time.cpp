@@ -64,7 +64,8 @@ Check times(Generator& random) {
                                     .hint = by_value("the mean time, as a share of the exposure,",
                                                      {{0, "does the shutter close as soon as it opens?"},
                                                       {1, "does the shutter open only when it closes?"}},
-                                                     0.05, "expected times that are uniform between opening and closing"),
+                                                     0.05,
+                                                     "expected times that are uniform between opening and closing"),
                                     .cause = few_times});
     const Statistic spread = uniform_in_square(
         {.id = "V3", .what = "chi squared of the times per degree of freedom",
@@ -90,6 +91,31 @@ Check instant() {
                                   .says = "a shutter that closes as it opens leaves one time"})});
 }
 
+struct Along {
+    double mean = 0, variance = 0, kurtosis = 0;
+};
+
+/// Moments of a streak along its way, without those of the lamp's own disc and of the pixel.
+Along along_way(const rt::Image& image, vec2 center, vec2 along, double radius) {
+    double mass = 0, first = 0, second = 0, fourth = 0;
+    const auto over_pixels = [&](auto f) {
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x)
+                f((x + 0.5 - 20 - center.x) * along.x + (20 - y - 0.5 - center.y) * along.y,
+                  brightness(image.at(x, y)));
+    };
+    over_pixels([&](double s, double light) { mass += light, first += light * s; });
+    over_pixels([&](double s, double light) {
+        const double square = rt::sqr(s - first / mass);
+        second += light * square / mass, fourth += light * square * square / mass;
+    });
+    // cumulants add up: those of the disc and of the pixel are known
+    const double variance = second - radius * radius / 4 - 1.0 / 12;
+    const double cumulant = fourth - 3 * second * second + std::pow(radius, 4) / 16 +
+                            (std::pow(along.x, 4) + std::pow(along.y, 4)) / 120;
+    return {first / mass, variance, 3 + cumulant / rt::sqr(variance)};
+}
+
 /// A lamp that flies by while the shutter is open: a streak. Along it, the lamp's own disc and the pixel are taken from
 /// the moments: what is left is that of the way, uniform over its length.
 Check streak(Generator& random) {
@@ -106,28 +132,7 @@ Check streak(Generator& random) {
         disc("lamp", place(pixel * vec3(start.x, start.y, 0)), place.axes.z, radius * pixel,
              place.turned(pixel * vec3(step.x, step.y, 0)));
 
-    struct Along {
-        double mean = 0, variance = 0, kurtosis = 0;
-    };
-    const auto measured = [=](const rt::Image& image) {
-        double mass = 0, first = 0, second = 0, fourth = 0;
-        const auto over_pixels = [&](auto f) {
-            for (int y = 0; y < image.height; ++y)
-                for (int x = 0; x < image.width; ++x)
-                    f((x + 0.5 - 20 - center.x) * along.x + (20 - y - 0.5 - center.y) * along.y,
-                      brightness(image.at(x, y)));
-        };
-        over_pixels([&](double s, double light) { mass += light, first += light * s; });
-        over_pixels([&](double s, double light) {
-            const double square = rt::sqr(s - first / mass);
-            second += light * square / mass, fourth += light * square * square / mass;
-        });
-        // cumulants add up: those of the disc and of the pixel are known
-        const double variance = second - radius * radius / 4 - 1.0 / 12;
-        const double cumulant = fourth - 3 * second * second + std::pow(radius, 4) / 16 +
-                                (std::pow(along.x, 4) + std::pow(along.y, 4)) / 120;
-        return Along{first / mass, variance, 3 + cumulant / rt::sqr(variance)};
-    };
+    const auto measured = [=](const rt::Image& image) { return along_way(image, center, along, radius); };
     const double due = length * length / 12;
     return render_check(
         "streak", {scene, 64, "sobol"},

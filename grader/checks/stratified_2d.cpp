@@ -63,7 +63,7 @@ Check cells(const std::string& name, int n) {
     });
     const Statistic inside = property({.id = "G2", .what = "distance outside the unit square",
                                        .violation = of_call<rt::stratified_2d>([](vec2 p) {
-                                           return std::max({0.0, -p.x, -p.y, p.x >= 1 ? 1.0 : 0.0, p.y >= 1 ? 1.0 : 0.0});
+                                           return std::max({0.0, -p.x, -p.y, p.x >= 1 || p.y >= 1 ? 1.0 : 0.0});
                                        }),
                                        .says = "points fall outside the unit square, 0 <= x < 1"});
     Statistic area = about_cells(

@@ -107,7 +107,8 @@ Check refracted_rays(Generator& random, const std::string& name, double angle, d
              .outward = -normal,
              .exponent = n,
              .lobe_about = "the refracted direction",
-             .suspects = {lobe_about("the lobe is about the direction of travel; expected about the refracted direction",
+             .suspects = {lobe_about("the lobe is about the direction of travel; expected about the refracted "
+                                     "direction",
                                      d, -normal, n, weight),
                           lobe_about("the two indices of refraction are swapped", wrong_axis, -normal, n,
                                      swapped < 1 ? weight : 0),

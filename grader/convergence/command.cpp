@@ -59,8 +59,8 @@ std::string stamp_of_solution(const Toolchain& chain) {
     return Stamp().add(chain.description).add_files(chain.source, files).text();
 }
 
-/// The solution's program, and the submission's where it has fragments of its own. The note says what stands in for what
-/// is missing.
+/// The solution's program, and the submission's where it has fragments of its own. The note says what stands in for
+/// what is missing.
 void add_programs(Bench& bench, Programs& programs, const Assignment& assignment, const Toolchain& chain,
                   std::string& note) {
     std::vector<std::string> missing, broken;

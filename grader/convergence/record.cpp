@@ -127,10 +127,6 @@ const Curve* SceneRecord::biased() const {
     return worst;
 }
 
-bool ConvergenceRecord::compares() const {
-    return std::ranges::any_of(scenes, [](const SceneRecord& scene) { return !scene.comparisons.empty(); });
-}
-
 bool ConvergenceRecord::is_biased() const {
     return std::ranges::any_of(scenes, [](const SceneRecord& scene) { return scene.biased() != nullptr; });
 }

@@ -82,10 +82,8 @@ constexpr std::array<int, 2> independent_samples{64, 1024};
 
 struct ConvergenceRecord {
     std::string submission, note, toolchain, version, command, sandbox;
-    int replicates = 0;
     std::vector<SceneRecord> scenes;
 
-    bool compares() const;  // whether there are curves of submission and solution
     bool is_biased() const;
 };
 

@@ -86,8 +86,8 @@ std::string warning(const SceneRecord& scene) {
 }
 
 std::string about_reference(const SceneRecord& scene) {
-    return fmt::format("{} x {} pixels; reference by the solution: 2 x {} samples, RMSE {:.2g}", scene.size.x, scene.size.y,
-                       scene.reference_samples, scene.reference_noise);
+    return fmt::format("{} x {} pixels; reference by the solution: 2 x {} samples, RMSE {:.2g}", scene.size.x,
+                       scene.size.y, scene.reference_samples, scene.reference_noise);
 }
 
 std::string aligned(const Cells& rows) {

@@ -62,7 +62,8 @@ double sphere_point(double x, Generator& random, const Asker& ask) {
         ask, "light_sample", rows, [=](const LightSample& sample, const Emitter& light, vec3 p, vec2) {
             if (sample.density == 0) return 0.0;
             using Long = glm::vec<3, long double>;
-            const Long off = Long(p) + (long double)sample.distance * Long(sample.direction) - Long(light.sphere.center);
+            const Long from_center = Long(p) - Long(light.sphere.center);
+            const Long off = from_center + (long double)sample.distance * Long(sample.direction);
             const double distance = light.sphere.radius * (1 + x);
             return double(std::abs(glm::length(off) - light.sphere.radius)) / distance;
         });

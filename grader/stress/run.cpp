@@ -31,8 +31,8 @@ Value value_of(Outcome<Value> outcome) {
     return std::move(std::get<Value>(outcome));
 }
 
-/// The decades of a family on one program. A decade without an answer fails, and the next one starts a new process; after one that did
-/// not end, those beyond it are not tried.
+/// The decades of a family on one program. A decade without an answer fails, and the next one starts a new process;
+/// after one that did not end, those beyond it are not tried.
 std::vector<DecadeRecord> sweep_family(const Family& family, const Programs& programs, const fs::path& program,
                                        const std::string& name, const fs::path& meshes, double time_limit,
                                        double& cpu_seconds) {

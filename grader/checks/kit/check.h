@@ -19,12 +19,16 @@
 ///     namespace grade {
 ///
 ///     Checks check_fog(Generator& random) {  // random draws what all replicates share
-///         const auto inputs = rows_of(64, [](Generator& draw) { return row(between(draw, 0.5, 2), between(draw, 0, 3)); });
-///         return {probe_check("attenuation", inputs, {formula<rt::fog>({
-///             .id = "B1", .what = "share of the light, off by", .tolerance = 1e-4,
-///             .right = [](double extinction, double way) { return rt::Color(std::exp(-extinction * way)); },
-///             .suspects = {{"the way is not used", [](double extinction, double) { return rt::Color(std::exp(-extinction)); }},
-///                          {"the absorbed share is returned", [](rt::Color right) { return 1.0 - right; }}}})})};
+///         const auto inputs = rows_of(64, [](Generator& draw) {
+///             const double extinction = between(draw, 0.5, 2);
+///             return row(extinction, between(draw, 0, 3));
+///         });
+///         const Statistic share = formula<rt::fog>(
+///             {.id = "B1", .what = "share of the light, off by", .tolerance = 1e-4,
+///              .right = [](double extinction, double way) { return rt::Color(std::exp(-extinction * way)); },
+///              .suspects = {{"the way is not used", [](double s, double) { return rt::Color(std::exp(-s)); }},
+///                           {"the absorbed share is returned", [](rt::Color right) { return 1.0 - right; }}}});
+///         return {probe_check("attenuation", inputs, {share})};
 ///     }
 ///
 ///     }  // namespace grade

@@ -5,8 +5,8 @@
 /// Fragments that sample: what their outputs must be on average, and how they must be spread.
 namespace grade {
 
-/// The mean over the rows, against a closed form. What is a thousandth of the unit off is right, what is five hundredths
-/// off must be found, unless it is said otherwise.
+/// The mean over the rows, against a closed form. What is a thousandth of the unit off is right, what is a twentieth off
+/// must be found, unless it is said otherwise.
 struct Mean {
     std::string id, what;
     RowNumber number;
@@ -44,8 +44,8 @@ struct KnownValue {
     std::string words;
 };
 
-/// A hint that names the known value that is nearest, if it is nearer than `near`, and others that are closer to it than
-/// a quarter of that, since nothing tells them apart; else `else_words`.
+/// A hint that names the known value that is nearest, if it is nearer than `near`, and others that are closer to it
+/// than a quarter of that, since nothing tells them apart; else `else_words`.
 Hint by_value(std::string what, std::vector<KnownValue> known, double near, std::string else_words = "");
 
 /// The same for the ratio value/truth: {{2.0, "the radius is the diameter"}, ...}.

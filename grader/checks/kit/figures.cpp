@@ -10,8 +10,8 @@ using rt::Quad, rt::vec2, rt::vec3;
 
 namespace {
 
-/// The mean of what is seen over a pixel: from many points where the outline runs through it. The error of the truth must
-/// stay far below what is right in any case.
+/// The mean of what is seen over a pixel: from many points where the outline runs through it. The error of the truth
+/// must stay far below what is right in any case.
 double seen_in_pixel(int x, int y, const Sight& sight) {
     const double first = sight({x + 0.5, y + 0.5});
     const double off = over_pixel(x, y, [&](rt::vec2 film) { return std::abs(sight(film) - first); });
@@ -33,18 +33,21 @@ std::vector<Statistic> figure_statistics(const rt::Camera& camera, const Sight& 
                                return fmt::format("the {} is seen {:.3g} pixels beside its place, {}", figure, value, axis);
                            }});
     };
-    const auto ratio = [&](const std::string& of, PictureNumber over, double delta, std::vector<KnownRatio> known) {
+    const auto ratio = [&](const std::string& of, double delta, PictureNumber squared) {
         return of_picture({.id = "A1", .what = of + figure + ", over what must be",
-                           .number = std::move(over),
+                           .number = [=](const rt::Image& image) { return std::sqrt(squared(image)); },
                            .delta = delta,
-                           .hint = by_ratio("the " + of + figure, std::move(known))});
+                           .hint = by_ratio("the " + of + figure, {})});
     };
-    return {
-        beside("to the right", [=](const rt::Image& i) { return blob(i).centroid.x - due.centroid.x; }),
-        beside("downwards", [=](const rt::Image& i) { return blob(i).centroid.y - due.centroid.y; }),
-        ratio("width of the ", [=](const rt::Image& i) { return std::sqrt(blob(i).variance.x / due.variance.x); }, 0.02, {}),
-        ratio("height of the ", [=](const rt::Image& i) { return std::sqrt(blob(i).variance.y / due.variance.y); }, 0.02, {}),
-        ratio("light of the ", [=](const rt::Image& i) { return blob(i).mass / due.mass; }, 0.03, {{0, "it is not seen"}})};
+    const Statistic light = of_picture({.id = "A1", .what = "light of the " + figure + ", over what must be",
+                                        .number = [=](const rt::Image& i) { return blob(i).mass / due.mass; },
+                                        .delta = 0.03,
+                                        .hint = by_ratio("the light of the " + figure, {{0, "it is not seen"}})});
+    return {beside("to the right", [=](const rt::Image& i) { return blob(i).centroid.x - due.centroid.x; }),
+            beside("downwards", [=](const rt::Image& i) { return blob(i).centroid.y - due.centroid.y; }),
+            ratio("width of the ", 0.02, [=](const rt::Image& i) { return blob(i).variance.x / due.variance.x; }),
+            ratio("height of the ", 0.02, [=](const rt::Image& i) { return blob(i).variance.y / due.variance.y; }),
+            light};
 }
 
 }  // namespace

@@ -108,7 +108,8 @@ template <auto fragment>
 Statistic unit_direction(const std::string& id, double tolerance = 1e-4) {
     return property({.id = id,
                      .what = "length of the direction, off 1 by",
-                     .violation = of_call<fragment>([](const auto& s) { return std::abs(glm::length(s.direction) - 1); }),
+                     .violation = of_call<fragment>(
+                         [](const auto& sample) { return std::abs(glm::length(sample.direction) - 1); }),
                      .tolerance = tolerance,
                      .says = "the direction is no unit vector"});
 }

@@ -97,8 +97,8 @@ Check adding_up(Generator& random) {
              .number = [=](const rt::Image& image) { return variance(image, axis) / due; },
              .delta = 0.12,
              .hint = [](double value, double) {
-                 return fmt::format("the picture of what moves and is out of focus is {:.3g} times as wide, squared, as "
-                                    "pixel, lens and time make it: do they go together? The lens has its own numbers u",
+                 return fmt::format("the picture of what moves and is out of focus is {:.3g} times as wide, squared, "
+                                    "as pixel, lens and time make it: do they go together? The lens has its own numbers u",
                                     value);
              }});
     };

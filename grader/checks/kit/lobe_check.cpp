@@ -69,7 +69,8 @@ std::string lobe_cause(const Observation& seen, rt::vec3 axis, const std::vector
 
 /// What a ray of the lobe adds to a mean.
 RowNumber weighted(std::function<double(rt::vec3)> f) {
-    return of_result<Scattered>([f](const Scattered& s) { return s.weight.x != 0 ? s.weight.x * f(s.direction) : 0.0; });
+    return of_result<Scattered>(
+        [f](const Scattered& s) { return s.weight.x != 0 ? s.weight.x * f(s.direction) : 0.0; });
 }
 
 /// What holds for each ray by itself.

@@ -6,8 +6,8 @@
 /// surface. Any density is right whose weight is BRDF x cosine / density, so only weighted means are judged.
 namespace grade {
 
-/// A lobe that a mistake is known to give. A fragment may use its random numbers as it likes, so lobes are told by their
-/// means: the share of the light, where it goes, and how broadly.
+/// A lobe that a mistake is known to give. A fragment may use its random numbers as it likes, so lobes are told by
+/// their means: the share of the light, where it goes, and how broadly.
 struct LobeSuspect {
     std::string words;
     std::function<rt::Scattered(rt::vec2 u)> sample;

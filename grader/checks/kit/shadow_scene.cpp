@@ -203,8 +203,8 @@ Check shadow_check(Generator& random, const std::string& name, const ShadowScene
         {.id = "L3", .what = "place of the shadow's edge, off by [pixel]",
          .number = [=](const rt::Image& image) { return edge(image).mean - due.penumbra.mean; },
          .truth = 0, .delta = 0.6,
-         .hint = always("the shadow's edge is shifted: the light is sampled more on one side, or the ray starts too far "
-                        "from the floor")}));
+         .hint = always("the shadow's edge is shifted: the light is sampled more on one side, or the ray starts too "
+                        "far from the floor")}));
     return render_check(name, {scene, 32, "sobol"}, statistics);
 }
 

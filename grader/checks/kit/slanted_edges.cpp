@@ -42,6 +42,33 @@ double edge_dispersion(const rt::Image& image, const Edge& edge, int height, dou
     return samples * off / independent;
 }
 
+/// Place and width of an edge along an axis of the picture.
+std::vector<Statistic> of_edge(const std::string& axis, const Edge& edge, int samples,
+                               std::function<SlantedSpread(const rt::Image&)> spread) {
+    const double due = (1 + rt::sqr(edge.slope)) / 12;
+    return {of_picture(
+            {.id = "A1", .what = "place of an edge " + axis + " the picture, from where it must be [pixel]",
+             .number = [=](const rt::Image& image) { return spread(image).mean; },
+             .truth = 0, .delta = 0.05,
+             .hint = by_value("an edge's place " + axis + " the picture, from where it must be [pixel],",
+                              {{0.5, "are positions shifted by half a pixel?"},
+                               {-0.5, "are positions shifted by half a pixel, or is 1/n computed with integers?"},
+                               {-0.5 + 0.5 / samples, "is a stratum computed by integer division?"},
+                               {0.5 - 0.5 / samples, "is a stratum computed by integer division?"},
+                               {1, "are positions shifted by a pixel?"},
+                               {-1, "are positions shifted by a pixel?"}},
+                              0.06)}),
+        of_picture(
+            {.id = "A1", .what = "width of an edge " + axis + " the picture: mean square, over that of a pixel",
+             .number = [=](const rt::Image& image) { return spread(image).mean_square / due; },
+             .delta = 0.15,
+             .hint = by_value("an edge's mean square width " + axis + " the picture, over that of a pixel,",
+                              {{0, "is every sample in the same place? The edge is a staircase"},
+                               {4, "do the samples fill two pixels?"},
+                               {0.25, "do the samples fill half of the pixel?"}},
+                              0.2)})};
+}
+
 }  // namespace
 
 Check slanted_edges(Generator& random) {
@@ -69,32 +96,10 @@ Check slanted_edges(Generator& random) {
         return slanted_spread(transposed(part), {0, 0, 32, 32}, level, 0, lamp);
     };
     std::vector<Statistic> statistics;
-    for (const bool across : {true, false}) {
-        const std::string axis = across ? "across" : "down";
-        const Edge edge = across ? upright : level;
-        const double due = (1 + rt::sqr(edge.slope)) / 12;
-        statistics.push_back(of_picture(
-            {.id = "A1", .what = "place of an edge " + axis + " the picture, from where it must be [pixel]",
-             .number = [=](const rt::Image& image) { return spread(image, across).mean; },
-             .truth = 0, .delta = 0.05,
-             .hint = by_value("an edge's place " + axis + " the picture, from where it must be [pixel],",
-                              {{0.5, "are positions shifted by half a pixel?"},
-                               {-0.5, "are positions shifted by half a pixel, or is 1/n computed with integers?"},
-                               {-0.5 + 0.5 / samples, "is a stratum computed by integer division?"},
-                               {0.5 - 0.5 / samples, "is a stratum computed by integer division?"},
-                               {1, "are positions shifted by a pixel?"},
-                               {-1, "are positions shifted by a pixel?"}},
-                              0.06)}));
-        statistics.push_back(of_picture(
-            {.id = "A1", .what = "width of an edge " + axis + " the picture: mean square, over that of a pixel",
-             .number = [=](const rt::Image& image) { return spread(image, across).mean_square / due; },
-             .delta = 0.15,
-             .hint = by_value("an edge's mean square width " + axis + " the picture, over that of a pixel,",
-                              {{0, "is every sample in the same place? The edge is a staircase"},
-                               {4, "do the samples fill two pixels?"},
-                               {0.25, "do the samples fill half of the pixel?"}},
-                              0.2)}));
-    }
+    for (const bool across : {true, false})
+        for (Statistic& one : of_edge(across ? "across" : "down", across ? upright : level, samples,
+                                      [=](const rt::Image& image) { return spread(image, across); }))
+            statistics.push_back(std::move(one));
     statistics.push_back(of_picture(
         {.id = "G2", .what = "noise of the pixels on an edge, over that of independent samples",
          .number = [=](const rt::Image& image) { return edge_dispersion(image, upright, 32, lamp, samples); },
