@@ -105,7 +105,7 @@ std::vector<Waypoint> Curve::path(std::size_t replicate) const {
 std::optional<Ratio> Curve::seconds_for(double mse) const {
     std::vector<double> all;
     for (std::size_t replicate = 0; !levels.empty() && replicate < levels.back().runs.size(); ++replicate)
-        if (const auto seconds = grade::seconds_for(path(replicate), mse)) all.push_back(*seconds);
+        if (const auto seconds = convergence::seconds_for(path(replicate), mse)) all.push_back(*seconds);
     // an error that half of the replicates do not reach is not reached
     if (levels.empty() || 2 * all.size() < levels.back().runs.size()) return std::nullopt;
     return geometric_mean(all);
