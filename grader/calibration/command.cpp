@@ -14,7 +14,7 @@
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
 
-namespace grade {
+namespace grade::calibration {
 
 namespace {
 
@@ -120,4 +120,4 @@ bool calibrate(const CalibrateArguments& arguments, const std::string& toolchain
     return true;
 }
 
-}  // namespace grade
+}  // namespace grade::calibration

@@ -9,7 +9,7 @@ namespace CLI {
 class App;
 }
 
-namespace grade {
+namespace grade::calibration {
 
 struct CalibrateArguments {
     std::string results;              // folder; empty: calibration/ in the build's folder
@@ -30,4 +30,4 @@ CLI::App* add_calibrate_command(CLI::App& app, CalibrateArguments& arguments);
 /// is done. Throws rt::InputError for what is wrong with the arguments.
 bool calibrate(const CalibrateArguments& arguments, const std::string& toolchain, const std::string& command);
 
-}  // namespace grade
+}  // namespace grade::calibration

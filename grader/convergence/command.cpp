@@ -16,7 +16,7 @@
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
 
-namespace grade {
+namespace grade::convergence {
 
 namespace {
 
@@ -59,8 +59,8 @@ std::string stamp_of_solution(const Toolchain& chain) {
     return Stamp().add(chain.description).add_files(chain.source, files).text();
 }
 
-/// The solution's program, and the submission's where it has fragments of its own. The note says what stands in for what
-/// is missing.
+/// The solution's program, and the submission's where it has fragments of its own. The note says what stands in for
+/// what is missing.
 void add_programs(Bench& bench, Programs& programs, const Assignment& assignment, const Toolchain& chain,
                   std::string& note) {
     std::vector<std::string> missing, broken;
@@ -191,4 +191,4 @@ int converge(const ConvergeArguments& arguments, const std::string& toolchain, c
     return arguments.require && (broken || record.is_biased()) ? 1 : 0;
 }
 
-}  // namespace grade
+}  // namespace grade::convergence
