@@ -55,7 +55,7 @@ Check cells(const std::string& name, int n) {
     const auto inputs = with_repeats([n](Generator& draws) {
         Rows rows;
         for (int i = 0; i < n; ++i)
-            for (int k = 0; k < 96; ++k) {
+            for (int k = 0; k < 160; ++k) {
                 const vec2 u = square(draws);
                 rows.push_back(row(i, n, k < 4 ? vec2(k % 2 ? 0.999999 : 0, k / 2 ? 0.999999 : 0) : u));
             }

@@ -56,11 +56,8 @@ inline rt::vec3 exact_direction(Generator& random) {
 inline rt::vec2 end_of_square(Generator& random) {
     constexpr double ends[] = {0, 0x1p-53, 1 - 0x1p-53};
     const auto end = [&] { return ends[whole_between(random, 0, 2)]; };
-    switch (whole_between(random, 0, 2)) {
-        case 0: return {end(), between(random, 0, 1)};
-        case 1: return {between(random, 0, 1), end()};
-        default: return {end(), end()};
-    }
+    const double x = end(), y = chance(random, 0.02) ? end() : between(random, 0, 1);
+    return chance(random, 0.5) ? rt::vec2(x, y) : rt::vec2(y, x);
 }
 
 /// A unit vector at the given angle from a unit vector.
