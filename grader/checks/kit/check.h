@@ -18,7 +18,7 @@
 ///
 ///     namespace grade {
 ///
-///     Checks check_fog(Generator& random) {  // random draws what all replicates share
+///     Checks check_fog(Generator&) {  // it draws what all replicates share, as the place of a scene
 ///         const auto inputs = rows_of(64, [](Generator& draw) {
 ///             const double extinction = between(draw, 0.5, 2);
 ///             return row(extinction, between(draw, 0, 3));

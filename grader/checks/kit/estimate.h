@@ -5,8 +5,8 @@
 /// Fragments that sample: what their outputs must be on average, and how they must be spread.
 namespace grade {
 
-/// The mean over the rows, against a closed form. What is a thousandth of the unit off is right, what is a twentieth off
-/// must be found, unless it is said otherwise.
+/// The mean over the rows, against a closed form. What is a thousandth of the unit off is right, what is a twentieth
+/// off must be found, unless it is said otherwise.
 struct Mean {
     std::string id, what;
     RowNumber number;
