@@ -145,9 +145,7 @@ void Grading::judge(const Task& task) {
     const std::string key = key_of(*task.check);
     const fs::path meshes = chain_.source / "scenes";
     Reference reference(*task.check, settings_.seed, programs_.with({}).program, programs_.sandbox(), meshes);
-    // student code may write into its folder: each check gets one of its own
-    Runner runner(programs_.copy_for(key, programs_.with({task.check->fragment}).program), programs_.sandbox(), meshes,
-                  settings_.time_limit);
+    Runner runner(programs_.with({task.check->fragment}).program, programs_.sandbox(), meshes, settings_.time_limit);
     *task.record = judge_check(*task.check, runner, reference, check_settings_);
     settings_.build.kept.keep_check(key, made_from(task), *task.record);
 }

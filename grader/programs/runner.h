@@ -52,13 +52,16 @@ private:
     std::optional<Fault> tell(const std::string& request);
     Outcome<Answer> exchange(const std::string& request, std::size_t most_bytes);
     Fault broken();
+    static Fault thrown(const std::string& what);
+    double patience() const { return 3 * limit_ + 2; }  // wall time for one answer
+    void note_seconds(double seconds) { last_seconds_ = seconds, answers_seconds_ += seconds; }
 
     fs::path meshes_;
     double limit_;
     std::unique_ptr<Process> process_;
     std::string scene_, fragment_;  // what the child was told last
     rt::ivec2 size_{0};             // of that scene's image
-    double last_seconds_ = 0, last_rays_ = 0;
+    double last_seconds_ = 0, last_rays_ = 0, answers_seconds_ = 0;
 };
 
 }  // namespace grade
