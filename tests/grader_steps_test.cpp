@@ -104,7 +104,7 @@ TEST_CASE("a tool writes into its folder, and nothing that it starts outlives it
         for (const std::string start : {"sleep ", "setsid sleep ", "nohup sleep "})
             shell(sandbox, place.folder, start + seconds + " & " + start + seconds + " & exit 0");
         CHECK(count_of(seconds) == 0);
-        CHECK(shell(sandbox, place.folder, "sleep " + seconds, true, 0.5).by_clock);
+        CHECK(shell(sandbox, place.folder, "sleep " + seconds, true, 0.5).waited);
         CHECK(count_of(seconds) == 0);
     }
 }

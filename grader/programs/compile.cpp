@@ -53,7 +53,7 @@ std::string first_errors(const std::string& output, const std::string& path, con
 /// Why a tool was cut off before it could say what is wrong with a source; empty: it was not.
 std::string cut_off(const Ending& ending, const char* who) {
     const auto said = [&](const char* words) { return ending.err.find(words) != ending.err.npos; };
-    if (ending.how == Ending::How::timed_out && ending.by_clock && ending.cpu_seconds < 0.1 * tool_wall_seconds)
+    if (ending.waited)
         return fmt::format("{} waits for something on it, and was stopped", who);
     if (ending.how == Ending::How::timed_out || said("CPU time limit exceeded") || said("[CPU time"))
         return fmt::format("{} ran longer than {:g} s on it", who, tool_seconds);

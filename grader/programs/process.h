@@ -29,7 +29,7 @@ struct Ending {
     int code = 0;            // exit code, or number of the signal
     std::string out, err;    // the first bytes of each
     double cpu_seconds = 0;  // of the program and all that it started
-    bool by_clock = false;   // timed out by wall time, not by CPU time
+    bool waited = false;     // timed out by wall time, not by CPU time
 
     bool good() const { return how == How::exited && code == 0; }
 };
@@ -54,15 +54,24 @@ public:
     /// Receives exactly that many bytes from its descriptor 3. None: it ended or the deadline passed.
     std::optional<std::string> receive(std::size_t bytes, Clock::time_point deadline);
 
+    struct Times {
+        double computed = 0, delayed = 0;  // CPU time; what it waited for a processor, which is the machine's doing [s]
+    };
+
+    /// Until now, of the program and of all that it started and that still run.
+    Times times() const;
+
     /// Nothing more comes on its stdin.
     void hang_up();
 
-    /// Waits until it ends, or kills it at the deadline.
+    /// Waits until it ends, or kills it at the deadline. This and the two above give a program that computes more time: its
+    /// CPU time is limited.
     Ending finish(Clock::time_point deadline);
 
 private:
     /// Moves what can be moved until that is enough, the program ended, or the deadline passed.
     bool pump(std::string_view bytes, std::size_t wanted, bool to_the_end, Clock::time_point deadline);
+    bool waits(double seconds);  // whether it has hardly wanted a processor in the last so many seconds
     void kill_all();
 
     Limits limits_;
@@ -70,6 +79,7 @@ private:
     int in_ = -1, out_ = -1, err_ = -1, results_ = -1;
     std::string out_text_, err_text_, received_;
     std::optional<Ending> ending_;
+    double busy_ = 0;  // when its time was up the last time [s]
 };
 
 /// Runs a program to its end; its stdin is empty. For what is the grader's own: a student's goes through sandbox.h.

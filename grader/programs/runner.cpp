@@ -58,9 +58,8 @@ Fault Runner::broken() {
     const Ending ending = process_->finish(in_seconds(0.2));
     const std::string excerpt = (ending.err.empty() ? ending.out : ending.err).substr(0, 1000);
     if (ending.how == Ending::How::timed_out) {
-        if (ending.by_clock && ending.cpu_seconds - answers_seconds_ < 0.1 * limit_)
-            return {Verdict::timed_out, fmt::format("waits for something: no answer came within {:g} s, in which it computed next to nothing",
-                                                    patience()), excerpt};
+        if (ending.waited)
+            return {Verdict::timed_out, fmt::format("waits for something: no answer came within {:g} s", patience()), excerpt};
         return {Verdict::timed_out, fmt::format("ran longer than {:g} s", limit_), excerpt};
     }
     if (ending.how == Ending::How::signalled && ending.code == SIGSYS)
@@ -73,12 +72,14 @@ Fault Runner::broken() {
 
 Fault Runner::thrown(const std::string& what) {
     if (what == "std::bad_alloc") return {Verdict::crashed, too_much_memory(), {}};
-    return {Verdict::crashed, "threw an exception: " + what, {}};
+    std::string line = what;
+    std::ranges::replace(line, '\n', ' ');  // a line of its own may be a command to whoever shows it
+    return {Verdict::crashed, "threw an exception: " + line, {}};
 }
 
 Outcome<Runner::Answer> Runner::exchange(const std::string& request, std::size_t most_bytes) {
     // a process that waits for something uses no CPU time: the wall clock ends it
-    const auto deadline = in_seconds(patience());
+    const auto start = Clock::now(), deadline = in_seconds(patience());
     if (!process_->send(request, deadline)) return broken();
     const auto head = process_->receive(sizeof(FrameHeader), deadline);
     if (!head) return broken();
@@ -88,6 +89,7 @@ Outcome<Runner::Answer> Runner::exchange(const std::string& request, std::size_t
         return Fault{Verdict::crashed, "the fragment wrote into the grader's channel", {}};
     auto payload = process_->receive(header.bytes, deadline);
     if (!payload) return broken();
+    answers_seconds_ += std::chrono::duration<double>(Clock::now() - start).count();
     return Answer{header.kind, std::move(*payload)};
 }
 
@@ -126,7 +128,7 @@ Outcome<rt::Image> Runner::render(const Render& experiment, std::uint64_t seed, 
     const auto& numbers = std::get<std::vector<double>>(outcome);
     if (numbers.size() != count || numbers[0] != size.x || numbers[1] != size.y)
         return Fault{Verdict::failed, "a picture of the wrong size came back", {}};
-    note_seconds(numbers[2]);
+    last_seconds_ = numbers[2];
     last_rays_ = 0;
     for (std::size_t i = 3; i < image_head; ++i) last_rays_ += numbers[i];
     rt::Image image(size.x, size.y);
@@ -143,7 +145,7 @@ Outcome<std::vector<double>> Runner::swarm(const SwarmRequest& request) {
     auto& numbers = std::get<std::vector<double>>(outcome);
     if (numbers.size() != 1 + request.count)
         return Fault{Verdict::crashed, "the fragment wrote into the grader's channel", {}};
-    note_seconds(numbers.front());
+    last_seconds_ = numbers.front();
     numbers.erase(numbers.begin());
     return std::move(numbers);
 }
@@ -163,7 +165,7 @@ Outcome<Rows> Runner::probe(const std::string& fragment, const Rows& rows) {
     Rows results;
     if (numbers.empty() || !unflatten(std::span(numbers).subspan(1), results) || results.size() != rows.size())
         return Fault{Verdict::crashed, "the fragment wrote into the grader's channel", {}};
-    note_seconds(numbers[0]);
+    last_seconds_ = numbers[0];
     return results;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -43,6 +44,9 @@ public:
     /// CPU time of the last answer, by the child's own account.
     double seconds() const { return last_seconds_; }
 
+    /// Wall time of all answers, by the grader's clock; without what the program waited for a processor.
+    double seconds_in_all() const { return answers_seconds_ < 1 ? answers_seconds_ : std::max(0.0, answers_seconds_ - process_->times().delayed); }
+
     /// Rays of all kinds in the last picture, likewise.
     double rays() const { return last_rays_; }
 
@@ -54,7 +58,6 @@ private:
     Fault broken();
     static Fault thrown(const std::string& what);
     double patience() const { return 3 * limit_ + 2; }  // wall time for one answer
-    void note_seconds(double seconds) { last_seconds_ = seconds, answers_seconds_ += seconds; }
 
     fs::path meshes_;
     double limit_;

@@ -1,5 +1,6 @@
 #include "programs/walls.h"
 
+#include <asm/sockios.h>
 #include <fcntl.h>
 #include <linux/audit.h>
 #include <linux/capability.h>
@@ -68,26 +69,27 @@ struct Filter : SystemCalls {
         for (const int call : never) deny(call, EPERM);
         deny(SYS_clone3, ENOSYS);  // its flags are in memory, where no filter can look; clone takes its place
         deny(SYS_openat2, ENOSYS);
-        when(SYS_prctl, 0, BPF_JEQ, PR_SET_PDEATHSIG, refuse(EPERM), SECCOMP_RET_ALLOW);
-        when(SYS_ioctl, 1, BPF_JEQ, TIOCSTI, refuse(EPERM), SECCOMP_RET_ALLOW);
-        when(SYS_prlimit64, 0, BPF_JEQ, 0, SECCOMP_RET_ALLOW, refuse(EPERM));
+        refuse_if(SYS_prctl, 0, BPF_JEQ, PR_SET_PDEATHSIG);
+        for (const std::uint32_t request : {TIOCSTI, FIOSETOWN, SIOCSPGRP}) refuse_if(SYS_ioctl, 1, BPF_JEQ, request);
+        for (const std::uint32_t command : {F_SETOWN, F_SETSIG, F_SETOWN_EX}) refuse_if(SYS_fcntl, 1, BPF_JEQ, command);  // signals
+        refuse_unless(SYS_prlimit64, 0, BPF_JEQ, 0);
         if (starts == Starts::programs) {
-            constexpr std::uint32_t namespaces = CLONE_NEWNS | CLONE_NEWCGROUP | CLONE_NEWUTS | CLONE_NEWIPC | CLONE_NEWUSER |
-                                                 CLONE_NEWPID | CLONE_NEWNET | CLONE_NEWTIME;
-            when(SYS_clone, 0, BPF_JSET, namespaces, refuse(EPERM), SECCOMP_RET_ALLOW);
+            refuse_if(SYS_clone, 0, BPF_JSET, CLONE_NEWNS | CLONE_NEWCGROUP | CLONE_NEWUTS | CLONE_NEWIPC | CLONE_NEWUSER | CLONE_NEWPID |
+                                                  CLONE_NEWNET | CLONE_NEWTIME);
         } else {
             for (const int call : tools_only) deny(call, EPERM);
-            when(SYS_openat, 2, BPF_JSET, O_TRUNC, refuse(EPERM), SECCOMP_RET_ALLOW);
-            when(SYS_clone, 0, BPF_JSET, CLONE_THREAD, SECCOMP_RET_ALLOW, SECCOMP_RET_KILL_PROCESS);
+            refuse_if(SYS_openat, 2, BPF_JSET, O_TRUNC);
+            refuse_if(SYS_clone, 0, BPF_JSET, CLONE_THREAD);  // one thread is enough for an answer, and many would be the user's
+            kill_at(SYS_clone);
 #ifdef __x86_64__
-            when(SYS_open, 1, BPF_JSET, O_TRUNC, refuse(EPERM), SECCOMP_RET_ALLOW);
-            when(SYS_fork, 0, BPF_JEQ, 0, SECCOMP_RET_KILL_PROCESS, SECCOMP_RET_KILL_PROCESS);
-            when(SYS_vfork, 0, BPF_JEQ, 0, SECCOMP_RET_KILL_PROCESS, SECCOMP_RET_KILL_PROCESS);
+            refuse_if(SYS_open, 1, BPF_JSET, O_TRUNC);
+            kill_at(SYS_fork);
+            kill_at(SYS_vfork);
 #endif
         }
         if (alone) {
             own_number = code.size() + 2;
-            when(SYS_tgkill, 0, BPF_JEQ, 0, SECCOMP_RET_ALLOW, refuse(EPERM));
+            refuse_unless(SYS_tgkill, 0, BPF_JEQ, 0);
         }
         end(SECCOMP_RET_ALLOW);
     }
@@ -106,13 +108,21 @@ private:
         end(refuse(error));
     }
 
-    /// Decides on a call by the lower half of one of its arguments.
-    void when(int call, int argument, int test, std::uint32_t value, std::uint32_t then, std::uint32_t otherwise) {
+    void kill_at(int call) {
+        jump(BPF_JEQ, std::uint32_t(call), 0, 1);
+        end(SECCOMP_RET_KILL_PROCESS);
+    }
+
+    void refuse_if(int call, int argument, int test, std::uint32_t value) { decide(call, argument, test, value, 0, 1); }
+    void refuse_unless(int call, int argument, int test, std::uint32_t value) { decide(call, argument, test, value, 1, 0); }
+
+    /// Refuses a call by the lower half of one of its arguments, or looks further.
+    void decide(int call, int argument, int test, std::uint32_t value, int then, int otherwise) {
         jump(BPF_JEQ, std::uint32_t(call), 0, 4);
         load(offsetof(seccomp_data, args) + sizeof(std::uint64_t) * std::size_t(argument));
-        jump(test, value, 0, 1);
-        end(then);
-        end(otherwise);
+        jump(test, value, then, otherwise);
+        end(refuse(EPERM));
+        load(offsetof(seccomp_data, nr));
     }
 };
 
