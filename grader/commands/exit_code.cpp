@@ -8,6 +8,7 @@
 #include "files/interrupt.h"
 #include "submission/submission.h"
 #include "commands/words.h"
+#include "report/escape.h"
 #include "rt/files/scene_reader.h"
 
 namespace grade {
@@ -18,19 +19,19 @@ int exit_code_of(const std::function<int()>& command) {
     } catch (const Interrupted&) {
         return stopped;
     } catch (const UsageError& error) {
-        fmt::print(stderr, "{}\n", error.what());
+        fmt::print(stderr, "{}\n", printable(error.what()));
         return usage;
     } catch (const std::invalid_argument& error) {
-        fmt::print(stderr, "{}\n", error.what());
+        fmt::print(stderr, "{}\n", printable(error.what()));
         return usage;
     } catch (const SubmissionError& error) {
-        fmt::print(stderr, "{}\n", error.what());
+        fmt::print(stderr, "{}\n", printable(error.what()));
         return usage;
     } catch (const rt::InputError& error) {
-        fmt::print(stderr, "{}\n", error.what());
+        fmt::print(stderr, "{}\n", printable(error.what()));
         return usage;
     } catch (const std::exception& error) {
-        fmt::print(stderr, "the grader failed: {}\n", error.what());
+        fmt::print(stderr, "the grader failed: {}\n", printable(error.what()));
         return infrastructure;
     }
 }
