@@ -23,6 +23,7 @@ struct Runner::Answer {
 namespace {
 
 constexpr std::size_t most_error_bytes = 4096;
+constexpr std::size_t most_shown = 200;  // of what a program says: enough for a sentence, too little to carry others' code out
 constexpr std::uint64_t most_memory = 2ull << 30;
 
 std::string too_much_memory() { return fmt::format("uses more than {} GB of memory", most_memory >> 30); }
@@ -56,7 +57,7 @@ Runner::Runner(const fs::path& program, const Sandbox& sandbox, const fs::path& 
 
 Fault Runner::broken() {
     const Ending ending = process_->finish(in_seconds(0.2));
-    const std::string excerpt = (ending.err.empty() ? ending.out : ending.err).substr(0, 1000);
+    const std::string excerpt = (ending.err.empty() ? ending.out : ending.err).substr(0, most_shown);
     if (ending.how == Ending::How::timed_out) {
         if (ending.waited)
             return {Verdict::timed_out, fmt::format("waits for something: no answer came within {:g} s", patience()), excerpt};
@@ -72,7 +73,7 @@ Fault Runner::broken() {
 
 Fault Runner::thrown(const std::string& what) {
     if (what == "std::bad_alloc") return {Verdict::crashed, too_much_memory(), {}};
-    std::string line = what;
+    std::string line = what.substr(0, most_shown);
     std::ranges::replace(line, '\n', ' ');  // a line of its own may be a command to whoever shows it
     return {Verdict::crashed, "threw an exception: " + line, {}};
 }
