@@ -84,6 +84,11 @@ TEST_CASE("printable text keeps what people write and ends somewhere") {
     CHECK(printable(std::string(5000, 'x'), 100).size() < 110);
 }
 
+TEST_CASE("printable text is no command to who runs the grader") {
+    CHECK(printable("::error::a rt::phong\n  ::set-env x::y") == ": :error::a rt::phong\n  : :set-env x::y");
+    CHECK(printable("a ##[error]b") == "a # #[error]b");
+}
+
 TEST_CASE("points are the share of passed checks") {
     CHECK(record_with("").fragments[0].points == 1);
     FragmentRecord none;

@@ -95,6 +95,28 @@ TEST_CASE("what is no submission is an error that fragments_of_hand_in it") {
     CHECK_THROWS_AS(read_submission(folder.path() / "x.zip", fragments_of_hand_in), SubmissionError);
 }
 
+TEST_CASE("an archive with thousands of copies of a fragment is refused before they fill the memory") {
+    const TemporaryFolder folder;
+    std::vector<Entry> entries;
+    for (int i = 0; i < 200; ++i) entries.push_back({std::to_string(i) + "/moved.cpp", std::string(most_source_bytes, ' ')});
+    for (const bool zip : {true, false}) {
+        pack(folder.path() / "many", entries, zip);
+        CHECK_THROWS_WITH(read_submission(folder.path() / "many", fragments_of_hand_in), Catch::Matchers::ContainsSubstring("named like fragments"));
+    }
+}
+
+TEST_CASE("a folder that its owner may not read goes as well, and one that is in use stays") {
+    fs::path gone;
+    {
+        const TemporaryFolder folder;
+        gone = folder.path();
+        fs::create_directories(gone / "deep/er");
+        fs::permissions(gone / "deep/er", fs::perms::none);
+        fs::permissions(gone / "deep", fs::perms::none);
+    }
+    CHECK_FALSE(fs::exists(gone));
+}
+
 TEST_CASE("a disk without room is an error") {
     const TemporaryFolder folder;
     CHECK_NOTHROW(require_room(folder.path(), 1));

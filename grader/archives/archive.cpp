@@ -16,7 +16,7 @@ namespace grade {
 namespace {
 
 constexpr int most_entries = 20'000;
-constexpr std::int64_t most_unpacked = 256ll << 20;
+constexpr std::int64_t most_unpacked = 256ll << 20, most_taken = 32ll << 20;
 
 /// While it lives, this thread's names are UTF-8, without which the library gives up on all that are not ASCII.
 class NamesInUtf8 {
@@ -62,7 +62,7 @@ Found look_into_archive(const fs::path& path, const std::vector<std::string>& fr
     std::set<std::string> names;
     for (const std::string& fragment : fragments) names.insert(fragment + ".cpp");
     Found found;
-    std::int64_t unpacked = 0;
+    std::int64_t unpacked = 0, taken = 0;
     for (int entries = 0;; ++entries) {
         archive_entry* entry = nullptr;
         const int status = archive_read_next_header(in.get(), &entry);
@@ -103,6 +103,9 @@ Found look_into_archive(const fs::path& path, const std::vector<std::string>& fr
             continue;
         }
         text.resize(have);
+        text.shrink_to_fit();
+        if ((taken += std::int64_t(have)) > most_taken)
+            throw SubmissionError(fmt::format("{}: holds more than {} MiB in files that are named like fragments", path.string(), most_taken >> 20));
         const auto [place, fresh] = found.texts.try_emplace(name, text);
         if (!fresh && place->second != text) found.doubled.insert(name);
         place->second = std::move(text);

@@ -108,7 +108,7 @@ fs::path Workshop::program(const std::string& name, const std::string& fragment,
         if (!compiled.good) throw std::runtime_error(fmt::format("{} does not compile: {}", name, compiled.message));
         objects.push_back(compiled.object);
     }
-    if (const auto errors = link_child(chain_, objects, folder / "linking"); !errors.empty())
+    if (const auto errors = link_child(chain_, sandbox_, objects, folder / "linking"); !errors.empty())
         throw std::runtime_error(fmt::format("{} cannot be linked: {}", name, errors));
     fs::rename(folder / "linking", program);
     return program;

@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "files/interrupt.h"
+#include "report/escape.h"
 #include "rt/files/scene_reader.h"
 
 namespace grade {
@@ -15,10 +16,10 @@ int exit_code_of(const std::function<int()>& command) {
     } catch (const Interrupted&) {
         return stopped;
     } catch (const rt::InputError& error) {
-        fmt::print(stderr, "{}\n", error.what());
+        fmt::print(stderr, "{}\n", printable(error.what()));
         return usage;
     } catch (const std::exception& error) {
-        fmt::print(stderr, "the grader failed: {}\n", error.what());
+        fmt::print(stderr, "the grader failed: {}\n", printable(error.what()));
         return infrastructure;
     }
 }

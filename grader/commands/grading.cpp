@@ -58,6 +58,12 @@ public:
 
     Record grade() {
         const auto start = Clock::now();
+        // whatever happens from now on, no record of an earlier grading is there
+        if (settings_.partial) settings_.partial(Record{.submission = chosen_.submission, .command = command_});
+        if (!html_.empty()) {
+            fs::create_directories(html_);
+            write_text(html_ / "index.html", "<!doctype html><meta charset=utf-8><title>not complete</title><p>This grading is not complete: it still runs, or it was stopped.\n");
+        }
         ProgressLine line;
         progress_ = std::make_unique<Progress>(
             [&](int done, int all, const std::string& doing) { line.show(done, all, doing); });
@@ -65,7 +71,6 @@ public:
         programs_ = std::make_unique<Programs>(submission, chain_, settings_.build, *progress_);
         Record record = grade_programs(*programs_, assignment_, chain_, checks_, settings_, *progress_);
         record.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
-        record.command = command_;
         record.notes = submission.notes;
         if (chosen_.own && cache_) compare_with_last(record, *cache_ / "last_run.json");
         if (!arguments_.json.empty()) write_text(arguments_.json, to_json(record));
@@ -87,9 +92,14 @@ public:
         if (html_.empty()) return;
         ProgressLine line;
         line.show(0, 1, "drawing the picture of the page");
-        fs::create_directories(html_);
-        if (!own_scene_.empty())
-            add_own_picture(record, *programs_, own_scene_, settings_.seed, settings_.time_limit);
+        if (!own_scene_.empty()) try {
+                add_own_picture(record, *programs_, own_scene_, settings_.seed, settings_.time_limit);
+            } catch (const Interrupted&) {
+                throw;
+            } catch (const std::runtime_error& error) {  // one picture less
+                record.own_picture_scene = own_scene_.filename().string();
+                record.own_picture_fault = error.what();
+            }
         const fs::path handout = fs::relative(chain_.source / "handout.md", html_);
         write_text(html_ / "index.html", page(record, assignment_, handout.generic_string()));
         line.clear();
@@ -117,10 +127,8 @@ private:
                          : fs::exists(gallery)         ? gallery
                                                        : fs::path();
         if (!arguments_.json.empty())
-            settings_.partial = [this](Record record) {
-                record.command = command_;
-                write_text(arguments_.json, to_json(record));
-            };
+            settings_.partial = [this](const Record& record) { write_text(arguments_.json, to_json(record)); };
+        settings_.command = command_;
     }
 
     const GradeArguments& arguments_;

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/statvfs.h>
 #include <unistd.h>
@@ -98,16 +99,70 @@ const fs::path& temporary_place() {
     return place;
 }
 
+namespace {
+
+constexpr const char* folder_begin = "grade-";
+constexpr const char* lock_name = ".lock";
+
+/// Locks a folder that nobody else has locked, and that is still there. -1: somebody has.
+int lock_of(const fs::path& folder, int flags) {
+    const int file = open((folder / lock_name).c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC | flags, 0600);
+    struct stat facts {};
+    if (file >= 0 && flock(file, LOCK_EX | LOCK_NB) == 0 && fstat(file, &facts) == 0 && facts.st_nlink > 0 && facts.st_uid == geteuid())
+        return file;
+    if (file >= 0) close(file);
+    return -1;
+}
+
+/// What programs that were killed have left.
+void sweep() {
+    std::error_code error;
+    for (fs::directory_iterator at(temporary_place(), error), end; !error && at != end; at.increment(error)) {
+        if (!at->path().filename().string().starts_with(folder_begin) || at->is_symlink(error)) continue;
+        const int lock = lock_of(at->path(), 0);
+        if (lock < 0) continue;
+        remove_tree(at->path());
+        close(lock);
+    }
+}
+
+}  // namespace
+
+void remove_tree(const fs::path& folder) {
+    std::error_code error;
+    if (fs::remove_all(folder, error) != std::uintmax_t(-1)) return;
+    const auto open_up = [&](const fs::path& path) { fs::permissions(path, fs::perms::owner_all, fs::perm_options::add, error); };
+    open_up(folder);
+    for (fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, error), end; at != end;) {
+        // before it is entered
+        if (at->symlink_status(error).type() == fs::file_type::directory) open_up(at->path());
+        at.increment(error);
+        if (error) break;
+    }
+    fs::remove_all(folder, error);
+}
+
 TemporaryFolder::TemporaryFolder() {
-    std::string pattern = (temporary_place() / "grade-XXXXXX").string();
-    if (!mkdtemp(pattern.data()))
-        throw std::runtime_error(fmt::format("{}: no such folder can be made: {}", pattern, std::strerror(errno)));
-    path_ = pattern;
+    static const bool swept = (sweep(), true);
+    (void)swept;
+    // a sweep between the two steps takes it away
+    for (int tries = 0; tries < 10 && lock_ < 0; ++tries) {
+        std::string pattern = (temporary_place() / fmt::format("{}XXXXXX", folder_begin)).string();
+        if (!mkdtemp(pattern.data()))
+            throw std::runtime_error(fmt::format("{}: no such folder can be made: {}", pattern, std::strerror(errno)));
+        path_ = pattern;
+        lock_ = lock_of(path_, O_CREAT);
+        if (lock_ < 0 && (errno == EMFILE || errno == ENFILE || errno == ENOSPC || errno == EDQUOT)) break;
+    }
+    if (lock_ >= 0) return;
+    const int cause = errno;
+    remove_tree(path_);
+    throw std::runtime_error(fmt::format("{}: cannot be locked: {}", path_.string(), std::strerror(cause)));
 }
 
 TemporaryFolder::~TemporaryFolder() {
-    std::error_code ignored;
-    if (!kept_) fs::remove_all(path_, ignored);
+    remove_tree(path_);
+    close(lock_);
 }
 
 }  // namespace grade

@@ -25,7 +25,11 @@ void require_room(const fs::path& folder, std::uintmax_t bytes);
 /// the first that serves. Throws std::runtime_error that says what is wrong with each where none does.
 const fs::path& temporary_place();
 
-/// A new folder that goes, with all that is in it, when this object does.
+/// Removes a folder with all that is in it, also what its owner may not read.
+void remove_tree(const fs::path& folder);
+
+/// A new folder that goes, with all that is in it, when this object does; or, where the program is killed, when the next
+/// one of this user makes its first.
 class TemporaryFolder {
 public:
     /// Throws std::runtime_error.
@@ -35,11 +39,10 @@ public:
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
     const fs::path& path() const { return path_; }
-    void keep() { kept_ = true; }
 
 private:
     fs::path path_;
-    bool kept_ = false;
+    int lock_ = -1;  // held as long as the folder is in use
 };
 
 }  // namespace grade

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <mutex>
 
 #include "files/files.h"
@@ -34,7 +35,7 @@ private:
     std::vector<Task> recall();
     void link(std::vector<Task>& open);
     void judge_all(const std::vector<Task>& open);
-    void judge(const Task& task);
+    CheckRecord judge(const Task& task);
     std::string made_from(const Task& task) const;
     void finish(FragmentRecord& fragment);
 
@@ -47,8 +48,21 @@ private:
     std::vector<Task> tasks_;
     CheckSettings check_settings_;
     int links_expected_ = 0, checks_expected_ = 0;
+    std::map<std::string, Budget> budgets_;  // by fragment
     std::mutex lock_;
 };
+
+/// The record of a check that there is no time for any more.
+void leave_out(CheckRecord& record) {
+    record.verdict = Verdict::timed_out;
+    record.message = "not run, since an earlier check of this fragment timed out";
+    record.excerpt.clear();
+    record.statistics.clear();
+    record.cost = record.solution_cost = std::nullopt;
+    record.picture = record.solution_picture = {};
+}
+
+bool is_timed_out(const CheckRecord& record) { return record.verdict == Verdict::timed_out; }
 
 Grading::Grading(Programs& programs, const Assignment& assignment, const Toolchain& chain,
                  const FutureChecks& checks, const GradingSettings& settings, Progress& progress)
@@ -59,6 +73,7 @@ Grading::Grading(Programs& programs, const Assignment& assignment, const Toolcha
     record_.sandbox = programs.sandbox().description;
     record_.toolchain = chain.description;
     record_.version = PENUMBRA_VERSION;
+    record_.command = settings.command;
 
     for (const Fragment& fragment : assignment.fragments) {
         if (fragment.given || (!settings.only.empty() && !settings.only.contains(fragment.name))) continue;
@@ -83,13 +98,15 @@ void Grading::add_checks() {
 }
 
 void Grading::finish(FragmentRecord& fragment) {
-    const std::scoped_lock lock(lock_);
     if (const auto problem = programs_.problems().find(fragment.name); problem != programs_.problems().end()) {
         fragment.verdict = problem->second.verdict;
         fragment.message = problem->second.message;
         for (CheckRecord& check : fragment.checks) check.verdict = fragment.verdict;
     } else if (!fragment.checks.empty()) {
         fragment.verdict = Verdict::passed;
+        // those too that ran at the same time: a record does not tell how many processors there are
+        if (const auto first = std::ranges::find_if(fragment.checks, is_timed_out); first != fragment.checks.end())
+            std::for_each(std::next(first), fragment.checks.end(), leave_out);
         for (const CheckRecord& check : fragment.checks) {
             fragment.verdict = worse(fragment.verdict, check.verdict);
             fragment.cpu_seconds += check.cpu_seconds;
@@ -99,7 +116,6 @@ void Grading::finish(FragmentRecord& fragment) {
         fragment.message = "no check looks at this fragment";
     }
     fragment.finished = true;
-    if (settings_.partial) settings_.partial(record_);
 }
 
 /// What a check's record depends on, beside the grader: settings, and the source of its fragment.
@@ -141,33 +157,55 @@ void Grading::link(std::vector<Task>& open) {
     std::erase_if(open, [&](const Task& task) { return !programs_.has(task.check->fragment); });
 }
 
-void Grading::judge(const Task& task) {
+CheckRecord Grading::judge(const Task& task) {
     const std::string key = key_of(*task.check);
     const fs::path meshes = chain_.source / "scenes";
-    Reference reference(*task.check, settings_.seed, programs_.with({}).program, programs_.sandbox(), meshes);
-    // student code may write into its folder: each check gets one of its own
-    Runner runner(programs_.copy_for(key, programs_.with({task.check->fragment}).program), programs_.sandbox(), meshes,
-                  settings_.time_limit);
-    *task.record = judge_check(*task.check, runner, reference, check_settings_);
-    settings_.build.kept.keep_check(key, made_from(task), *task.record);
+    CheckSettings settings = check_settings_;
+    settings.budget = &budgets_[task.check->fragment];
+    for (bool again = false;; again = true) try {
+            Reference reference(*task.check, settings_.seed, programs_.with({}).program, programs_.sandbox(), meshes);
+            Runner runner(programs_.with({task.check->fragment}).program, programs_.sandbox(), meshes, settings_.time_limit);
+            CheckRecord record = judge_check(*task.check, runner, reference, settings);
+            // who never answered may not even have started
+            if (record.verdict == Verdict::crashed && runner.seconds_in_all() == 0 && !again) continue;
+            settings_.build.kept.keep_check(key, made_from(task), record);
+            return record;
+        } catch (const Interrupted&) {
+            throw;
+        } catch (const std::runtime_error& error) {
+            if (again)
+                throw std::runtime_error(fmt::format("{}: {}; it was tried twice. That is no verdict on the submission: expected a machine with "
+                                                     "processes, memory, open files and room to spare", key, error.what()));
+        }
 }
 
 void Grading::judge_all(const std::vector<Task>& open) {
     std::map<std::string, int> left;
-    for (const Task& task : open) ++left[task.check->fragment];
+    std::set<std::string> out_of_time;
+    for (const Task& task : open) ++left[task.check->fragment], budgets_[task.check->fragment];
     for (FragmentRecord& fragment : record_.fragments)
         if (left[fragment.name] == 0) finish(fragment);
+    if (settings_.partial) settings_.partial(record_);
     progress_.expect(Work::check, int(open.size()) - checks_expected_);
     in_parallel(int(open.size()), settings_.build.jobs, [&](int i) {
         const Task& task = open[std::size_t(i)];
+        const std::string& fragment = task.check->fragment;
         progress_.tell(key_of(*task.check));
-        judge(task);
-        bool last = false;
+        CheckRecord record = blank_record(*task.check);
+        bool is_late = false;
         {
             const std::scoped_lock lock(lock_);
-            last = --left[task.check->fragment] == 0;
+            is_late = out_of_time.contains(fragment);
         }
-        if (last) finish(*task.fragment);
+        if (is_late) leave_out(record);
+        else record = judge(task);
+        {
+            const std::scoped_lock lock(lock_);
+            *task.record = std::move(record);
+            if (is_timed_out(*task.record)) out_of_time.insert(fragment);
+            if (--left[fragment] == 0) finish(*task.fragment);
+            if (settings_.partial) settings_.partial(record_);
+        }
         progress_.done(Work::check);
     });
 }

@@ -46,11 +46,14 @@ StatisticRecord record_of(const Statistic& statistic, const Judgement& judgement
     return record;
 }
 
+/// Throws std::runtime_error where the solution does not run now either: then the machine is at fault.
 std::string advice(const Fault& fault, Reference& reference) {
-    if (fault.verdict != Verdict::timed_out) return fault.message;
+    if (fault.verdict != Verdict::timed_out && fault.verdict != Verdict::crashed) return fault.message;
     const double solution = reference.cpu_seconds();
+    if (fault.verdict == Verdict::crashed) return fault.message;
     const std::string needed = solution < 0.01 ? "less than 0.01 s" : fmt::format("{:.2g} s", solution);
-    return fault.message + "; the solution needs " + needed + ": look for a loop that does not end";
+    return fmt::format("{}; the solution needs {}{}", fault.message, needed,
+                       fault.message.starts_with("ran longer") ? ": look for a loop that does not end" : "");
 }
 
 void add_picture(rt::Image& mean, const rt::Image& next, int count) {
@@ -97,10 +100,18 @@ CheckRecord judge_check(const Check& check, Runner& runner, Reference& reference
     const auto seed = [&](int replicate) {
         return replicate_seed(settings.seed, check, Stream::submission, replicate);
     };
-    double fastest = std::numeric_limits<double>::infinity();
-    const auto spend = [&] {
+    double fastest = std::numeric_limits<double>::infinity(), counted = 0;
+    int answers = 0;
+    // Notes what an answer has cost, and what is wrong with that.
+    const auto spend = [&]() -> std::optional<Fault> {
+        ++answers;
         record.cpu_seconds += runner.seconds();
         fastest = std::min(fastest, runner.seconds());
+        const double all = runner.seconds_in_all();
+        if (!settings.budget || settings.budget->covers(counted, all, [&] { return answers * reference.cpu_seconds(); })) return std::nullopt;
+        return Fault{Verdict::timed_out,
+                     fmt::format("its answers take too long in all, in this check {:.2g} s for {}; a fragment has {:g} s for all its checks, and "
+                                 "{:g} times what the solution needs", all, answers, Budget::free_seconds, Budget::times), {}};
     };
     const auto give_up = [&](Fault fault) {
         record.verdict = fault.verdict;
@@ -113,7 +124,7 @@ CheckRecord judge_check(const Check& check, Runner& runner, Reference& reference
     auto outcome = observe(runner, check, seed(0));
     if (const Fault* fault = std::get_if<Fault>(&outcome)) return give_up(*fault);
     const Observation first = std::move(std::get<Observation>(outcome));
-    spend();
+    if (const auto fault = spend()) return give_up(*fault);
     int pictures = 0;
     const auto show = [&](const Observation& observation) {
         if (settings.pictures && is_render(check) && pictures < most_pictures)
@@ -122,7 +133,7 @@ CheckRecord judge_check(const Check& check, Runner& runner, Reference& reference
     show(first);
     auto repeated = observe(runner, check, seed(0));
     if (const Fault* fault = std::get_if<Fault>(&repeated)) return give_up(*fault);
-    spend();
+    if (const auto fault = spend()) return give_up(*fault);
     if (const auto fault = unfit(check, first, std::get<Observation>(repeated), reference)) return give_up(*fault);
 
     // as many replicates as it takes
@@ -138,7 +149,7 @@ CheckRecord judge_check(const Check& check, Runner& runner, Reference& reference
         for (; own < wanted; ++own) {
             auto next = observe(runner, check, seed(own));
             if (const Fault* fault = std::get_if<Fault>(&next)) return give_up(*fault);
-            spend();
+            if (const auto fault = spend()) return give_up(*fault);
             const Observation& observation = std::get<Observation>(next);
             if (own == 1) seed_ignored = ignores_seed(check, first, observation, reference);
             show(observation);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "judging/budget.h"
 #include "judging/reference.h"
 #include "record/record.h"
 #include "statistics/engine.h"
@@ -10,6 +11,7 @@ struct CheckSettings {
     std::uint64_t seed = 0;
     Settings statistics;    // alpha is shared by all statistics of the assignment
     bool pictures = false;  // keep pictures for the page
+    Budget* budget = nullptr;  // of the fragment; none: there is no limit but that of each answer
 };
 
 /// A check as the record has it before it ran.

@@ -7,7 +7,7 @@
 
 #include "programs/cache.h"
 #include "files/files.h"
-#include "programs/process.h"
+#include "programs/object.h"
 #include "submission/source_fault.h"
 
 namespace grade {
@@ -16,6 +16,21 @@ namespace {
 
 constexpr int most_lines = 12;
 
+/// The largest file that compiler and linker may write.
+constexpr std::uint64_t most_object_bytes = 32u << 20;
+
+constexpr double tool_seconds = 30, tool_wall_seconds = 3 * tool_seconds;
+
+/// A step of the compiler and its kin in that folder.
+Step tool(std::vector<std::string> command, const fs::path& folder, std::vector<fs::path> readable = {}) {
+    Step step{std::move(command), std::move(readable), folder, {}};
+    step.limits.cpu_seconds = step.limits.most_cpu_seconds = tool_seconds;
+    step.limits.wall_seconds = tool_wall_seconds;
+    step.limits.memory = 3ull << 30;
+    step.limits.file_size = most_object_bytes;
+    return step;
+}
+
 /// The first errors of a compiler, with paths as the student knows them.
 std::string first_errors(const std::string& output, const std::string& path, const std::string& shown) {
     std::istringstream lines(output);
@@ -23,7 +38,7 @@ std::string first_errors(const std::string& output, const std::string& path, con
     int count = 0;
     bool relevant = false;
     for (std::string line; std::getline(lines, line) && count < most_lines;) {
-        for (std::size_t at; (at = line.find(path)) != line.npos;) line.replace(at, path.size(), shown);
+        for (std::size_t at = 0; (at = line.find(path, at)) != line.npos; at += shown.size()) line.replace(at, path.size(), shown);
         const bool starts_note = line.find(": note:") != line.npos || line.find(": warning:") != line.npos;
         if (line.find("error:") != line.npos) relevant = true;
         else if (starts_note || line.find(": In ") != line.npos) relevant = false;
@@ -35,110 +50,162 @@ std::string first_errors(const std::string& output, const std::string& path, con
     return text;
 }
 
-/// The largest file that compiler and linker may write.
-constexpr std::uint64_t most_object_bytes = 32u << 20;
-
-Limits compiler_limits() {
-    Limits limits;
-    limits.cpu_seconds = limits.most_cpu_seconds = 30;
-    limits.wall_seconds = 600;  // on a busy machine a second of work takes many
-    limits.memory = 3ull << 30;
-    limits.file_size = most_object_bytes;
-    return limits;
+/// Why a tool was cut off before it could say what is wrong with a source; empty: it was not.
+std::string cut_off(const Ending& ending, const char* who) {
+    const auto said = [&](const char* words) { return ending.err.find(words) != ending.err.npos; };
+    if (ending.waited)
+        return fmt::format("{} waits for something on it, and was stopped", who);
+    if (ending.how == Ending::How::timed_out || said("CPU time limit exceeded") || said("[CPU time"))
+        return fmt::format("{} ran longer than {:g} s on it", who, tool_seconds);
+    if (said("File size limit exceeded") || said("File too large") || said("[File size"))
+        return fmt::format("{} writes more than {} MB for it", who, most_object_bytes >> 20);
+    if (said("out of memory") || said("virtual memory exhausted") || said("Cannot allocate memory") || said("memory exhausted") ||
+        said("Killed signal terminated"))
+        return fmt::format("{} uses more than 3 GB of memory on it", who);
+    if (ending.how == Ending::How::signalled) return fmt::format("{} broke down on it: {}", who, signal_in_words(ending.code));
+    if (said("signal terminated program") || said("internal compiler error")) return fmt::format("{} broke down on it", who);
+    return {};
 }
 
 std::string why_not_built(const Ending& ending, const std::string& path, const std::string& shown) {
-    if (ending.how == Ending::How::timed_out) return "the compiler ran longer than 30 s on it";
-    if (ending.how == Ending::How::signalled) return "the compiler broke down on it: " + signal_in_words(ending.code);
+    const std::string cut = cut_off(ending, "the compiler");
+    if (!cut.empty()) return shown + ": error: " + cut;
     const std::string errors = first_errors(ending.err, path, shown);
     return errors.empty() ? fmt::format("the compiler failed:\n{}", ending.err.substr(0, 600)) : errors;
 }
 
+std::vector<std::string> compiler_of(const Toolchain& chain) {
+    std::vector<std::string> command{chain.compiler.string()};
+    command.insert(command.end(), chain.compile.begin(), chain.compile.end());
+    command.insert(command.end(), {"-w", "-fdiagnostics-color=never", "-fno-lto"});
+    return command;
+}
+
+/// After a failure: throws where the machine cannot even compile an empty file now.
+void check_compiler(const Toolchain& chain, const Sandbox& sandbox, const fs::path& work) {
+    require_room(work, most_object_bytes);
+    const fs::path source = work / "empty.cpp";
+    write_text(source, "");
+    std::vector<std::string> command = compiler_of(chain);
+    command.insert(command.end(), {"-c", source.string(), "-o", (work / "empty.o").string()});
+    const Ending ending = run(sandbox, tool(command, work));
+    if (!ending.good())
+        throw std::runtime_error(fmt::format("the compiler does not work on this machine now, not even on an empty file: {}",
+                                             ending.err.empty() ? "it says nothing" : ending.err.substr(0, 300)));
+}
+
+/// Names for people of symbols that a student may have made up.
+std::vector<std::string> demangled(const Sandbox& sandbox, std::vector<std::string> symbols, const fs::path& work) {
+    std::vector<std::string> command{"/usr/bin/c++filt"}, names;
+    command.insert(command.end(), symbols.begin(), symbols.end());
+    Step step = tool(command, work);
+    step.limits.cpu_seconds = step.limits.most_cpu_seconds = 2;
+    step.limits.memory = 256u << 20;
+    std::istringstream lines(run(sandbox, step).out);
+    for (std::string line; std::getline(lines, line);) names.push_back(line.substr(0, 300));
+    return names.size() == symbols.size() ? names : symbols;
+}
+
 /// What the object defines under the fragment's name, and what fragments.h declares.
-std::string wrong_signature(const Toolchain& chain, const fs::path& object, const std::string& fragment,
-                            const std::string& shown) {
+std::string wrong_signature(const Toolchain& chain, const Sandbox& sandbox, const ObjectFile& object, const std::string& fragment,
+                            const std::string& shown, const fs::path& work) {
+    constexpr std::size_t most_names = 16;
+    std::vector<std::string> symbols{chain.symbols.at(fragment)};
+    for (const std::string& symbol : object.defined)
+        if (symbol.find(fragment) != symbol.npos && symbols.size() < most_names) symbols.push_back(symbol);
+    const std::vector<std::string> names = demangled(sandbox, symbols, work);
     std::string found;
-    for (const std::string& symbol : symbols_of(object)) {
-        const std::string name = demangled(symbol);
-        if (name.find(fragment + "(") != name.npos) found = name;
-    }
-    const std::string expected = demangled(chain.symbols.at(fragment));
+    for (std::size_t i = 1; i < names.size(); ++i)
+        if (names[i].find(fragment + "(") != names[i].npos) found = names[i];
     if (found.empty())
         return fmt::format("{}: error: no function {} is defined here; fragments.h declares\n    {}\n", shown, fragment,
-                           expected);
+                           names[0]);
     return fmt::format("{}: error: the signature differs from fragments.h:\n    here         {}\n    fragments.h  {}\n",
-                       shown, found, expected);
+                       shown, found, names[0]);
+}
+
+/// What a tool has made, where it may go on to the next one. Throws BadObject where it may not.
+ObjectFile object_at(const fs::path& path) {
+    const auto bytes = read_text(path, most_object_bytes);
+    if (!bytes) throw BadObject("there is no object");
+    const ObjectFile object = read_object(*bytes);
+    if (const std::string fault = object_fault(object); !fault.empty()) throw BadObject(fault);
+    return object;
 }
 
 }  // namespace
 
 Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const std::string& fragment,
                           const std::string& text, const std::string& shown, const fs::path& work) {
-    const fs::path source = work / (fragment + ".cpp"), object = work / "compiled.o";
+    const fs::path source = work / (fragment + ".cpp"), compiled = work / "compiled.o";
     write_text(source, text);
 
-    std::vector<std::string> command{chain.compiler.string()};
-    command.insert(command.end(), chain.compile.begin(), chain.compile.end());
-    command.insert(command.end(), {"-w", "-fdiagnostics-color=never", "-fno-lto"});
+    std::vector<std::string> command = compiler_of(chain);
     std::vector<fs::path> readable = chain.includes;
     if (const fs::path header = precompiled_header(chain); !header.empty()) readable.insert(readable.begin(), header);
     for (const fs::path& folder : readable) command.insert(command.end(), {"-I", folder.string()});
-    command.insert(command.end(), {"-c", source.string(), "-o", object.string()});
+    command.insert(command.end(), {"-c", source.string(), "-o", compiled.string()});
 
-    const Ending compiler = run(inside(sandbox, command, readable, work), compiler_limits(), work.string());
+    const Ending compiler = run(sandbox, tool(command, work, readable));
     if (!compiler.good()) {
-        require_room(work, most_object_bytes);  // else no fault of the submission
+        check_compiler(chain, sandbox, work);  // else no fault of the submission
         const std::string fault = source_fault(text, shown);
         return {false, {}, fault.empty() ? why_not_built(compiler, source.string(), shown) : fault};
     }
 
     const auto symbol = chain.symbols.find(fragment);
     if (symbol == chain.symbols.end()) return {false, {}, "the framework calls no fragment of this name"};
-    try {
-        if (std::ranges::count(symbols_of(object), symbol->second) == 0)
-            return {false, {}, wrong_signature(chain, object, fragment, shown)};
-    } catch (const std::runtime_error&) {
-        return {false, {}, shown + ": error: the object that the compiler makes of it cannot be read"};
-    }
-
-    // groups of sections that other objects hold as well must go before their symbols become private
     const fs::path merged = work / "merged.o", own = work / (fragment + ".o");
-    Ending step =
-        run(inside(sandbox, {"/usr/bin/ld", "-r", "--force-group-allocation", object.string(), "-o", merged.string()},
-                   {}, work),
-            compiler_limits(), work.string());
-    if (step.good())
-        step = run(inside(sandbox,
-                          {"/usr/bin/objcopy", "--keep-global-symbol=" + symbol->second, "--remove-section=.gnu.lto_*",
-                           "--remove-section=.gnu.debuglto_*", merged.string(), own.string()},
-                          {}, work),
-                   compiler_limits(), work.string());
-    if (!step.good()) {
-        require_room(work, most_object_bytes);
-        return {false, {}, fmt::format("the object cannot be prepared for the link: {}", step.err.substr(0, 300))};
+    Ending step;
+    try {
+        const ObjectFile object = object_at(compiled);
+        if (std::ranges::count(object.defined, symbol->second) == 0)
+            return {false, {}, wrong_signature(chain, sandbox, object, fragment, shown, work)};
+        // groups of sections that other objects hold as well must go before their symbols become private
+        step = run(sandbox, tool({"/usr/bin/ld", "-r", "--force-group-allocation", compiled.string(), "-o", merged.string()}, work));
+        if (step.good())
+            step = run(sandbox, tool({"/usr/bin/objcopy", "--keep-global-symbol=" + symbol->second, merged.string(), own.string()}, work));
+        if (step.good()) return object_at(own), Compiled{true, own, {}};
+    } catch (const BadObject& error) {
+        return {false, {}, fmt::format("{}: error: {}", shown, error.what())};
     }
-    return {true, own, {}};
+    check_compiler(chain, sandbox, work);
+    const std::string cut = cut_off(step, "the linker");
+    return {false, {}, fmt::format("{}: error: its object cannot be prepared for the link: {}", shown, cut.empty() ? step.err.substr(0, 300) : cut)};
 }
 
-std::string link_child(const Toolchain& chain, const std::vector<fs::path>& objects, const fs::path& program) {
+std::string link_child(const Toolchain& chain, const Sandbox& sandbox, const std::vector<fs::path>& objects, const fs::path& program) {
+    const fs::path folder = program.parent_path();
+    // copies, since the step can read no other object of the solution, nor change these
+    const fs::path given = folder / "objects";
+    fs::create_directory(given);
+    std::vector<fs::path> readable;
     std::vector<std::string> command{chain.compiler.string()};
     command.insert(command.end(), chain.link.begin(), chain.link.end());
-    command.push_back("-fno-lto");  // no compiler runs on what a fragment may hold
-    for (const fs::path& object : objects) command.push_back(object.string());
-    for (const fs::path& archive : chain.archives) command.push_back(archive.string());
+    command.insert(command.end(), {"-fno-lto", "-fno-use-linker-plugin"});  // no compiler runs on what a fragment may hold
+    for (const fs::path& object : objects) {
+        const fs::path copy = given / object.filename();
+        fs::copy_file(object, copy, fs::copy_options::overwrite_existing);
+        command.push_back(copy.string());
+    }
+    for (const fs::path& archive : chain.archives) command.push_back(archive.string()), readable.push_back(archive);
+    for (const std::string& library : chain.libraries)
+        if (library.starts_with("/") && !library.starts_with("/usr/")) readable.emplace_back(library);
     command.insert(command.end(), chain.libraries.begin(), chain.libraries.end());
     command.insert(command.end(), {"-o", program.string()});
 
-    const Ending linker = run(command, compiler_limits(), program.parent_path().string());
+    const Ending linker = run(sandbox, tool(command, folder, readable));
+    fs::remove_all(given);
     if (linker.good()) return {};
-    require_room(program.parent_path(), most_object_bytes);
+    require_room(folder, most_object_bytes);
+    if (const std::string cut = cut_off(linker, "the linker"); !cut.empty()) return cut;
 
     std::istringstream lines(linker.err);
     std::string text;
     int count = 0;
     for (std::string line; std::getline(lines, line) && count < 4;)
         if (const std::size_t at = line.find("undefined reference"); at != line.npos) {
-            text += "error: " + line.substr(at) + ": it is declared and called, but defined nowhere in this file\n";
+            text += "error: " + line.substr(at, 300) + ": it is declared and called, but defined nowhere in this file\n";
             ++count;
         }
     return text.empty() ? fmt::format("the link failed:\n{}", linker.err.substr(0, 600)) : text;

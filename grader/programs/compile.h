@@ -17,7 +17,7 @@ struct Compiled {
 /// Compiles one fragment as the project compiles its own. What else the file defines, helpers, overrides of library
 /// functions, stays private to the object.
 ///
-/// Throws std::runtime_error where the disk is full.
+/// Throws std::runtime_error where the disk is full or the compiler does not work.
 ///
 /// text   the source
 /// shown  its path in messages
@@ -27,6 +27,6 @@ Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const 
 
 /// Links a program that renders and answers probes with these objects. Empty: it worked; else the first errors.
 /// Throws std::runtime_error where the disk is full.
-std::string link_child(const Toolchain& chain, const std::vector<fs::path>& objects, const fs::path& program);
+std::string link_child(const Toolchain& chain, const Sandbox& sandbox, const std::vector<fs::path>& objects, const fs::path& program);
 
 }  // namespace grade

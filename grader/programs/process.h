@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "programs/walls.h"
+
 /// Programs run under limits, their output bounded. The grader never opens a file that one of them wrote.
 namespace grade {
 
@@ -26,20 +28,22 @@ struct Ending {
     How how = How::not_run;
     int code = 0;            // exit code, or number of the signal
     std::string out, err;    // the first bytes of each
-    double cpu_seconds = 0;  // of the program and all that it waited for
+    double cpu_seconds = 0;  // of the program and all that it started
+    bool waited = false;     // timed out by wall time, not by CPU time
 
     bool good() const { return how == How::exited && code == 0; }
 };
 
 using Clock = std::chrono::steady_clock;
 
-/// A running program, with pipes to its stdin and from its stdout, stderr, and descriptor 3. Its environment is empty
-/// but for PATH and LANG. When this object goes, so do the program and everything in its process group.
+/// A running program, with ways to its stdin and from its stdout, stderr, and descriptor 3: sockets, which nobody can open
+/// again by a name. Its environment is empty but for PATH and LANG. When this object goes, so do the program and everything
+/// in its process group. This is the only place where the grader starts a process.
 class Process {
 public:
     /// folder  its working directory
     /// Throws std::runtime_error where no process can be made.
-    Process(const std::vector<std::string>& arguments, const Limits& limits, const std::string& folder);
+    Process(const std::vector<std::string>& arguments, const Limits& limits, const std::string& folder, Walls walls = {});
     ~Process();
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
@@ -50,12 +54,24 @@ public:
     /// Receives exactly that many bytes from its descriptor 3. None: it ended or the deadline passed.
     std::optional<std::string> receive(std::size_t bytes, Clock::time_point deadline);
 
-    /// Waits until it ends, or kills it at the deadline.
+    struct Times {
+        double computed = 0, delayed = 0;  // CPU time; what it waited for a processor, which is the machine's doing [s]
+    };
+
+    /// Until now, of the program and of all that it started and that still run.
+    Times times() const;
+
+    /// Nothing more comes on its stdin.
+    void hang_up();
+
+    /// Waits until it ends, or kills it at the deadline. This and the two above give a program that computes more time: its
+    /// CPU time is limited.
     Ending finish(Clock::time_point deadline);
 
 private:
     /// Moves what can be moved until that is enough, the program ended, or the deadline passed.
     bool pump(std::string_view bytes, std::size_t wanted, bool to_the_end, Clock::time_point deadline);
+    bool waits(double seconds);  // whether it has hardly wanted a processor in the last so many seconds
     void kill_all();
 
     Limits limits_;
@@ -63,10 +79,14 @@ private:
     int in_ = -1, out_ = -1, err_ = -1, results_ = -1;
     std::string out_text_, err_text_, received_;
     std::optional<Ending> ending_;
+    double busy_ = 0;  // when its time was up the last time [s]
 };
 
-/// Runs a program to its end.
+/// Runs a program to its end; its stdin is empty. For what is the grader's own: a student's goes through sandbox.h.
 Ending run(const std::vector<std::string>& arguments, const Limits& limits, const std::string& folder);
+
+/// In so many seconds.
+Clock::time_point in_seconds(double seconds);
 
 /// "a segmentation fault (SIGSEGV)" for 11.
 std::string signal_in_words(int signal);

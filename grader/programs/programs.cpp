@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <sys/stat.h>
+
 #include <algorithm>
 
 #include "submission/code_only.h"
@@ -27,7 +29,11 @@ Programs::Programs(const Submission& submission, const Toolchain& chain, const B
     : submission_(submission), chain_(chain), settings_(settings), progress_(progress) {
     work_ = settings.keep.empty() ? temporary_.path() : fs::absolute(settings.keep);
     fs::create_directories(work_);
-    sandbox_ = find_sandbox(settings.trusted);
+    sandbox_ = find_sandbox(settings.trusted, {chain.includes.front() / "rt/fragments.h", chain.archives.front()});
+    if (sandbox_.own_user) {
+        umask(022);
+        fs::permissions(work_, fs::perms(0711));
+    }
     if (chain.is_kit) sandbox_.readable.push_back(chain.archives.front().parent_path() / "lib");
 }
 
@@ -125,7 +131,7 @@ const Programs::Linked& Programs::with(const std::set<std::string>& fragments, O
                                  : own.size() == 1 ? fmt::format("{}-{}", *own.begin(), kind)
                                                    : fmt::format("{}-of-own-{}-{}", own.size(), kind, number);
         entry->linked.program = folder("programs/" + name) / "child";
-        entry->linked.errors = link_child(chain_, list, entry->linked.program);
+        entry->linked.errors = link_child(chain_, sandbox_, list, entry->linked.program);
         if (own.empty() && !entry->linked.errors.empty())
             throw std::runtime_error(fmt::format("the {} cannot be linked: {}", kind, entry->linked.errors));
     });

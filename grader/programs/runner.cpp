@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <stdexcept>
 
@@ -22,10 +23,10 @@ struct Runner::Answer {
 namespace {
 
 constexpr std::size_t most_error_bytes = 4096;
+constexpr std::size_t most_shown = 200;  // of what a program says: enough for a sentence, too little to carry others' code out
+constexpr std::uint64_t most_memory = 2ull << 30;
 
-Clock::time_point in_seconds(double seconds) {
-    return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-}
+std::string too_much_memory() { return fmt::format("uses more than {} GB of memory", most_memory >> 30); }
 
 std::vector<double> numbers_of(const std::string& payload) {
     std::vector<double> numbers(payload.size() / sizeof(double));
@@ -42,41 +43,44 @@ int sampler_of(const std::string& name) {
 
 Runner::Runner(const fs::path& program, const Sandbox& sandbox, const fs::path& meshes, double seconds)
     : meshes_(meshes), limit_(seconds) {
-    Limits limits;
-    limits.cpu_seconds = seconds;
-    limits.most_cpu_seconds = 600;
-    limits.memory = 2ull << 30;
-    limits.file_size = 1u << 20;
+    Step step{{program.string(), fmt::format("{}", seconds), (meshes / "check.toml").string()}, {}, program.parent_path(), {}, false};
+    step.limits.cpu_seconds = seconds;
+    step.limits.most_cpu_seconds = 600;
+    step.limits.memory = most_memory;
+    step.limits.file_size = 1u << 20;
     if (access(program.c_str(), X_OK) != 0)  // before any fragment has run: the machine's doing
         throw std::runtime_error(fmt::format("{}: cannot be started: {}; expected TMPDIR to name a folder whose programs run",
                                              program.string(), std::strerror(errno)));
-    const fs::path folder = program.parent_path();
-    const std::vector<std::string> command{program.string(), fmt::format("{}", seconds),
-                                           (meshes / "check.toml").string()};
-    std::vector<fs::path> readable;
-    if (fs::exists(meshes)) readable.push_back(meshes);
-    process_ = std::make_unique<Process>(inside(sandbox, command, readable, folder), limits, folder.string());
+    if (fs::exists(meshes)) step.readable.push_back(meshes);
+    process_ = start(sandbox, step);
 }
 
 Fault Runner::broken() {
     const Ending ending = process_->finish(in_seconds(0.2));
-    const std::string excerpt = (ending.err.empty() ? ending.out : ending.err).substr(0, 1000);
-    switch (ending.how) {
-        case Ending::How::timed_out:
-            return {Verdict::timed_out, fmt::format("ran longer than {:g} s", limit_), excerpt};
-        case Ending::How::signalled:
-            return {Verdict::crashed, "ended by " + signal_in_words(ending.code), excerpt};
-        default:
-            return {
-                Verdict::crashed,
-                fmt::format("the program ended by itself with code {}: a fragment must return, not exit", ending.code),
-                excerpt};
+    const std::string excerpt = (ending.err.empty() ? ending.out : ending.err).substr(0, most_shown);
+    if (ending.how == Ending::How::timed_out) {
+        if (ending.waited)
+            return {Verdict::timed_out, fmt::format("waits for something: no answer came within {:g} s", patience()), excerpt};
+        return {Verdict::timed_out, fmt::format("ran longer than {:g} s", limit_), excerpt};
     }
+    if (ending.how == Ending::How::signalled && ending.code == SIGSYS)
+        return {Verdict::crashed, "starts other programs or processes: a fragment only computes", excerpt};
+    if (ending.err.find("bad_alloc") != ending.err.npos) return {Verdict::crashed, too_much_memory(), excerpt};
+    if (ending.how == Ending::How::signalled) return {Verdict::crashed, "ended by " + signal_in_words(ending.code), excerpt};
+    return {Verdict::crashed,
+            fmt::format("the program ended by itself with code {}: a fragment must return, not exit", ending.code), excerpt};
+}
+
+Fault Runner::thrown(const std::string& what) {
+    if (what == "std::bad_alloc") return {Verdict::crashed, too_much_memory(), {}};
+    std::string line = what.substr(0, most_shown);
+    std::ranges::replace(line, '\n', ' ');  // a line of its own may be a command to whoever shows it
+    return {Verdict::crashed, "threw an exception: " + line, {}};
 }
 
 Outcome<Runner::Answer> Runner::exchange(const std::string& request, std::size_t most_bytes) {
     // a process that waits for something uses no CPU time: the wall clock ends it
-    const auto deadline = in_seconds(3 * limit_ + 2);
+    const auto start = Clock::now(), deadline = in_seconds(patience());
     if (!process_->send(request, deadline)) return broken();
     const auto head = process_->receive(sizeof(FrameHeader), deadline);
     if (!head) return broken();
@@ -86,6 +90,7 @@ Outcome<Runner::Answer> Runner::exchange(const std::string& request, std::size_t
         return Fault{Verdict::crashed, "the fragment wrote into the grader's channel", {}};
     auto payload = process_->receive(header.bytes, deadline);
     if (!payload) return broken();
+    answers_seconds_ += std::chrono::duration<double>(Clock::now() - start).count();
     return Answer{header.kind, std::move(*payload)};
 }
 
@@ -94,14 +99,14 @@ std::optional<Fault> Runner::tell(const std::string& request) {
     if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
     const Answer& answer = std::get<Answer>(outcome);
     if (answer.kind == FrameKind::done) return std::nullopt;
-    return Fault{Verdict::crashed, "threw an exception: " + answer.payload, {}};
+    return thrown(answer.payload);
 }
 
 Outcome<std::vector<double>> Runner::ask(const std::string& request, int kind, std::size_t most_numbers) {
     auto outcome = exchange(request, most_numbers * sizeof(double));
     if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
     const Answer& answer = std::get<Answer>(outcome);
-    if (answer.kind == FrameKind::error) return Fault{Verdict::crashed, "threw an exception: " + answer.payload, {}};
+    if (answer.kind == FrameKind::error) return thrown(answer.payload);
     if (int(answer.kind) != kind || answer.payload.size() % sizeof(double) != 0)
         return Fault{Verdict::crashed, "the fragment wrote into the grader's channel", {}};
     return numbers_of(answer.payload);

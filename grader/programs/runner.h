@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -43,6 +44,9 @@ public:
     /// CPU time of the last answer, by the child's own account.
     double seconds() const { return last_seconds_; }
 
+    /// Wall time of all answers, by the grader's clock; without what the program waited for a processor.
+    double seconds_in_all() const { return answers_seconds_ < 1 ? answers_seconds_ : std::max(0.0, answers_seconds_ - process_->times().delayed); }
+
     /// Rays of all kinds in the last picture, likewise.
     double rays() const { return last_rays_; }
 
@@ -52,13 +56,15 @@ private:
     std::optional<Fault> tell(const std::string& request);
     Outcome<Answer> exchange(const std::string& request, std::size_t most_bytes);
     Fault broken();
+    static Fault thrown(const std::string& what);
+    double patience() const { return 3 * limit_ + 2; }  // wall time for one answer
 
     fs::path meshes_;
     double limit_;
     std::unique_ptr<Process> process_;
     std::string scene_, fragment_;  // what the child was told last
     rt::ivec2 size_{0};             // of that scene's image
-    double last_seconds_ = 0, last_rays_ = 0;
+    double last_seconds_ = 0, last_rays_ = 0, answers_seconds_ = 0;
 };
 
 }  // namespace grade

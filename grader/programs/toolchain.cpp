@@ -36,11 +36,24 @@ std::map<std::string, fs::path> by_fragment(const std::vector<fs::path>& objects
     return map;
 }
 
+/// "rt::phong(rt::Material const&, ...)" for a linker's name; the name itself where it is not one of C++.
+std::string demangled(const std::string& symbol) {
+    int status = 0;
+    const std::unique_ptr<char, void (*)(void*)> name(abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status),
+                                                      std::free);
+    return status == 0 ? name.get() : symbol;
+}
+
 /// The fragments' names for the linker, from what the child needs: rt::phong(...) is phong's.
 std::map<std::string, std::string> fragment_symbols(const fs::path& child) {
+    Limits limits;
+    limits.output = 8u << 20;
+    const Ending nm = run({"/usr/bin/nm", "--format=posix", "--undefined-only", "--extern-only", child.string()}, limits, "/");
+    if (!nm.good()) throw std::runtime_error(fmt::format("{}: nm cannot read it: {}", child.string(), nm.err));
     std::map<std::string, std::string> map;
-    for (const std::string& symbol : symbols_of(child, true)) {
-        const std::string name = demangled(symbol);
+    std::istringstream lines(nm.out);
+    for (std::string line; std::getline(lines, line);) {
+        const std::string symbol = line.substr(0, line.find(' ')), name = demangled(symbol);
         const std::size_t bracket = name.find('(');
         if (name.starts_with("rt::") && bracket != name.npos) map[name.substr(4, bracket - 4)] = symbol;
     }
@@ -137,27 +150,6 @@ fs::path own_toolchain() {
         throw std::runtime_error(fmt::format("{}: was built as part of {} and has been moved or copied; expected a build of "
                                              "its own: ./grade makes it", here.parent_path().string(), home.string()));
     return built;
-}
-
-std::string demangled(const std::string& symbol) {
-    int status = 0;
-    const std::unique_ptr<char, void (*)(void*)> name(abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status),
-                                                      std::free);
-    return status == 0 ? name.get() : symbol;
-}
-
-std::vector<std::string> symbols_of(const fs::path& object, bool undefined) {
-    Limits limits;
-    limits.output = 8u << 20;
-    const Ending nm = run({"/usr/bin/nm", "--format=posix", undefined ? "--undefined-only" : "--defined-only",
-                           "--extern-only", object.string()},
-                          limits, "/");
-    if (!nm.good()) throw std::runtime_error(fmt::format("{}: nm cannot read it: {}", object.string(), nm.err));
-    std::vector<std::string> symbols;
-    std::istringstream lines(nm.out);
-    for (std::string line; std::getline(lines, line);)
-        if (const std::size_t space = line.find(' '); space != line.npos) symbols.push_back(line.substr(0, space));
-    return symbols;
 }
 
 }  // namespace grade

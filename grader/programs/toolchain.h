@@ -37,10 +37,4 @@ Toolchain read_toolchain(const fs::path& path);
 /// program stands in. Throws std::runtime_error where that was built in another place: its paths lead there.
 fs::path own_toolchain();
 
-/// "rt::phong(rt::Material const&, ...)" for a linker's name; the name itself where it is not one of C++.
-std::string demangled(const std::string& symbol);
-
-/// The symbols that an object or archive defines for others, or, with undefined, those that it needs.
-std::vector<std::string> symbols_of(const fs::path& object, bool undefined = false);
-
 }  // namespace grade

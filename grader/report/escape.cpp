@@ -38,7 +38,11 @@ std::string printable(std::string_view text, std::size_t most) {
             clean += c == '\r' ? "" : "?";
             text.remove_prefix(1);
         } else {
+            // what GitHub's runner takes for a command of its own
+            const bool begins_word = clean.empty() || clean.back() == ' ' || clean.back() == '\n' || clean.back() == '\t';
+            const bool is_command = text.starts_with("##[") || (begins_word && text.starts_with("::"));
             clean += text.substr(0, length);
+            if (is_command) clean += ' ';
             text.remove_prefix(length);
         }
     }

@@ -77,7 +77,7 @@ std::string to_json(const Record& record) {
     json["title"] = record.title;
     json["seed"] = record.seed;
     json["sandbox"] = record.sandbox;
-    json["complete"] = std::ranges::all_of(record.fragments, &FragmentRecord::finished);
+    json["complete"] = !record.fragments.empty() && std::ranges::all_of(record.fragments, &FragmentRecord::finished);
     json["score"] = record.score();
     json["max_score"] = record.max_score();
     json["fragments"] = Json::array();
