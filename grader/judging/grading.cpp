@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "files/files.h"
+#include "judging/finding.h"
 #include "judging/judge_check.h"
 #include "programs/parallel.h"
 
@@ -35,6 +36,7 @@ private:
     void link(std::vector<Task>& open);
     void judge_all(const std::vector<Task>& open);
     void judge(const Task& task);
+    void explain(FragmentRecord& fragment);
     std::string made_from(const Task& task) const;
     void finish(FragmentRecord& fragment);
 
@@ -109,6 +111,26 @@ std::string Grading::made_from(const Task& task) const {
                        programs_.text(task.check->fragment));
 }
 
+/// What its calls show, where they are wrong; kept beside the checks' records, each in a file of its own.
+void Grading::explain(FragmentRecord& fragment) {
+    const auto is_wrong = [](const CheckRecord& check) {
+        return check.verdict == Verdict::failed || check.verdict == Verdict::not_finite;
+    };
+    const auto first = std::ranges::find_if(fragment.checks, is_wrong);
+    if (first == fragment.checks.end() || !programs_.has(fragment.name)) return;
+    const std::vector<Check>& checks = checks_.get();
+    const auto check = std::ranges::find_if(checks, [&](const Check& c) { return c.fragment == fragment.name; });
+    if (check == checks.end()) return;
+    const std::string key = fragment.name + ".finding", made = made_from({&*check, nullptr, nullptr});
+    if (const auto before = settings_.build.kept.finding(key, made)) {
+        fragment.finding = *before;
+        return;
+    }
+    if (!programs_.with({fragment.name}).errors.empty()) return;
+    fragment.finding = find_cause(programs_, chain_, fragment.name, checks, settings_.seed);
+    settings_.build.kept.keep_finding(key, made, fragment.finding);
+}
+
 /// What an earlier grading has found, and what is open.
 std::vector<Task> Grading::recall() {
     std::vector<Task> open;
@@ -156,7 +178,7 @@ void Grading::judge_all(const std::vector<Task>& open) {
     std::map<std::string, int> left;
     for (const Task& task : open) ++left[task.check->fragment];
     for (FragmentRecord& fragment : record_.fragments)
-        if (left[fragment.name] == 0) finish(fragment);
+        if (left[fragment.name] == 0) explain(fragment), finish(fragment);
     progress_.expect(Work::check, int(open.size()) - checks_expected_);
     in_parallel(int(open.size()), settings_.build.jobs, [&](int i) {
         const Task& task = open[std::size_t(i)];
@@ -167,7 +189,7 @@ void Grading::judge_all(const std::vector<Task>& open) {
             const std::scoped_lock lock(lock_);
             last = --left[task.check->fragment] == 0;
         }
-        if (last) finish(*task.fragment);
+        if (last) explain(*task.fragment), finish(*task.fragment);
         progress_.done(Work::check);
     });
 }
