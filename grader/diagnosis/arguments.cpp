@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -204,7 +205,7 @@ std::optional<Signature> signature_of(const std::string& fragment, const std::st
     return std::nullopt;
 }
 
-std::string number_in_words(double x) { return fmt::format("{:.6g}", x == 0 ? 0.0 : x); }
+std::string number_in_words(double x) { return std::isnan(x) ? "nan" : fmt::format("{:.6g}", x == 0 ? 0.0 : x); }
 
 std::string value_in_words(const Field& part, const Row& row) {
     if (part.kind == Kind::flag) return row[part.at] != 0 ? "true" : "false";
@@ -264,12 +265,15 @@ Row arguments_from_words(const Signature& signature, const std::string& words) {
     return row;
 }
 
-std::string result_in_words(const Signature& signature, const Row& output) {
+std::string result_in_words(const Signature& signature, const Row& output, const std::vector<bool>& told) {
     const Layout layout = signature.of_result(output);
-    if (layout.parts.size() == 1 && layout.parts[0].name.empty()) return value_in_words(layout.parts[0], output);
     std::string text;
-    for (const Field& part : layout.parts) text += (text.empty() ? "" : ", ") + part.name + " = " + value_in_words(part, output);
-    return "{" + text + "}";
+    for (std::size_t i = 0; i < layout.parts.size(); ++i) {
+        const Field& part = layout.parts[i];
+        if (i < told.size() && !told[i]) continue;
+        text += (text.empty() ? "" : ", ") + (part.name.empty() ? "" : part.name + " = ") + value_in_words(part, output);
+    }
+    return text;
 }
 
 }  // namespace grade

@@ -63,7 +63,7 @@ std::string arguments_in_words(const Signature& signature, const Row& row, const
 /// The inverse: what is not named has its default. Throws std::invalid_argument with what is wrong.
 Row arguments_from_words(const Signature& signature, const std::string& words);
 
-/// "{direction = (0, 0, 1), density = 0.25}", of what a fragment returns; the first numbers of an output.
-std::string result_in_words(const Signature& signature, const Row& output);
+/// "direction = (0, 0, 1), density = 0.25", of what a fragment returns; told: by part.
+std::string result_in_words(const Signature& signature, const Row& output, const std::vector<bool>& told = {});
 
 }  // namespace grade

@@ -221,6 +221,7 @@ public:
         for (const std::size_t i : vectors_) add_scaled(i, 2.2);
         for (const std::size_t i : colors_) add_scaled(i, 1.9);
         add_joint();
+        add_pairs();
         add_lists();
         std::ranges::stable_sort(all_, {}, &Change::cost);
     }
@@ -364,6 +365,19 @@ private:
         }
     }
 
+    /// A pair in place of another, as of an extent's corners.
+    void add_pairs() {
+        for (std::size_t i = 0; i < layout_.parts.size(); ++i)
+            for (std::size_t j = 0; j < layout_.parts.size(); ++j) {
+                if (i == j || layout_.parts[i].kind != Kind::pair || layout_.parts[j].kind != Kind::pair) continue;
+                for (const double more : {0.0, 1.0})
+                    add(in_place(more != 0 ? name(j) + " + 1" : name(j), name(i)), 1.6, [i, j, more](Row& row, const Layout& l) {
+                        for (std::size_t c = 0; c < 2; ++c) row[l.parts[i].at + c] = row[l.parts[j].at + c] + more;
+                        return true;
+                    });
+            }
+    }
+
     void add_lists() {
         if (layout_.lists.empty() || layout_.lists.front().stride == 0) return;
         for (const bool first : {true, false})
@@ -427,6 +441,7 @@ std::vector<Quantity> quantities_of(const Layout& layout, const std::vector<bool
         std::string name;
         std::size_t part;
         bool own;  // of the answer
+        int mirror = -1;
     };
     std::vector<Vector> vectors;
     for (std::size_t i = 0; i < layout.parts.size(); ++i)
@@ -434,15 +449,27 @@ std::vector<Quantity> quantities_of(const Layout& layout, const std::vector<bool
     if (result)
         for (const Field& part : result->parts)
             if (part.kind == Kind::vector && !part.name.empty()) vectors.push_back({"the answer's " + part.name, part.at, true});
+    // where the answer is a direction: mirrored ones, which it may be measured from
+    const std::size_t given = vectors.size() - std::size_t(std::ranges::count(vectors, true, &Vector::own));
+    const bool has_own = given < vectors.size();
+    for (std::size_t a = 0; has_own && a < given; ++a)
+        for (std::size_t b = 0; b < given; ++b)
+            if (a != b) vectors.push_back({fmt::format("{} mirrored at {}", vectors[a].name, vectors[b].name), vectors[a].part, false, int(vectors[b].part)});
     const auto at = [](const Vector& v, const Row& row, const Layout& l, const Row& output) {
+        if (v.mirror >= 0) {
+            const vec3 d = vector_at(row, l.parts[v.part].at), n = vector_at(row, l.parts[std::size_t(v.mirror)].at);
+            return d - 2 * rt::dot(d, n) * n;
+        }
         return v.own ? vector_at(output, v.part) : vector_at(row, l.parts[v.part].at);
     };
     for (std::size_t a = 0; a < vectors.size(); ++a) {
         const Vector v = vectors[a];
+        if (v.mirror >= 0) continue;
         all.push_back({fmt::format("|{}|", v.name),
                        [=](const Row& row, const Layout& l, const Row& out) { return length(at(v, row, l, out)); }});
         for (std::size_t b = a + 1; b < vectors.size(); ++b) {
             const Vector w = vectors[b];
+            if (w.mirror >= 0 && !v.own) continue;
             all.push_back({fmt::format("dot({}, {})", v.name, w.name), [=](const Row& row, const Layout& l, const Row& out) {
                                return rt::dot(at(v, row, l, out), at(w, row, l, out));
                            }});
@@ -456,6 +483,9 @@ std::vector<Quantity> quantities_of(const Layout& layout, const std::vector<bool
         if (part.kind == Kind::pair && !part.name.empty())
             all.push_back({fmt::format("|the answer's {}|", part.name),
                            [part](const Row&, const Layout&, const Row& out) { return std::hypot(out[part.at], out[part.at + 1]); }});
+        if (part.kind == Kind::number && part.name == "distance")
+            all.push_back({fmt::format("the answer's {}", part.name),
+                           [part](const Row&, const Layout&, const Row& out) { return out[part.at]; }});
         if (part.kind == Kind::vector && !part.name.empty())
             all.push_back({fmt::format("the answer's {}.z", part.name),
                            [part](const Row&, const Layout&, const Row& out) { return out[part.at + 2]; }});

@@ -91,7 +91,9 @@ constexpr std::string_view bare = " calls are wrong; for arguments ";
 /// Without the numbers that a finding says better.
 Hint without_numbers(const StatisticRecord& statistic) {
     const std::size_t numbers = statistic.hint.find(bare);
-    if (numbers == statistic.hint.npos) return {statistic.hint, statistic.exact && statistic.hint.find("(off by") == statistic.hint.npos};
+    const auto has = [&](const char* words) { return statistic.hint.find(words) != statistic.hint.npos; };
+    if (numbers == statistic.hint.npos)
+        return {statistic.hint, statistic.exact && !has("(off by") && !has(" times what it must be") && !has("off by up to")};
     const std::size_t end = statistic.hint.rfind(": ", numbers);
     return {end == statistic.hint.npos ? "" : statistic.hint.substr(0, end), false};
 }
@@ -127,7 +129,7 @@ Diagnosis diagnose(const FragmentRecord& fragment) {
     for (const CheckRecord& check : fragment.checks) {
         if (check.verdict == Verdict::passed) continue;
         if (!check.message.empty())
-            tell(rank_of(check.verdict, check, Subject::no_image), {check.message, check.verdict != Verdict::not_finite},
+            tell(rank_of(check.verdict, check, Subject::no_image), {check.message, check.message.find("again") != check.message.npos},
                  section_of(check, nullptr));
         for (const StatisticRecord& statistic : check.statistics)
             if (statistic.verdict != Verdict::passed && !statistic.hint.empty())

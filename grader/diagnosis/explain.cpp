@@ -12,7 +12,7 @@ namespace grade {
 
 namespace {
 
-constexpr std::size_t most_compared = 64;   // calls among which a relation is looked for
+constexpr std::size_t most_compared = 80;   // calls among which a relation is looked for
 constexpr std::size_t most_calls = 250'000;  // that the solution is asked for
 
 /// The answers to as many rows as are asked for; where any is missing, none.
@@ -75,19 +75,6 @@ std::vector<Dependence> dependences(const Calls& calls, const Ask& mine, const A
     return all;
 }
 
-std::string independence(const Calls& calls, const std::vector<Dependence>& all) {
-    std::string lost, added;
-    const auto& parts = calls.layouts.front().parts;
-    const auto tell = [](std::string& list, const std::string& name) { list += (list.empty() ? "`" : ", `") + name + "`"; };
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (all[i].right && !all[i].mine) tell(lost, parts[i].name);
-        if (all[i].mine && !all[i].right) tell(added, parts[i].name);
-    }
-    if (!lost.empty()) return fmt::format("the answer is the same whatever {} is", lost);
-    if (!added.empty()) return fmt::format("the answer depends on {}, which must not matter", added);
-    return {};
-}
-
 /// Calls whose numbers can be compared.
 Calls compared(const Signature& signature, const Rows& rows, const Ask& mine, const Ask& right) {
     Calls calls{signature, {}, {}, {}, {}, {}, {}};
@@ -100,6 +87,45 @@ Calls compared(const Signature& signature, const Rows& rows, const Ask& mine, co
     }
     if (calls.size() > 0) calls.result = signature.of_result(calls.right.front());
     return calls;
+}
+
+/// Calls with one number more from another call: what the checks' calls have in common by their making, a relation must
+/// not rest on.
+Calls crossed(const Calls& calls, const Ask& mine, const Ask& right) {
+    constexpr std::size_t most = 96;
+    std::vector<std::size_t> numbers;
+    const auto& parts = calls.layouts.front().parts;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (calls.told[i] && (parts[i].kind == Kind::number || parts[i].kind == Kind::pair)) numbers.push_back(i);
+    Rows rows;
+    for (std::size_t k = 0; k < std::min(most, calls.size()) && !numbers.empty(); ++k) {
+        const std::size_t from = k * calls.size() / std::min(most, calls.size()), other = (from * 5 + 11) % calls.size();
+        const std::size_t i = numbers[k % numbers.size()];
+        Row row = calls.rows[from];
+        for (std::size_t c = 0; c < size_of(parts[i].kind); ++c)
+            row[calls.layouts[from].parts[i].at + c] = calls.rows[other][calls.layouts[other].parts[i].at + c];
+        rows.push_back(std::move(row));
+    }
+    Calls all = calls, more = compared(calls.signature, rows, mine, right);
+    for (std::size_t k = 0; k < more.size(); ++k) {
+        if (std::ranges::any_of(more.right[k], [](double x) { return std::isnan(x); })) continue;
+        all.rows.push_back(more.rows[k]), all.layouts.push_back(more.layouts[k]);
+        all.mine.push_back(more.mine[k]), all.right.push_back(more.right[k]);
+    }
+    return all;
+}
+
+std::string independence(const Calls& calls, const std::vector<Dependence>& all) {
+    std::string lost, added;
+    const auto& parts = calls.layouts.front().parts;
+    const auto tell = [](std::string& list, const std::string& name) { list += (list.empty() ? "`" : ", `") + name + "`"; };
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (all[i].right && !all[i].mine) tell(lost, parts[i].name);
+        if (all[i].mine && !all[i].right) tell(added, parts[i].name);
+    }
+    if (!lost.empty()) return fmt::format("the answer is the same whatever {} is", lost);
+    if (!added.empty()) return fmt::format("the answer depends on {}, which must not matter", added);
+    return {};
 }
 
 }  // namespace
@@ -118,7 +144,7 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_min
     const bool sampled = std::ranges::any_of(arguments, [](const auto& argument) { return argument.name == "u"; });
     bool right_otherwise = false;
     Finding finding;
-    const auto relation = relation_of(picked(all, most_compared), right, sampled, right_otherwise);
+    const auto relation = relation_of(picked(crossed(all, mine, right), most_compared), right, sampled, right_otherwise);
     if (right_otherwise) return {};
     finding.sampled = sampled;
     if (relation) finding.how = relation->words;
@@ -126,7 +152,7 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_min
     // another parametrisation is wrong in no call
     if (sampled && !relation) return finding;
 
-    if (wrong < all.size()) {
+    if (wrong < all.size() && !sampled) {
         const std::string where = where_wrong(all);
         finding.where = fmt::format("{} of {} calls are wrong", wrong, all.size());
         if (!where.empty()) finding.where += ", those " + where;
@@ -135,8 +161,10 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_min
     const Ask mine_again = limited(ask_mine, more), right_again = limited(ask_right, more);
     const Example simplest = simplest_wrong(all, mine_again, right_again);
     finding.arguments = arguments_in_words(signature, simplest.row, all.told);
-    finding.answer = result_in_words(signature, simplest.mine);
-    finding.right = result_in_words(signature, simplest.right);
+    std::vector<bool> wrong_parts;
+    for (const Field& part : all.result.parts) wrong_parts.push_back(!is_equal(part, simplest.mine, simplest.right));
+    finding.answer = result_in_words(signature, simplest.mine, wrong_parts);
+    finding.right = result_in_words(signature, simplest.right, wrong_parts);
     return finding;
 } catch (const std::out_of_range&) {
     return {};  // an answer that is too short

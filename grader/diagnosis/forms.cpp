@@ -62,7 +62,7 @@ public:
         for (const auto& look : {&Forms::constant_value, &Forms::rearranged, &Forms::own_function, &Forms::other_part, &Forms::with_argument})
             if (auto form = (this->*look)()) return form;
         // logarithms of what is not 0
-        std::vector<std::size_t> shining;
+        std::vector<std::size_t> shining;  // of what is not 0 everywhere
         for (const std::size_t k : scope_)
             for (std::size_t c = 0; c < size_; ++c)
                 if (mine(k, c) != 0 || right(k, c) != 0) {
@@ -70,6 +70,8 @@ public:
                     break;
                 }
         const Forms some(calls_, part_, right_, shining);
+        if (shining.size() > 8 && shining.size() < scope_.size())
+            if (auto form = some.constant_value()) return Form{form->words + " where it is not 0", 1.9};
         if (auto form = some.of_quantity()) return form;
         return some.product();
     }

@@ -49,12 +49,15 @@ public:
             one_change(base, all_);
             if (best_) return best_;
         }
+        if (auto there = by_choice()) return there;
         const bool some_right = wrong_.size() < all_.size() && !sampled_;
         if (some_right) {
             consider(calls_.right, {}, 0, wrong_, false);
             one_change(bases.front(), wrong_);
             if (best_) return best_;
         }
+        if (!sampled_)
+            if (auto there = where_it_is_not_nothing()) return there;
         two_changes(all_);
         if (!best_ && some_right) two_changes(wrong_);
         if (best_) return best_;
@@ -62,6 +65,40 @@ public:
     }
 
 private:
+    /// One mistake in calls of one kind: of a disc, say.
+    std::optional<Relation> by_choice() {
+        const auto& parts = calls_.layouts.front().parts;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            if ((parts[i].kind != Kind::choice && parts[i].kind != Kind::flag) || !calls_.told[i]) continue;
+            for (int value = 0; value < 5; ++value) {
+                std::vector<std::size_t> some;
+                std::size_t wrong = 0;
+                for (const std::size_t k : all_)
+                    if (calls_.rows[k][calls_.layouts[k].parts[i].at] == value)
+                        some.push_back(k), wrong += !is_equal(calls_.result, calls_.mine[k], calls_.right[k]);
+                if (wrong < enough || some.size() == all_.size()) continue;
+                region_ = fmt::format("where `{}` is {}, ", parts[i].name, value_in_words({parts[i].name, parts[i].kind, 0}, {double(value)}));
+                consider(calls_.right, {}, 0, some, false);
+                one_change(same_, some);
+                if (best_) return best_;
+            }
+        }
+        region_.clear();
+        return std::nullopt;
+    }
+
+    /// One change where the right answer is neither 0 nor inf: what happens there may be a second mistake.
+    std::optional<Relation> where_it_is_not_nothing() {
+        std::vector<std::size_t> some;
+        for (const std::size_t k : all_)
+            if (std::ranges::any_of(calls_.right[k], [](double x) { return std::isfinite(x) && x != 0; })) some.push_back(k);
+        if (some.size() < 2 * enough || some.size() == all_.size()) return std::nullopt;
+        region_ = "where the right answer is not 0 or inf, ";
+        one_change(same_, some);
+        region_.clear();
+        return best_;
+    }
+
     /// The right answers for changed arguments, where `scope` has calls; elsewhere those that are right.
     std::optional<Rows> answers(const Change& first, const Change* second, const std::vector<std::size_t>& scope) const {
         Rows rows;
@@ -89,7 +126,8 @@ private:
         std::string forms;
         for (const Field* part : parts_) {
             const auto form = form_of(calls_, *part, right, scope, only_simple);
-            if (!form) return;
+            // a change and a constant together explain much by chance
+            if (!form || (!change.empty() && parts_.size() < 2 && !form->words.empty())) return;
             cost += form->cost;
             if (!form->words.empty())
                 forms += fmt::format("{}{} {}", forms.empty() ? "" : ", and ", named(*part), form->words);
@@ -100,7 +138,9 @@ private:
                 !std::ranges::all_of(scope, [&](std::size_t k) { return is_equal(part, calls_.mine[k], right[k]); }))
                 return;
         if (best_ && best_->cost <= cost) return;
-        best_ = Relation{sentence(change, forms), scope.size() == all_.size(), cost};
+        const bool everywhere = scope.size() == all_.size();
+        const std::string there = !region_.empty() ? region_ : everywhere ? "" : "in the wrong calls ";
+        best_ = Relation{there + sentence(change, forms), everywhere, cost};
     }
 
     static std::string sentence(const std::string& change, const std::string& forms) {
@@ -172,13 +212,22 @@ private:
             }
             if (!found.empty()) words += (words.empty() ? "" : "; ") + found;
         }
-        if (words.empty()) return std::nullopt;
-        return Relation{words, true, best_cost};
+        if (!words.empty()) return Relation{words, true, best_cost};
+        if (parts_.size() == calls_.result.parts.size()) return std::nullopt;
+        // the same random numbers give what is right, so what is wrong is wrong
+        std::string good;
+        for (const Field& part : calls_.result.parts)
+            if (std::ranges::count(parts_, &part) == 0) good += (good.empty() ? "" : ", ") + named(part);
+        for (const Field* part : parts_) words += (words.empty() ? "" : ", ") + named(*part);
+        return Relation{fmt::format("{} {} right, {} {} not", good, calls_.result.parts.size() - parts_.size() > 1 ? "are" : "is", words,
+                                    parts_.size() > 1 ? "are" : "is"), true, best_cost};
     }
 
     const Calls& calls_;
     const Ask& ask_;
     bool sampled_;
+    std::string region_;  // of which a relation is looked for: "where ..., "
+    const Change same_{"", 0, [](Row&, const Layout&) { return true; }};
     std::vector<std::size_t> all_, wrong_;
     std::vector<const Field*> parts_;  // of the answer, that are wrong somewhere
     std::vector<Change> changes_;

@@ -27,7 +27,9 @@ public:
                 if (!holds(calls.rows[k], calls.layouts[k].parts)) return false;
             return true;
         };
+        const auto matters = [&](std::size_t i) { return i >= calls.told.size() || calls.told[i]; };
         for (std::size_t i = 0; i < parts.size(); ++i) {
+            if (!matters(i)) continue;
             for (std::size_t c = 0; c < size_of(parts[i].kind); ++c) {
                 Range range{i, c, rt::inf, -rt::inf};
                 for (std::size_t k = 0; k < calls.size(); ++k) {
@@ -40,12 +42,15 @@ public:
             if (all([&](const Row& row, const auto& p) { return std::abs(glm::length(at(row, p[i])) - 1) < 1e-9; })) unit_.push_back(i);
             if (all([&](const Row& row, const auto& p) { return at(row, p[i]) != vec3(0); })) not_zero_.push_back(i);
             for (std::size_t j = 0; j < i; ++j)
-                if (parts[j].kind == Kind::vector) {
+                if (parts[j].kind == Kind::vector && matters(j)) {
                     const auto is_right_angle = [&](const Row& row, const auto& p) {
                         const vec3 v = at(row, p[i]), w = at(row, p[j]);
                         return std::abs(rt::dot(v, w)) <= 1e-9 * glm::length(v) * glm::length(w);
                     };
                     if (all(is_right_angle)) right_angles_.emplace_back(i, j);
+                    for (const double sign : {1.0, -1.0})
+                        if (all([&](const Row& row, const auto& p) { return sign * rt::dot(at(row, p[i]), at(row, p[j])) > 0; }))
+                            sides_.push_back({i, j, sign});
                     const auto is_same = [&](const Row& row, const auto& p) { return at(row, p[i]) == at(row, p[j]); };
                     if (all(is_same)) same_.emplace_back(i, j);
                 }
@@ -53,7 +58,7 @@ public:
         for (std::size_t i = 0; i < parts.size(); ++i)
             for (std::size_t j = 0; j < parts.size(); ++j)
                 for (std::size_t c = 0; c < size_of(parts[i].kind); ++c)
-                    if (i != j && parts[i].kind == parts[j].kind && parts[i].kind != Kind::vector &&
+                    if (i != j && matters(i) && matters(j) && parts[i].kind == parts[j].kind && parts[i].kind != Kind::vector &&
                         all([&](const Row& row, const auto& p) { return row[p[i].at + c] < row[p[j].at + c]; }))
                         less_.push_back({i, j, c});
     }
@@ -74,6 +79,8 @@ public:
             const vec3 v = at(row, parts[i]), w = at(row, parts[j]);
             if (std::abs(rt::dot(v, w)) > 1e-9 * glm::length(v) * glm::length(w)) return false;
         }
+        for (const auto& [i, j, sign] : sides_)
+            if (!(sign * rt::dot(at(row, parts[i]), at(row, parts[j])) > 0)) return false;
         return std::ranges::all_of(less_, [&](const Less& l) { return row[parts[l.a].at + l.component] < row[parts[l.b].at + l.component]; });
     }
 
@@ -85,8 +92,13 @@ private:
     struct Less {
         std::size_t a, b, component;
     };
+    struct Side {
+        std::size_t a, b;
+        double sign;  // of their dot product
+    };
     const Signature& signature_;
     std::vector<Range> ranges_;
+    std::vector<Side> sides_;
     std::vector<std::size_t> unit_, not_zero_;
     std::vector<std::pair<std::size_t, std::size_t>> right_angles_, same_;
     std::vector<Less> less_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace grade {
 
@@ -44,12 +45,14 @@ public:
     }
 
 private:
-    /// The worse of both shares that are told rightly: of wrong calls, and of those where the rule holds.
+    /// The worse of both shares that are told rightly, of wrong calls and of those where the rule holds; 0 where it holds for
+    /// right ones as well.
     double score(const std::vector<bool>& holds) const {
         double wrong = 0, holding = 0, both = 0;
         for (std::size_t k = 0; k < holds.size(); ++k)
             wrong += wrong_[k], holding += holds[k], both += wrong_[k] && holds[k];
-        return holding > 0 && wrong > 0 ? std::min(both / wrong, both / holding) : 0;
+        const double good = double(holds.size()) - wrong, spared = (good - (holding - both)) / good;
+        return holding > 0 && wrong > 0 && spared > 0.8 ? std::min(both / wrong, both / holding) : 0;
     }
 
     template <class F>
@@ -61,6 +64,14 @@ private:
             count += feature.holds.back();
         }
         if (count > 0 && count < calls_.size()) list_.push_back(std::move(feature));
+    }
+
+    /// Whether a quantity has more than a few values, in right calls as in wrong ones: else any may tell them by chance.
+    bool varies(const std::vector<double>& x) const {
+        constexpr std::size_t few = 4;
+        std::set<double> good, bad;
+        for (std::size_t k = 0; k < x.size(); ++k) (wrong_[k] ? bad : good).insert(x[k]);
+        return good.size() >= few && (bad.size() >= few || (bad.size() == 1 && *bad.begin() == 0));
     }
 
     /// Above or below what tells best, rounded.
@@ -103,6 +114,10 @@ private:
         for (const Quantity& q : all) {
             std::vector<double> x;
             for (std::size_t k = 0; k < calls_.size(); ++k) x.push_back(q.value(calls_.rows[k], calls_.layouts[k], calls_.right[k]));
+            if (!varies(x)) {
+                values.push_back(std::move(x));
+                continue;
+            }
             add(fmt::format("`{} < 0`", q.words), [&](std::size_t k) { return x[k] < 0; });
             add(fmt::format("`{} > 0`", q.words), [&](std::size_t k) { return x[k] > 0; });
             add(fmt::format("`{} = 0`", q.words), [&](std::size_t k) { return x[k] == 0; });

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t most_calls = 256;
 constexpr std::uint64_t seeds = 4;  // whose parameters differ
-constexpr double patience = 1;      // CPU seconds for one answer
+constexpr double patience = 5;      // CPU seconds for one answer; on a busy machine it waits longer
 
 /// The program answers until it breaks down; then another one, a few times.
 Ask asking(const std::string& fragment, const fs::path& program, const Sandbox& sandbox, const fs::path& meshes) {

@@ -62,10 +62,10 @@ struct FragmentRecord {
     double points = 0, max_points = 0;
     Verdict verdict = Verdict::inconclusive;
     std::string message;  // what to know about it as a whole; compiler errors are untrusted text
-    Finding finding;
     std::vector<CheckRecord> checks;
     double cpu_seconds = 0;
     bool finished = false;
+    Finding finding;
 };
 
 struct Record {
