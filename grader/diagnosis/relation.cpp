@@ -37,14 +37,15 @@ public:
         right_otherwise = false;
         if (wrong_.size() < enough) return std::nullopt;
         const auto bases = same_sampling(calls_.signature, calls_.layouts.front());
+        for (const Change& base : bases)
+            if (const auto right = sampled_ ? answers(base, nullptr, all_) : std::nullopt; right && all_equal(*right, all_)) {
+                right_otherwise = true;
+                return std::nullopt;
+            }
         for (const Change& base : bases) {
             if (!sampled_ && &base != &bases.front()) break;
             const auto right = answers(base, nullptr, all_);
             if (!right) continue;
-            if (all_equal(*right, all_)) {
-                right_otherwise = true;
-                return std::nullopt;
-            }
             consider(*right, {}, base.cost, all_, false);
             one_change(base, all_);
             if (best_) return best_;
@@ -213,8 +214,11 @@ private:
             if (!found.empty()) words += (words.empty() ? "" : "; ") + found;
         }
         if (!words.empty()) return Relation{words, true, best_cost};
-        if (parts_.size() == calls_.result.parts.size()) return std::nullopt;
-        // the same random numbers give what is right, so what is wrong is wrong
+        // where a direction is right, the random numbers are used as the solution does, and what is wrong is wrong; the
+        // other way round, another direction may be as good
+        const auto is_place = [](const Field& part) { return part.kind == Kind::vector || part.kind == Kind::pair; };
+        if (parts_.size() == calls_.result.parts.size() || std::ranges::any_of(parts_, [&](const Field* part) { return is_place(*part); }))
+            return std::nullopt;
         std::string good;
         for (const Field& part : calls_.result.parts)
             if (std::ranges::count(parts_, &part) == 0) good += (good.empty() ? "" : ", ") + named(part);
