@@ -7,6 +7,7 @@
 
 #include "files/files.h"
 #include "hand_out/hand_out.h"
+#include "commands/call.h"
 #include "commands/exit_code.h"
 #include "commands/grading.h"
 #include "commands/picture.h"
@@ -68,6 +69,8 @@ int run_command_line(int argc, char** argv) {
     add_grade_options(app, grading);
     PictureArguments picture_arguments;
     CLI::App* picture = add_picture_command(app, picture_arguments);
+    CallArguments call_arguments;
+    CLI::App* call = add_call_command(app, call_arguments);
     for (const Study& study : studies)
         app.add_subcommand(study.name, study.purpose)->prefix_command()->set_help_flag();
     CLI::App* starter = app.add_subcommand("hand-out", "write what students get into a new folder: a kit");
@@ -90,6 +93,7 @@ int run_command_line(int argc, char** argv) {
         if (tables->parsed()) return describe(handout, toolchain);
         if (starter->parsed()) return run_hand_out(folder, others, toolchain);
         if (picture->parsed()) return run_picture(picture_arguments, toolchain);
+        if (call->parsed()) return run_call(call_arguments, toolchain);
         return run_grade(grading, toolchain, command);
     });
 }

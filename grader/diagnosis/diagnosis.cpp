@@ -83,25 +83,66 @@ std::string section_of(const CheckRecord& check, const StatisticRecord* statisti
     return keeps_state ? std::string(rules_section) : section_of(check.fragment, statistic->verdict, statistic->hint);
 }
 
+namespace {
+
+/// A hint, and whether it is sure: a suspect whose outputs are those of every call, not what a deviation usually means.
+struct Hint {
+    std::string words;
+    bool is_sure = false;
+};
+
+constexpr std::string_view bare = " calls are wrong; for arguments ";
+
+/// Without the numbers that a finding says better.
+Hint without_numbers(const StatisticRecord& statistic) {
+    const std::size_t numbers = statistic.hint.find(bare);
+    const auto has = [&](const char* words) { return statistic.hint.find(words) != statistic.hint.npos; };
+    if (numbers == statistic.hint.npos)
+        return {statistic.hint, statistic.exact && !has("(off by") && !has(" times what it must be") && !has("off by up to")};
+    const std::size_t end = statistic.hint.rfind(": ", numbers);
+    return {end == statistic.hint.npos ? "" : statistic.hint.substr(0, end), false};
+}
+
+std::string example(const Finding& finding) {
+    if (finding.arguments.empty()) return {};
+    return fmt::format("For {} the answer is {}, must be {}", finding.arguments, finding.answer, finding.right);
+}
+
+/// What is wrong, where, the simplest call: a line each.
+std::string in_order(const FragmentRecord& fragment, const Hint& hint) {
+    const Finding& finding = fragment.finding;
+    const std::string cause = hint.is_sure || finding.how.empty() ? hint.words : finding.how;
+    std::string text;
+    for (const std::string& line : {cause, finding.where, example(finding)})
+        if (!line.empty()) text += (text.empty() ? "" : "\n") + line;
+    return text;
+}
+
+}  // namespace
+
 Diagnosis diagnose(const FragmentRecord& fragment) {
     if (!fragment.message.empty())
         return {fragment.message, section_of(fragment.name, fragment.verdict, fragment.message)};
-    Diagnosis first;
+    const bool found = !fragment.finding.how.empty() || !fragment.finding.arguments.empty();
+    Hint first;
+    std::string section;
     std::optional<Rank> best;
-    const auto tell = [&](Rank rank, const std::string& words, const std::string& section) {
-        if (words.empty() || (best && *best <= rank)) return;
-        best = rank;
-        first = {words, section};
+    const auto tell = [&](Rank rank, const Hint& hint, const std::string& where_to_read) {
+        if (best && *best <= rank) return;
+        best = rank, first = hint, section = where_to_read;
     };
     for (const CheckRecord& check : fragment.checks) {
         if (check.verdict == Verdict::passed) continue;
-        tell(rank_of(check.verdict, check, Subject::no_image), check.message, section_of(check, nullptr));
+        if (!check.message.empty())
+            tell(rank_of(check.verdict, check, Subject::no_image), {check.message, check.message.find("again") != check.message.npos},
+                 section_of(check, nullptr));
         for (const StatisticRecord& statistic : check.statistics)
-            if (statistic.verdict != Verdict::passed)
-                tell(rank_of(statistic.verdict, check, known_subject(statistic.id).value_or(Subject::radiometry)), statistic.hint,
-                     section_of(check, &statistic));
+            if (statistic.verdict != Verdict::passed && !statistic.hint.empty())
+                tell(rank_of(statistic.verdict, check, known_subject(statistic.id).value_or(Subject::radiometry)),
+                     found ? without_numbers(statistic) : Hint{statistic.hint}, section_of(check, &statistic));
     }
-    return first;
+    if (!found) return {first.words, section};
+    return {in_order(fragment, first), section};
 }
 
 std::string reading(const std::string& section) {

@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "files/files.h"
+#include "judging/finding.h"
 #include "judging/judge_check.h"
 #include "programs/parallel.h"
 
@@ -36,6 +37,7 @@ private:
     void link(std::vector<Task>& open);
     void judge_all(const std::vector<Task>& open);
     CheckRecord judge(const Task& task);
+    Finding explain(const FragmentRecord& fragment);
     std::string made_from(const Task& task) const;
     void finish(FragmentRecord& fragment);
 
@@ -125,6 +127,24 @@ std::string Grading::made_from(const Task& task) const {
                        programs_.text(task.check->fragment));
 }
 
+/// What its calls show, where they are wrong; kept beside the checks' records, each in a file of its own.
+Finding Grading::explain(const FragmentRecord& fragment) {
+    const auto is_wrong = [](const CheckRecord& check) {
+        return check.verdict == Verdict::failed || check.verdict == Verdict::not_finite;
+    };
+    const auto first = std::ranges::find_if(fragment.checks, is_wrong);
+    if (first == fragment.checks.end() || !programs_.has(fragment.name)) return {};
+    const std::vector<Check>& checks = checks_.get();
+    const auto check = std::ranges::find_if(checks, [&](const Check& c) { return c.fragment == fragment.name; });
+    if (check == checks.end()) return {};
+    const std::string key = fragment.name + ".finding", made = made_from({&*check, nullptr, nullptr});
+    if (const auto before = settings_.build.kept.finding(key, made)) return *before;
+    if (!programs_.with({fragment.name}).errors.empty()) return {};
+    const Finding finding = find_cause(programs_, chain_, fragment.name, checks, settings_.seed);
+    settings_.build.kept.keep_finding(key, made, finding);
+    return finding;
+}
+
 /// What an earlier grading has found, and what is open.
 std::vector<Task> Grading::recall() {
     std::vector<Task> open;
@@ -184,7 +204,7 @@ void Grading::judge_all(const std::vector<Task>& open) {
     std::set<std::string> out_of_time;
     for (const Task& task : open) ++left[task.check->fragment], budgets_[task.check->fragment];
     for (FragmentRecord& fragment : record_.fragments)
-        if (left[fragment.name] == 0) finish(fragment);
+        if (left[fragment.name] == 0) fragment.finding = explain(fragment), finish(fragment);
     if (settings_.partial) settings_.partial(record_);
     progress_.expect(Work::check, int(open.size()) - checks_expected_);
     in_parallel(int(open.size()), settings_.build.jobs, [&](int i) {
@@ -192,7 +212,7 @@ void Grading::judge_all(const std::vector<Task>& open) {
         const std::string& fragment = task.check->fragment;
         progress_.tell(key_of(*task.check));
         CheckRecord record = blank_record(*task.check);
-        bool is_late = false;
+        bool is_late = false, is_last = false;
         {
             const std::scoped_lock lock(lock_);
             is_late = out_of_time.contains(fragment);
@@ -203,7 +223,13 @@ void Grading::judge_all(const std::vector<Task>& open) {
             const std::scoped_lock lock(lock_);
             *task.record = std::move(record);
             if (is_timed_out(*task.record)) out_of_time.insert(fragment);
-            if (--left[fragment] == 0) finish(*task.fragment);
+            is_last = --left[fragment] == 0;
+        }
+        // nobody else writes to this fragment any more
+        const Finding finding = is_last ? explain(*task.fragment) : Finding{};
+        {
+            const std::scoped_lock lock(lock_);
+            if (is_last) task.fragment->finding = finding, finish(*task.fragment);
             if (settings_.partial) settings_.partial(record_);
         }
         progress_.done(Work::check);

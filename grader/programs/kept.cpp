@@ -98,6 +98,10 @@ CheckRecord check_record(const Json& j) {
     return c;
 }
 
+Finding finding_record(const Json& j) {
+    return {j.at("how"), j.at("where"), j.at("arguments"), j.at("answer"), j.at("right"), j.at("sampled")};
+}
+
 bool stays(Verdict verdict) {
     return verdict == Verdict::passed || verdict == Verdict::failed || verdict == Verdict::not_finite ||
            verdict == Verdict::inconclusive;
@@ -161,6 +165,15 @@ std::optional<CheckRecord> Kept::check(const std::string& key, const std::string
 
 void Kept::keep_check(const std::string& key, const std::string& made_from, const CheckRecord& record) const {
     if (stays(record.verdict)) write(key, made_from, to_json(record));
+}
+
+std::optional<Finding> Kept::finding(const std::string& key, const std::string& made_from) const {
+    return read<Finding>(key, made_from, finding_record);
+}
+
+void Kept::keep_finding(const std::string& key, const std::string& made_from, const Finding& f) const {
+    write(key, made_from, Json{{"how", f.how}, {"where", f.where}, {"arguments", f.arguments}, {"answer", f.answer},
+                               {"right", f.right}, {"sampled", f.sampled}});
 }
 
 std::optional<rt::Image> Kept::picture(const std::string& name, const std::string& made_from) const {

@@ -27,6 +27,10 @@ public:
     /// A check's record. made_from: settings and sources.
     std::optional<CheckRecord> check(const std::string& key, const std::string& made_from) const;
 
+    /// What calls of a fragment show.
+    std::optional<Finding> finding(const std::string& key, const std::string& made_from) const;
+    void keep_finding(const std::string& key, const std::string& made_from, const Finding& finding) const;
+
     /// A picture; made_from: all that it depends on beside the framework.
     std::optional<rt::Image> picture(const std::string& name, const std::string& made_from) const;
     void keep_picture(const std::string& name, const std::string& made_from, const rt::Image& picture) const;

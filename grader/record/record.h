@@ -48,6 +48,15 @@ struct CheckRecord {
     rt::Image picture, solution_picture;
 };
 
+/// What calls of a fragment show, whichever it is; empty where they show nothing.
+struct Finding {
+    std::string how;        // "the answers are exactly what the right fragment answers with `u.x` in place of `u.y`"
+    std::string where;      // "31 of 96 calls are wrong, those where `dot(n, to_light) < 0`"
+    std::string arguments;  // of the simplest call that goes wrong: "camera.size = (2, 2), film = (0, 0)"
+    std::string answer, right;
+    bool sampled = false;   // other random numbers give answers that are as good
+};
+
 struct FragmentRecord {
     std::string name, part;
     double points = 0, max_points = 0;
@@ -56,6 +65,7 @@ struct FragmentRecord {
     std::vector<CheckRecord> checks;
     double cpu_seconds = 0;
     bool finished = false;
+    Finding finding;
 };
 
 struct Record {

@@ -109,6 +109,8 @@ std::string fragment_section(const FragmentRecord& fragment, const std::string& 
     if (fragment.verdict == Verdict::did_not_build) text += fmt::format("<pre>{}</pre>\n", html(fragment.message));
     else if (!fragment.message.empty())
         text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(fragment.verdict), html(fragment.message));
+    else if (!fragment.finding.arguments.empty())
+        text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(fragment.verdict), html(diagnose(fragment).words));
     if (const std::string link = read_link(diagnose(fragment).section, handout); !link.empty())
         text += fmt::format("<p class=\"soft\">{}</p>\n", link);
     if (fragment.verdict != Verdict::did_not_build && fragment.verdict != Verdict::not_started)

@@ -70,7 +70,7 @@ std::string fragment_rows(const Record& record, bool color) {
         if (fragment.verdict == Verdict::passed) continue;
         const Diagnosis diagnosis = diagnose(fragment);
         const bool errors = fragment.verdict == Verdict::did_not_build;
-        rows += wrapped(printable(diagnosis.words), "      ", errors ? 8 : 4);
+        rows += wrapped(printable(diagnosis.words), "      ", 8);
         // what is blank or does not compile has its own words; the others say where to read
         if (!errors && fragment.verdict != Verdict::not_started && !diagnosis.section.empty())
             rows += "      " + reading(diagnosis.section) + "\n";

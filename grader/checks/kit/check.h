@@ -96,4 +96,7 @@ using Checks = std::vector<Check>;
 /// All checks, in the order of the assignment, with the parameters that the grading seed draws.
 std::vector<Check> all_checks(std::uint64_t seed);
 
+/// Those of one fragment.
+std::vector<Check> checks_of(const std::string& fragment, std::uint64_t seed);
+
 }  // namespace grade

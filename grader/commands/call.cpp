@@ -1,0 +1,128 @@
+#include "commands/call.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstring>
+
+#include "commands/words.h"
+#include "diagnosis/calls.h"
+#include "programs/programs.h"
+#include "programs/runner.h"
+#include "protocol/protocol.h"
+
+namespace grade {
+
+namespace {
+
+constexpr double patience = 600;  // CPU seconds: a debugger waits
+
+/// Runs a command with this program's own stdout and stderr; stdin and descriptor 3 are files.
+bool run_in_view(const std::vector<std::string>& command, const fs::path& in, const fs::path& results) {
+    std::fflush(stdout);
+    const pid_t child = fork();
+    if (child < 0) throw std::runtime_error(fmt::format("no process can be made: {}", std::strerror(errno)));
+    if (child == 0) {
+        std::vector<char*> words;
+        for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
+        words.push_back(nullptr);
+        const int from = in.empty() ? STDIN_FILENO : open(in.c_str(), O_RDONLY);
+        const int to = results.empty() ? 3 : open(results.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        if (from < 0 || to < 0) _exit(127);
+        if (from != STDIN_FILENO) dup2(from, STDIN_FILENO);
+        if (to != 3) dup2(to, 3);
+        execvp(words[0], words.data());
+        _exit(127);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+/// What the child was asked to say: the row of the answer is in its last frame.
+Row answer_in(const std::string& bytes) {
+    Row answer;
+    for (std::size_t at = 0; at + sizeof(FrameHeader) <= bytes.size();) {
+        FrameHeader header{};
+        std::memcpy(&header, bytes.data() + at, sizeof header);
+        at += sizeof header;
+        if (header.check != FrameHeader{}.check || header.bytes > bytes.size() - at) break;
+        if (header.kind == FrameKind::error) throw SubmissionError("threw an exception: " + bytes.substr(at, header.bytes));
+        if (header.kind == FrameKind::rows) {
+            std::vector<double> numbers(header.bytes / sizeof(double));
+            std::memcpy(numbers.data(), bytes.data() + at, numbers.size() * sizeof(double));
+            std::vector<Row> rows;
+            if (!numbers.empty() && unflatten(std::span(numbers).subspan(1), rows) && !rows.empty()) answer = rows.front();
+        }
+        at += header.bytes;
+    }
+    return answer;
+}
+
+}  // namespace
+
+CLI::App* add_call_command(CLI::App& app, CallArguments& arguments) {
+    CLI::App* call = app.add_subcommand("call", "call a fragment with arguments that a hint shows: your answer, and the right one");
+    call->add_option("FRAGMENT", arguments.fragment, "its name")->required();
+    call->add_option("ARGUMENTS", arguments.arguments,
+                     "\"d = (0, 0, -1), n = (0, 0, 1)\", fields as \"camera.focus = 2\"; what is not named has its default");
+    call->add_option("--of", arguments.submission, "a folder; default: starter")->type_name("SUBMISSION");
+    call->add_flag("--gdb", arguments.debugger, "in the debugger, which stops where the fragment begins");
+    return call;
+}
+
+int run_call(const CallArguments& arguments, const std::string& toolchain) {
+    Toolchain chain = read_toolchain(toolchain);
+    const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
+    const Chosen chosen =
+        choose(arguments.submission.empty() ? std::vector{arguments.fragment} : std::vector{arguments.submission, arguments.fragment}, chain,
+               assignment);
+    if (chosen.fragments.empty()) throw UsageError(arguments.fragment + ": no fragment has this name");
+    const auto signature = signature_of(arguments.fragment, read_text(chain.includes.front() / "rt/fragments.h").value_or(""));
+    if (!signature) throw UsageError(arguments.fragment + ": fragments.h does not declare it");
+    Row row;
+    try {
+        row = arguments_from_words(*signature, arguments.arguments);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(error.what());
+    }
+
+    const Sandbox sandbox = find_sandbox(true);  // right away, and in the debugger, which is its user's
+    const fs::path meshes = chain.source / "scenes";
+    if (arguments.debugger) chain.compile.insert(chain.compile.end(), {"-g", "-O0"});
+    BuildSettings build;
+    build.trusted = true;
+    Progress progress({});
+    Programs programs(read_submission(chosen.submission, assignment.names()), chain, build, progress);
+    programs.compile({arguments.fragment});
+    if (const auto complaint = programs.complaint(arguments.fragment); !complaint.empty())
+        throw SubmissionError(arguments.fragment + ": " + complaint);
+
+    Runner solution(programs.with({}).program, sandbox, meshes, patience);
+    const auto right = solution.probe(arguments.fragment, {row});
+    if (const Fault* fault = std::get_if<Fault>(&right)) throw std::runtime_error("the solution itself: " + fault->message);
+
+    const fs::path program = programs.copy_for("call", programs.must_link({arguments.fragment}));
+    const fs::path request = program.parent_path() / "request", results = program.parent_path() / "results";
+    write_text(request, frame(FrameKind::fragment, arguments.fragment) + frame(FrameKind::rows, bytes_of<double>(flatten({row}))));
+    fmt::print("{}({})\n", arguments.fragment, arguments_in_words(*signature, row));
+    if (arguments.debugger)
+        run_in_view({"gdb", "-q", "-ex", "set breakpoint pending on", "-ex", "break rt::" + arguments.fragment, "-ex",
+                     fmt::format("run {:g} < {} 3> {}", patience, request.string(), results.string()), program.string()},
+                    {}, {});
+    else
+        run_in_view({program.string(), fmt::format("{:g}", patience)}, request, results);
+    const Row answer = answer_in(read_text(results).value_or(""));
+    const Row& expected = std::get<Rows>(right).front();
+    if (answer.size() != expected.size()) {
+        fmt::print("no answer: it ended before\nmust be {}\n", result_in_words(*signature, expected));
+        return 1;
+    }
+    fmt::print("answer  {}\nmust be {}\n", result_in_words(*signature, answer), result_in_words(*signature, expected));
+    return is_equal(signature->of_result(expected), answer, expected) ? 0 : 1;
+}
+
+}  // namespace grade

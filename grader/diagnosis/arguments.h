@@ -1,0 +1,69 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "checks/kit/check.h"
+
+/// What the numbers of a row are, in the words of fragments.h.
+namespace grade {
+
+enum class Kind { number, whole, flag, choice, vector, color, pair, whole_pair };
+std::size_t size_of(Kind kind);
+inline bool is_vector(Kind kind) { return kind == Kind::vector; }
+
+/// An argument, or a field of one: "camera.tan_half_fov"; of a result, "direction", or nothing where it is no struct.
+struct Field {
+    std::string name;
+    Kind kind = Kind::number;
+    std::size_t at = 0;  // its first number in the row
+};
+
+/// An argument that is a list of elements of one size.
+struct List {
+    std::string name;
+    std::size_t at = 0, count = 0, stride = 0;  // at: where its count stands
+};
+
+/// What a row holds. All rows of a fragment have the same parts in the same order.
+struct Layout {
+    std::vector<Field> parts;
+    std::vector<List> lists;
+};
+
+/// The declaration of a fragment.
+struct Signature {
+    struct Argument {
+        std::string type, name;
+    };
+    std::string fragment, result;
+    std::vector<Argument> arguments;
+
+    /// Throw std::out_of_range for a row that is too short.
+    Layout of_arguments(const Row& row) const;
+    Layout of_result(const Row& row) const;
+
+    /// A row of defaults. Lists are empty.
+    Row blank() const;
+};
+
+/// From the text of fragments.h, which has one declaration a line. None: it declares no such fragment.
+std::optional<Signature> signature_of(const std::string& fragment, const std::string& header);
+
+/// "0.5", "inf", "1e-06"
+std::string number_in_words(double x);
+
+/// "(0, 0.5, 1)", "true", "disc"
+std::string value_in_words(const Field& part, const Row& row);
+
+/// "camera.size = (2, 2), film = (0, 0)"; parts that are not told, and those at their defaults, are left out.
+std::string arguments_in_words(const Signature& signature, const Row& row, const std::vector<bool>& told = {});
+
+/// The inverse: what is not named has its default. Throws std::invalid_argument with what is wrong.
+Row arguments_from_words(const Signature& signature, const std::string& words);
+
+/// "direction = (0, 0, 1), density = 0.25", of what a fragment returns; told: by part.
+std::string result_in_words(const Signature& signature, const Row& output, const std::vector<bool>& told = {});
+
+}  // namespace grade

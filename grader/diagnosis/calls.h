@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cmath>
+
+#include "diagnosis/changes.h"
+
+namespace grade {
+
+/// A fragment's answers to calls; fewer than there are calls where it gave none.
+using Ask = std::function<Rows(const Rows& calls)>;
+
+/// Calls of a fragment, with its answers and the right ones.
+struct Calls {
+    Signature signature;
+    Rows rows, mine, right;
+    std::vector<Layout> layouts;  // of the rows
+    Layout result;
+    std::vector<bool> told;       // by argument's part: whether any answer depends on it
+
+    std::size_t size() const { return rows.size(); }
+};
+
+/// How far apart two answers may be that count as equal: single precision is.
+constexpr double equal_within = 1e-4;
+
+/// The size of a part of an answer.
+inline double scale_of(const Field& part, const Row& a, const Row& b) {
+    double scale = 1e-9;
+    for (std::size_t c = 0; c < size_of(part.kind); ++c)
+        for (const double x : {a[part.at + c], b[part.at + c]})
+            if (std::isfinite(x)) scale = std::max(scale, std::abs(x));
+    return scale;
+}
+
+inline bool is_close(double x, double y, double scale) {
+    return x == y || (std::isnan(x) && std::isnan(y)) || std::abs(x - y) <= equal_within * scale;
+}
+
+/// Whether a part of two answers is equal.
+inline bool is_equal(const Field& part, const Row& a, const Row& b) {
+    const double scale = scale_of(part, a, b);
+    for (std::size_t c = 0; c < size_of(part.kind); ++c)
+        if (!is_close(a[part.at + c], b[part.at + c], scale)) return false;
+    return true;
+}
+
+inline bool is_equal(const Layout& result, const Row& a, const Row& b) {
+    for (const Field& part : result.parts)
+        if (!is_equal(part, a, b)) return false;
+    return true;
+}
+
+/// "1.005": with as many digits as tell it from 1.
+std::string ratio_in_words(double ratio);
+
+}  // namespace grade

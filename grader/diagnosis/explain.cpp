@@ -1,0 +1,173 @@
+#include "diagnosis/explain.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "diagnosis/relation.h"
+#include "diagnosis/simplest.h"
+#include "diagnosis/where.h"
+
+namespace grade {
+
+namespace {
+
+constexpr std::size_t most_compared = 80;   // calls among which a relation is looked for
+constexpr std::size_t most_calls = 250'000;  // that the solution is asked for
+
+/// The answers to as many rows as are asked for; where any is missing, none.
+Ask limited(const Ask& ask, std::size_t& left) {
+    return [&ask, &left](const Rows& rows) -> Rows {
+        if (rows.size() > left) return {};
+        left -= rows.size();
+        Rows answers = ask(rows);
+        return answers.size() == rows.size() ? answers : Rows{};
+    };
+}
+
+/// Calls of which `most` are picked evenly, as many wrong as right ones where there are.
+Calls picked(const Calls& all, std::size_t most) {
+    std::vector<std::size_t> wrong, good;
+    for (std::size_t k = 0; k < all.size(); ++k)
+        (is_equal(all.result, all.mine[k], all.right[k]) ? good : wrong).push_back(k);
+    const auto thin = [](std::vector<std::size_t> from, std::size_t count) {
+        if (from.size() <= count) return from;
+        std::vector<std::size_t> some;
+        for (std::size_t i = 0; i < count; ++i) some.push_back(from[i * from.size() / count]);
+        return some;
+    };
+    const std::size_t of_right = std::min(good.size(), most - std::min(wrong.size(), most * 2 / 3));
+    std::vector<std::size_t> chosen = thin(wrong, most - of_right);
+    for (const std::size_t k : thin(good, of_right)) chosen.push_back(k);
+    Calls some{all.signature, {}, {}, {}, {}, all.result, all.told};
+    for (const std::size_t k : chosen) {
+        some.rows.push_back(all.rows[k]), some.layouts.push_back(all.layouts[k]);
+        some.mine.push_back(all.mine[k]), some.right.push_back(all.right[k]);
+    }
+    return some;
+}
+
+struct Dependence {
+    bool mine = false, right = false;
+};
+
+/// On which parts the answers depend: each is taken from another call.
+std::vector<Dependence> dependences(const Calls& calls, const Ask& mine, const Ask& right) {
+    const std::size_t count = std::min<std::size_t>(calls.size(), 32);
+    const auto& parts = calls.layouts.front().parts;
+    std::vector<Dependence> all(parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        Rows rows;
+        for (std::size_t k = 0; k < count; ++k) {
+            Row row = calls.rows[k];
+            const std::size_t other = (k * 7 + 3) % calls.size();
+            for (std::size_t c = 0; c < size_of(parts[i].kind); ++c)
+                row[calls.layouts[k].parts[i].at + c] = calls.rows[other][calls.layouts[other].parts[i].at + c];
+            rows.push_back(std::move(row));
+        }
+        const auto differs = [&](const Rows& answers, const Rows& before) {
+            int count_ = 0;
+            for (std::size_t k = 0; k < answers.size(); ++k) count_ += !is_equal(calls.result, answers[k], before[k]);
+            return answers.empty() || count_ > 0;
+        };
+        all[i] = {differs(mine(rows), calls.mine), differs(right(rows), calls.right)};
+    }
+    return all;
+}
+
+/// Calls whose numbers can be compared.
+Calls compared(const Signature& signature, const Rows& rows, const Ask& mine, const Ask& right) {
+    Calls calls{signature, {}, {}, {}, {}, {}, {}};
+    const Rows own = mine(rows), solution = right(rows);
+    if (own.size() != rows.size() || solution.size() != rows.size()) return calls;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        if (own[k].size() != solution[k].size()) continue;
+        calls.rows.push_back(rows[k]), calls.mine.push_back(own[k]), calls.right.push_back(solution[k]);
+        calls.layouts.push_back(signature.of_arguments(rows[k]));
+    }
+    if (calls.size() > 0) calls.result = signature.of_result(calls.right.front());
+    return calls;
+}
+
+/// Calls with one number more from another call: what the checks' calls have in common by their making, a relation must
+/// not rest on.
+Calls crossed(const Calls& calls, const Ask& mine, const Ask& right) {
+    constexpr std::size_t most = 96;
+    std::vector<std::size_t> numbers;
+    const auto& parts = calls.layouts.front().parts;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (calls.told[i] && (parts[i].kind == Kind::number || parts[i].kind == Kind::pair)) numbers.push_back(i);
+    Rows rows;
+    for (std::size_t k = 0; k < std::min(most, calls.size()) && !numbers.empty(); ++k) {
+        const std::size_t from = k * calls.size() / std::min(most, calls.size()), other = (from * 5 + 11) % calls.size();
+        const std::size_t i = numbers[k % numbers.size()];
+        Row row = calls.rows[from];
+        for (std::size_t c = 0; c < size_of(parts[i].kind); ++c)
+            row[calls.layouts[from].parts[i].at + c] = calls.rows[other][calls.layouts[other].parts[i].at + c];
+        rows.push_back(std::move(row));
+    }
+    Calls all = calls, more = compared(calls.signature, rows, mine, right);
+    for (std::size_t k = 0; k < more.size(); ++k) {
+        if (std::ranges::any_of(more.right[k], [](double x) { return std::isnan(x); })) continue;
+        all.rows.push_back(more.rows[k]), all.layouts.push_back(more.layouts[k]);
+        all.mine.push_back(more.mine[k]), all.right.push_back(more.right[k]);
+    }
+    return all;
+}
+
+std::string independence(const Calls& calls, const std::vector<Dependence>& all) {
+    std::string lost, added;
+    const auto& parts = calls.layouts.front().parts;
+    const auto tell = [](std::string& list, const std::string& name) { list += (list.empty() ? "`" : ", `") + name + "`"; };
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (all[i].right && !all[i].mine) tell(lost, parts[i].name);
+        if (all[i].mine && !all[i].right) tell(added, parts[i].name);
+    }
+    if (!lost.empty()) return fmt::format("the answer is the same whatever {} is", lost);
+    if (!added.empty()) return fmt::format("the answer depends on {}, which must not matter", added);
+    return {};
+}
+
+}  // namespace
+
+Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_mine, const Ask& ask_right) try {
+    std::size_t left = most_calls;
+    const Ask mine = limited(ask_mine, left), right = limited(ask_right, left);
+    Calls all = compared(signature, rows, mine, right);
+    std::size_t wrong = 0;
+    for (std::size_t k = 0; k < all.size(); ++k) wrong += !is_equal(all.result, all.mine[k], all.right[k]);
+    if (wrong == 0) return {};
+    const auto depends = dependences(all, mine, right);
+    for (const Dependence& d : depends) all.told.push_back(d.mine || d.right);
+
+    const auto& arguments = signature.arguments;
+    const bool sampled = std::ranges::any_of(arguments, [](const auto& argument) { return argument.name == "u"; });
+    bool right_otherwise = false;
+    Finding finding;
+    const auto relation = relation_of(picked(crossed(all, mine, right), most_compared), right, sampled, right_otherwise);
+    if (right_otherwise) return {};
+    finding.sampled = sampled;
+    if (relation) finding.how = relation->words;
+    else if (!sampled) finding.how = independence(all, depends);
+    // another parametrisation is wrong in no call
+    if (sampled && !relation) return finding;
+
+    if (wrong < all.size() && !sampled) {
+        const std::string where = where_wrong(all);
+        finding.where = fmt::format("{} of {} calls are wrong", wrong, all.size());
+        if (!where.empty()) finding.where += ", those " + where;
+    }
+    std::size_t more = 4000;
+    const Ask mine_again = limited(ask_mine, more), right_again = limited(ask_right, more);
+    const Example simplest = simplest_wrong(all, mine_again, right_again);
+    finding.arguments = arguments_in_words(signature, simplest.row, all.told);
+    std::vector<bool> wrong_parts;
+    for (const Field& part : all.result.parts) wrong_parts.push_back(!is_equal(part, simplest.mine, simplest.right));
+    finding.answer = result_in_words(signature, simplest.mine, wrong_parts);
+    finding.right = result_in_words(signature, simplest.right, wrong_parts);
+    return finding;
+} catch (const std::out_of_range&) {
+    return {};  // an answer that is too short
+}
+
+}  // namespace grade

@@ -1,0 +1,247 @@
+#include "diagnosis/relation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "diagnosis/forms.h"
+
+namespace grade {
+
+namespace {
+
+constexpr std::size_t enough = 5;     // wrong calls, below which anything may be chance
+constexpr std::size_t few = 10;       // calls with which two changes at once are sifted
+constexpr std::size_t most_pairs = 36;  // changes that are tried by twos
+constexpr double best_cost = 100;
+
+std::string named(const Field& part) { return part.name.empty() ? "the answer" : "`" + part.name + "`"; }
+
+class Search {
+public:
+    Search(const Calls& calls, const Ask& right, bool sampled) : calls_(calls), ask_(right), sampled_(sampled) {
+        for (std::size_t k = 0; k < calls.size(); ++k) {
+            all_.push_back(k);
+            if (!is_equal(calls.result, calls.mine[k], calls.right[k])) wrong_.push_back(k);
+        }
+        for (const Field& part : calls.result.parts)
+            for (const std::size_t k : wrong_)
+                if (!is_equal(part, calls.mine[k], calls.right[k])) {
+                    parts_.push_back(&part);
+                    break;
+                }
+        changes_ = changes_of(calls.signature, calls.layouts.front(), calls.told);
+    }
+
+    std::optional<Relation> run(bool& right_otherwise) {
+        right_otherwise = false;
+        if (wrong_.size() < enough) return std::nullopt;
+        const auto bases = same_sampling(calls_.signature, calls_.layouts.front());
+        for (const Change& base : bases)
+            if (const auto right = sampled_ ? answers(base, nullptr, all_) : std::nullopt; right && all_equal(*right, all_)) {
+                right_otherwise = true;
+                return std::nullopt;
+            }
+        for (const Change& base : bases) {
+            if (!sampled_ && &base != &bases.front()) break;
+            const auto right = answers(base, nullptr, all_);
+            if (!right) continue;
+            consider(*right, {}, base.cost, all_, false);
+            one_change(base, all_);
+            if (best_) return best_;
+        }
+        if (auto there = by_choice()) return there;
+        const bool some_right = wrong_.size() < all_.size() && !sampled_;
+        if (some_right) {
+            consider(calls_.right, {}, 0, wrong_, false);
+            one_change(bases.front(), wrong_);
+            if (best_) return best_;
+        }
+        if (!sampled_)
+            if (auto there = where_it_is_not_nothing()) return there;
+        two_changes(all_);
+        if (!best_ && some_right) two_changes(wrong_);
+        if (best_) return best_;
+        return by_parts();
+    }
+
+private:
+    /// One mistake in calls of one kind: of a disc, say.
+    std::optional<Relation> by_choice() {
+        const auto& parts = calls_.layouts.front().parts;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            if ((parts[i].kind != Kind::choice && parts[i].kind != Kind::flag) || !calls_.told[i]) continue;
+            for (int value = 0; value < 5; ++value) {
+                std::vector<std::size_t> some;
+                std::size_t wrong = 0;
+                for (const std::size_t k : all_)
+                    if (calls_.rows[k][calls_.layouts[k].parts[i].at] == value)
+                        some.push_back(k), wrong += !is_equal(calls_.result, calls_.mine[k], calls_.right[k]);
+                if (wrong < enough || some.size() == all_.size()) continue;
+                region_ = fmt::format("where `{}` is {}, ", parts[i].name, value_in_words({parts[i].name, parts[i].kind, 0}, {double(value)}));
+                consider(calls_.right, {}, 0, some, false);
+                one_change(same_, some);
+                if (best_) return best_;
+            }
+        }
+        region_.clear();
+        return std::nullopt;
+    }
+
+    /// One change where the right answer is neither 0 nor inf: what happens there may be a second mistake.
+    std::optional<Relation> where_it_is_not_nothing() {
+        std::vector<std::size_t> some;
+        for (const std::size_t k : all_)
+            if (std::ranges::any_of(calls_.right[k], [](double x) { return std::isfinite(x) && x != 0; })) some.push_back(k);
+        if (some.size() < 2 * enough || some.size() == all_.size()) return std::nullopt;
+        region_ = "where the right answer is not 0 or inf, ";
+        one_change(same_, some);
+        region_.clear();
+        return best_;
+    }
+
+    /// The right answers for changed arguments, where `scope` has calls; elsewhere those that are right.
+    std::optional<Rows> answers(const Change& first, const Change* second, const std::vector<std::size_t>& scope) const {
+        Rows rows;
+        for (const std::size_t k : scope) {
+            Row row = calls_.rows[k];
+            if (!first.make(row, calls_.layouts[k]) || (second && !second->make(row, calls_.layouts[k]))) return std::nullopt;
+            rows.push_back(std::move(row));
+        }
+        Rows given = ask_(rows);
+        if (given.size() != rows.size()) return std::nullopt;
+        Rows all = calls_.right;
+        for (std::size_t i = 0; i < scope.size(); ++i) {
+            if (given[i].size() != all[scope[i]].size()) return std::nullopt;
+            all[scope[i]] = std::move(given[i]);
+        }
+        return all;
+    }
+
+    bool all_equal(const Rows& right, const std::vector<std::size_t>& scope) const {
+        return std::ranges::all_of(scope, [&](std::size_t k) { return is_equal(calls_.result, calls_.mine[k], right[k]); });
+    }
+
+    /// A relation of all parts that are wrong, if it costs less than the best one.
+    void consider(const Rows& right, const std::string& change, double cost, const std::vector<std::size_t>& scope, bool only_simple) {
+        std::string forms;
+        for (const Field* part : parts_) {
+            const auto form = form_of(calls_, *part, right, scope, only_simple);
+            // a change and a constant together explain much by chance
+            if (!form || (!change.empty() && parts_.size() < 2 && !form->words.empty())) return;
+            cost += form->cost;
+            if (!form->words.empty())
+                forms += fmt::format("{}{} {}", forms.empty() ? "" : ", and ", named(*part), form->words);
+        }
+        // what is right must stay so
+        for (const Field& part : calls_.result.parts)
+            if (std::ranges::count(parts_, &part) == 0 &&
+                !std::ranges::all_of(scope, [&](std::size_t k) { return is_equal(part, calls_.mine[k], right[k]); }))
+                return;
+        if (best_ && best_->cost <= cost) return;
+        const bool everywhere = scope.size() == all_.size();
+        const std::string there = !region_.empty() ? region_ : everywhere ? "" : "in the wrong calls ";
+        best_ = Relation{there + sentence(change, forms), everywhere, cost};
+    }
+
+    static std::string sentence(const std::string& change, const std::string& forms) {
+        if (change.empty()) return forms;
+        const std::string as = "exactly what the right fragment answers with " + change;
+        return forms.empty() ? "the answers are " + as : fmt::format("the answers are {}, but {}", as, forms);
+    }
+
+    /// Whether the changed answers differ from right ones as often as mine do, and not by one number only.
+    bool tells(const Rows& changed, const std::vector<std::size_t>& scope) const {
+        std::size_t other = 0;
+        const Row* first = nullptr;
+        bool varies = false;
+        for (const std::size_t k : scope) {
+            if (is_equal(calls_.result, changed[k], calls_.right[k])) continue;
+            ++other;
+            if (!first) first = &changed[k];
+            else varies = varies || !is_equal(calls_.result, *first, changed[k]);
+        }
+        return other >= enough && varies;
+    }
+
+    void one_change(const Change& base, const std::vector<std::size_t>& scope) {
+        for (const Change& change : changes_) {
+            if (best_ && change.cost + base.cost >= best_->cost) break;
+            const auto right = answers(change, &base, scope);
+            if (right && tells(*right, scope)) consider(*right, change.words, change.cost + base.cost, scope, true);
+        }
+    }
+
+    void two_changes(const std::vector<std::size_t>& scope) {
+        // sifted: which part of the calls tells them apart
+        std::vector<std::size_t> sample;
+        for (const std::size_t k : wrong_)
+            if (sample.size() < few) sample.push_back(k);
+        std::vector<const Change*> list;
+        for (const Change& change : changes_) {
+            if (list.size() >= most_pairs) break;
+            if (change.cost > 1.5) break;
+            const auto right = answers(change, nullptr, sample);
+            if (right && std::ranges::any_of(sample, [&](std::size_t k) { return !is_equal(calls_.result, (*right)[k], calls_.right[k]); }))
+                list.push_back(&change);
+        }
+        for (std::size_t a = 0; a < list.size(); ++a)
+            for (std::size_t b = 0; b < list.size(); ++b) {
+                const double cost = list[a]->cost + list[b]->cost + 1;
+                if (a == b || (best_ && cost >= best_->cost)) continue;
+                const auto some = answers(*list[a], list[b], sample);
+                if (!some || !all_equal(*some, sample)) continue;
+                const auto right = answers(*list[a], list[b], scope);
+                if (right && tells(*right, scope)) consider(*right, list[a]->words + ", and " + list[b]->words, cost, scope, true);
+            }
+    }
+
+    /// Each part by itself; what is found of some.
+    std::optional<Relation> by_parts() const {
+        std::string words;
+        for (const Field* part : parts_) {
+            double best = best_cost;
+            std::string found;
+            if (const auto form = form_of(calls_, *part, calls_.right, all_, false); form && !sampled_)
+                best = form->cost, found = fmt::format("{} {}", named(*part), form->words);
+            for (const Change& change : changes_) {
+                if (change.cost >= best || parts_.size() < 2) break;
+                const auto right = answers(change, nullptr, all_);
+                if (!right || !tells(*right, all_)) continue;
+                if (const auto form = form_of(calls_, *part, *right, all_, true); form && form->words.empty())
+                    best = change.cost, found = fmt::format("{} is exactly what the right fragment answers with {}", named(*part), change.words);
+            }
+            if (!found.empty()) words += (words.empty() ? "" : "; ") + found;
+        }
+        if (!words.empty()) return Relation{words, true, best_cost};
+        // where a direction is right, the random numbers are used as the solution does, and what is wrong is wrong; the
+        // other way round, another direction may be as good
+        const auto is_place = [](const Field& part) { return part.kind == Kind::vector || part.kind == Kind::pair; };
+        if (parts_.size() == calls_.result.parts.size() || std::ranges::any_of(parts_, [&](const Field* part) { return is_place(*part); }))
+            return std::nullopt;
+        std::string good;
+        for (const Field& part : calls_.result.parts)
+            if (std::ranges::count(parts_, &part) == 0) good += (good.empty() ? "" : ", ") + named(part);
+        for (const Field* part : parts_) words += (words.empty() ? "" : ", ") + named(*part);
+        return Relation{fmt::format("{} {} right, {} {} not", good, calls_.result.parts.size() - parts_.size() > 1 ? "are" : "is", words,
+                                    parts_.size() > 1 ? "are" : "is"), true, best_cost};
+    }
+
+    const Calls& calls_;
+    const Ask& ask_;
+    bool sampled_;
+    std::string region_;  // of which a relation is looked for: "where ..., "
+    const Change same_{"", 0, [](Row&, const Layout&) { return true; }};
+    std::vector<std::size_t> all_, wrong_;
+    std::vector<const Field*> parts_;  // of the answer, that are wrong somewhere
+    std::vector<Change> changes_;
+    std::optional<Relation> best_;
+};
+
+}  // namespace
+
+std::optional<Relation> relation_of(const Calls& calls, const Ask& right, bool sampled, bool& right_otherwise) {
+    return Search(calls, right, sampled).run(right_otherwise);
+}
+
+}  // namespace grade

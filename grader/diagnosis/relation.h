@@ -1,0 +1,20 @@
+#pragma once
+
+#include "diagnosis/calls.h"
+
+namespace grade {
+
+/// What wrong answers have to do with right ones, in every call that was looked at.
+struct Relation {
+    std::string words;
+    bool everywhere = true;  // else in those calls only that are wrong
+    double cost = 0;
+};
+
+/// The simplest one; none: none was found.
+///
+/// right    the solution
+/// sampled  other random numbers give as good an answer; right_otherwise: these do, and nothing is wrong in these calls
+std::optional<Relation> relation_of(const Calls& calls, const Ask& right, bool sampled, bool& right_otherwise);
+
+}  // namespace grade

@@ -1,0 +1,183 @@
+#include "diagnosis/where.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace grade {
+
+namespace {
+
+constexpr double share = 0.95;      // of either kind that a rule must tell rightly
+constexpr std::size_t at_least = 4;  // calls of either kind
+
+struct Feature {
+    std::string words;
+    std::vector<bool> holds;
+};
+
+class Features {
+public:
+    explicit Features(const Calls& calls) : calls_(calls) {
+        for (std::size_t k = 0; k < calls.size(); ++k) wrong_.push_back(!is_equal(calls.result, calls.mine[k], calls.right[k]));
+        quantities();
+        parts();
+        answers();
+    }
+
+    std::string rule() const {
+        const auto bad = std::size_t(std::ranges::count(wrong_, true));
+        if (bad < at_least || wrong_.size() - bad < at_least) return {};
+        const Feature* best = nullptr;
+        double most = 0;
+        for (const Feature& one : list_)
+            if (const double s = score(one.holds); s > most) most = s, best = &one;
+        if (most >= share) return best->words;
+        std::string words;
+        for (std::size_t a = 0; a < list_.size(); ++a)
+            for (std::size_t b = a + 1; b < list_.size(); ++b) {
+                std::vector<bool> both(wrong_.size());
+                for (std::size_t k = 0; k < both.size(); ++k) both[k] = list_[a].holds[k] && list_[b].holds[k];
+                if (const double s = score(both); s > most) most = s, words = list_[a].words + " and " + list_[b].words;
+            }
+        return most >= share ? words : "";
+    }
+
+private:
+    /// The worse of both shares that are told rightly, of wrong calls and of those where the rule holds; 0 where it holds for
+    /// right ones as well.
+    double score(const std::vector<bool>& holds) const {
+        double wrong = 0, holding = 0, both = 0;
+        for (std::size_t k = 0; k < holds.size(); ++k)
+            wrong += wrong_[k], holding += holds[k], both += wrong_[k] && holds[k];
+        const double good = double(holds.size()) - wrong, spared = (good - (holding - both)) / good;
+        return holding > 0 && wrong > 0 && spared > 0.8 ? std::min(both / wrong, both / holding) : 0;
+    }
+
+    template <class F>
+    void add(const std::string& words, F holds) {
+        Feature feature{words, {}};
+        std::size_t count = 0;
+        for (std::size_t k = 0; k < calls_.size(); ++k) {
+            feature.holds.push_back(holds(k));
+            count += feature.holds.back();
+        }
+        if (count > 0 && count < calls_.size()) list_.push_back(std::move(feature));
+    }
+
+    /// Whether a quantity has more than a few values, in right calls as in wrong ones: else any may tell them by chance.
+    bool varies(const std::vector<double>& x) const {
+        constexpr std::size_t few = 4;
+        std::set<double> good, bad;
+        for (std::size_t k = 0; k < x.size(); ++k) (wrong_[k] ? bad : good).insert(x[k]);
+        return good.size() >= few && (bad.size() >= few || (bad.size() == 1 && *bad.begin() == 0));
+    }
+
+    /// Above or below what tells best, rounded.
+    void threshold(const std::string& words, const std::vector<double>& x) {
+        std::vector<std::pair<double, bool>> sorted;
+        for (std::size_t k = 0; k < x.size(); ++k)
+            if (std::isfinite(x[k])) sorted.emplace_back(x[k], wrong_[k]);
+        if (sorted.size() < 2 * at_least) return;
+        std::ranges::sort(sorted);
+        double best = 0, low = 0, high = 0;
+        double total = 0, seen = 0;
+        for (const auto& [value, bad] : sorted) total += bad;
+        bool above = false;
+        for (std::size_t i = 1; i < sorted.size(); ++i) {
+            seen += sorted[i - 1].second;
+            if (sorted[i].first == sorted[i - 1].first || total == 0) continue;
+            const double n = double(sorted.size());
+            const double below = std::min(seen / total, seen / double(i)), over = std::min((total - seen) / total, (total - seen) / (n - double(i)));
+            if (std::max(below, over) > best)
+                best = std::max(below, over), above = over > below, low = sorted[i - 1].first, high = sorted[i].first;
+        }
+        if (best < 0.8) return;
+        // the shortest number in between
+        double cut = (low + high) / 2;
+        for (int digits = 1; digits < 8; ++digits) {
+            const double rounded = std::stod(fmt::format("{:.{}g}", (low + high) / 2, digits));
+            if (rounded >= low && rounded <= high) {
+                cut = rounded;
+                break;
+            }
+        }
+        if (low < 0 && high > 0) cut = 0;
+        add(fmt::format("`{} {} {}`", words, above ? ">" : "<", number_in_words(cut)),
+            [&](std::size_t k) { return above ? x[k] >= high : x[k] <= low; });
+    }
+
+    void quantities() {
+        const auto all = quantities_of(calls_.layouts.front(), calls_.told);
+        std::vector<std::vector<double>> values;
+        for (const Quantity& q : all) {
+            std::vector<double> x;
+            for (std::size_t k = 0; k < calls_.size(); ++k) x.push_back(q.value(calls_.rows[k], calls_.layouts[k], calls_.right[k]));
+            if (!varies(x)) {
+                values.push_back(std::move(x));
+                continue;
+            }
+            add(fmt::format("`{} < 0`", q.words), [&](std::size_t k) { return x[k] < 0; });
+            add(fmt::format("`{} > 0`", q.words), [&](std::size_t k) { return x[k] > 0; });
+            add(fmt::format("`{} = 0`", q.words), [&](std::size_t k) { return x[k] == 0; });
+            if (q.words.find('|') == 0)
+                add(fmt::format("`{}` is not 1", q.words), [&](std::size_t k) { return std::abs(x[k] - 1) > 1e-6; });
+            threshold(q.words, x);
+            values.push_back(std::move(x));
+        }
+        const auto is_plain = [&](std::size_t i) { return all[i].words.find_first_of("(|") == std::string::npos; };
+        for (std::size_t a = 0; a < all.size(); ++a)
+            for (std::size_t b = 0; b < all.size(); ++b)
+                if (a != b && is_plain(a) && is_plain(b))
+                    add(fmt::format("`{} < {}`", all[a].words, all[b].words), [&](std::size_t k) { return values[a][k] < values[b][k]; });
+    }
+
+    void parts() {
+        const auto& parts = calls_.layouts.front().parts;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            if (i < calls_.told.size() && !calls_.told[i]) continue;
+            const Field part = parts[i];
+            const auto at = [&, i](std::size_t k, std::size_t c) { return calls_.rows[k][calls_.layouts[k].parts[i].at + c]; };
+            if (part.kind == Kind::flag) {
+                add(fmt::format("`{}` is true", part.name), [&](std::size_t k) { return at(k, 0) != 0; });
+                add(fmt::format("`{}` is false", part.name), [&](std::size_t k) { return at(k, 0) == 0; });
+            }
+            if (part.kind == Kind::choice)
+                for (int value = 0; value < 5; ++value)
+                    add(fmt::format("`{}` is {}", part.name, value_in_words({part.name, part.kind, 0}, {double(value)})),
+                        [&](std::size_t k) { return at(k, 0) == value; });
+            if (part.kind == Kind::color || part.kind == Kind::vector) {
+                add(fmt::format("`{} = (0, 0, 0)`", part.name), [&](std::size_t k) { return at(k, 0) == 0 && at(k, 1) == 0 && at(k, 2) == 0; });
+                add(fmt::format("`{}` is not (0, 0, 0)", part.name),
+                    [&](std::size_t k) { return at(k, 0) != 0 || at(k, 1) != 0 || at(k, 2) != 0; });
+            }
+        }
+    }
+
+    void answers() {
+        for (const Field& part : calls_.result.parts) {
+            const std::string name = part.name.empty() ? "answer" : part.name;
+            add(fmt::format("the right {} is 0", name), [&](std::size_t k) {
+                for (std::size_t c = 0; c < size_of(part.kind); ++c)
+                    if (calls_.right[k][part.at + c] != 0) return false;
+                return true;
+            });
+            add(fmt::format("the right {} is inf", name), [&](std::size_t k) { return std::isinf(calls_.right[k][part.at]); });
+            add(fmt::format("the right {} is not inf", name), [&](std::size_t k) { return std::isfinite(calls_.right[k][part.at]); });
+        }
+    }
+
+    const Calls& calls_;
+    std::vector<bool> wrong_;
+    std::vector<Feature> list_;
+};
+
+}  // namespace
+
+std::string where_wrong(const Calls& calls) {
+    const std::string rule = Features(calls).rule();
+    return rule.empty() ? rule : "where " + rule;
+}
+
+}  // namespace grade

@@ -1,0 +1,69 @@
+#include "judging/finding.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "diagnosis/explain.h"
+#include "files/files.h"
+#include "judging/experiment.h"
+
+namespace grade {
+
+namespace {
+
+constexpr std::size_t most_calls = 256;
+constexpr std::uint64_t seeds = 4;  // whose parameters differ
+constexpr double patience = 5;      // CPU seconds for one answer; on a busy machine it waits longer
+
+/// The program answers until it breaks down; then another one, a few times.
+Ask asking(const std::string& fragment, const fs::path& program, const Sandbox& sandbox, const fs::path& meshes) {
+    struct State {
+        std::unique_ptr<Runner> runner;
+        int starts = 0;
+    };
+    return [=, &sandbox, state = std::make_shared<State>()](const Rows& rows) -> Rows {
+        constexpr int most_starts = 4;
+        if (!state->runner) {
+            if (++state->starts > most_starts) return {};
+            state->runner = std::make_unique<Runner>(program, sandbox, meshes, patience);
+        }
+        auto outcome = state->runner->probe(fragment, rows);
+        if (Rows* answers = std::get_if<Rows>(&outcome)) return std::move(*answers);
+        state->runner.reset();
+        return {};
+    };
+}
+
+/// Calls that the fragment's checks make, as many of each, with the parameters of several seeds.
+Rows calls_of(const std::string& fragment, const std::vector<Check>& checks, std::uint64_t seed) {
+    std::vector<Check> own;
+    for (const Check& check : checks)
+        if (check.fragment == fragment) own.push_back(check);
+    for (std::uint64_t more = 1; more < seeds; ++more)
+        for (Check& check : checks_of(fragment, seed + more)) own.push_back(std::move(check));
+    std::erase_if(own, [](const Check& check) { return !std::holds_alternative<Probe>(check.experiment); });
+    Rows all;
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        Generator generator(replicate_seed(seed + i, own[i], Stream::submission, 0));
+        const Rows rows = std::get<Probe>(own[i].experiment).inputs(generator);
+        const std::size_t count = std::min(rows.size(), most_calls / own.size() + 1);
+        all.insert(all.end(), rows.begin(), rows.begin() + std::ptrdiff_t(count));
+    }
+    return all;
+}
+
+}  // namespace
+
+Finding find_cause(Programs& programs, const Toolchain& chain, const std::string& fragment, const std::vector<Check>& checks,
+                   std::uint64_t seed) {
+    const auto header = read_text(chain.includes.front() / "rt/fragments.h");
+    const auto signature = signature_of(fragment, header.value_or(""));
+    const Rows calls = calls_of(fragment, checks, seed);
+    if (!signature || calls.empty()) return {};
+    const fs::path meshes = chain.source / "scenes";
+    const fs::path own = programs.copy_for(fragment + ".calls", programs.with({fragment}).program);
+    return explain(*signature, calls, asking(fragment, own, programs.sandbox(), meshes),
+                   asking(fragment, programs.with({}).program, programs.sandbox(), meshes));
+}
+
+}  // namespace grade
