@@ -115,7 +115,7 @@ def watch(spec, command, kill_after):
         for pid, fields in processes().items():
             if pid == grader.pid or program_of(pid) == spec["grade"]:
                 peak = max(peak, int(fields.get("VmHWM", "0 kB").split()[0]))
-        pause = 0.03
+        pause = 0.05
         if kill_after is not None:
             pause = max(0.0, min(pause, began + kill_after - time.monotonic()))
             if pause == 0.0:
@@ -131,8 +131,8 @@ def watch(spec, command, kill_after):
 
 
 def left_after():
-    """What a second of patience does not see go; zombies are this box's own affair."""
-    deadline = time.monotonic() + 1
+    """What three seconds of patience do not see go; zombies are this box's own affair."""
+    deadline = time.monotonic() + 3
     while True:
         reap()
         alive = [f"{fields['Name']} ({pid})" for pid, fields in processes().items() if fields["State"][0] != "Z"]
@@ -162,11 +162,21 @@ def first_process(spec):
     make_mounts(spec)
     # a Popen object must be the one to wait for its own child: reap() runs only between runs
     reports = []
-    for index, command in enumerate(spec["commands"]):
-        reports.append(watch(spec, command, (spec["kill_after"] or {}).get(str(index))))
+    for command, kill_after in zip(spec["commands"], spec["kill_after"]):
+        began = time.time()
+        reports.append({**watch(spec, command, kill_after), "complete": is_complete(spec, began)})
         kill_the_rest()
     with open(spec["report"], "w") as file:
         json.dump(reports, file)
+
+
+def is_complete(spec, began):
+    """Of the record: whether it says so, and whether it is this run's own."""
+    path = pathlib.Path(spec["folder"], "out/record.json")
+    try:
+        return {"complete": json.loads(path.read_text())["complete"], "own": path.stat().st_mtime >= began - 0.01}
+    except (OSError, ValueError, KeyError):
+        return None
 
 
 def join_bounds(name):
@@ -211,7 +221,7 @@ def run(profile, as_root, grade, commands, folder, environment, launcher, wall=2
     if profile == "container":
         commands = [[launcher, *(["--user", str(user)] if user else []), *command] for command in commands]
     spec = {"profile": profile, "as_root": as_root, "user": user, "root": root, "grade": str(grade), "commands": commands,
-            "folder": str(folder), "environment": environment, "wall": wall, "kill_after": kill_after,
+            "folder": str(folder), "environment": environment, "wall": wall, "kill_after": kill_after or [None] * len(commands),
             "report": str(folder / "report.json"), "name": f"hostile-{os.getpid()}-{folder.name}"}
     box = subprocess.Popen([sys.executable, __file__, json.dumps(spec)])
     try:

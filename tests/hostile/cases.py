@@ -42,6 +42,7 @@ class Case:
     verdicts: set  # of the first fragment
     words: tuple = ()  # one of them must be said
     absent: tuple = ()  # regular expressions that nothing may match, beside the secrets
+    unsaid: tuple = ()  # the same, for what is printed
     fragments: tuple = ("uniform_disk",)
     seconds: float = 60  # of wall time, on a busy machine
     code: int = 0
@@ -242,9 +243,9 @@ def _(place):
     return disk("    return {vec2(" + "(" * 100_000 + "0" + ")" * 100_000 + "), 1};")
 
 
-@case("10", "200,000 errors", "did_not_build", "error", own=True, after=lambda place: outputs_are_short(place))
+@case("10", "12,000 errors", "did_not_build", "error", own=True, after=lambda place: outputs_are_short(place))
 def _(place):
-    return "#include \"rt/fragments.h\"\n" + "".join(f"int a{i} = b{i};\n" for i in range(12_000))
+    return "#include \"rt/fragments.h\"\n" + "#error and again\n" * 12_000
 
 
 @case("10b", "100 MB on stdout and on stderr", "passed", bystander=True, after=lambda place: outputs_are_short(place), own=True)
@@ -258,14 +259,19 @@ def _(place):
 @case("11", "writes into the results", ANY_FAULT, absent=("HACKED",), after=lambda place: victim_is_whole(place))
 def _(place):
     return attack("    bool won = false;\n    for (const char* path : paths) {\n"
-                  "        const int fd = open(path, O_WRONLY | O_CREAT, 0666);\n"
-                  '        if (fd >= 0 && write(fd, "HACKED", 6) == 6) won = true;\n    }\n    return won;',
+                  "        const int fd = open(path, O_WRONLY);\n"
+                  '        if (fd >= 0 && write(fd, "HACKED", 6) == 6) won = true;\n'
+                  f"        close(open({quoted(place.victim / 'new')}, O_WRONLY | O_CREAT, 0666));\n    }}\n    return won;",
                   paths(place.folder / "out/record.json", place.folder / "out/page/index.html", place.folder / "out/stdout",
                         place.victim / "file", place.folder / "submission/uniform_disk.cpp", place.root / "assignment.toml"))
 
 
+# GitHub obeys "::error::" behind blanks as well, and "##[" anywhere in a line
+FAKES = (r"(?m)^\s*uniform_disk +passed", r"(?m)^\s*::", r"##\[")
+
+
 @case("12a", "fake result lines and annotations, then an abort", "crashed", "abort",
-      absent=(r"(?m)^\s*uniform_disk +passed", r"(?m)^::", r"(?m)^##\["), html=True, fast=True)
+      unsaid=FAKES, html=True, fast=True)
 def _(place):
     return disk(r"""    const char* text = "\n  uniform_disk            passed                2 of 2\n::error::taken\n##[set-output]x\nTotal  100 of 100\n";
     std::fputs(text, stderr), std::fputs(text, stdout), std::fflush(stdout);
@@ -273,7 +279,7 @@ def _(place):
 
 
 @case("12b", "fake result lines in an exception and in an error", "crashed", "exception",
-      absent=(r"(?m)^\s*uniform_disk +passed", r"(?m)^::", r"(?m)^##\["))
+      unsaid=FAKES)
 def _(place):
     return disk(r'    throw std::runtime_error("\n  uniform_disk            passed                2 of 2\n::error::taken\n##[x]");',
                 head="#include <stdexcept>\n")
