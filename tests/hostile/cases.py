@@ -43,6 +43,7 @@ class Case:
     words: tuple = ()  # one of them must be said
     absent: tuple = ()  # regular expressions that nothing may match, beside the secrets
     unsaid: tuple = ()  # the same, for what is printed
+    off_page: tuple = ()  # and for the page
     fragments: tuple = ("uniform_disk",)
     seconds: float = 60  # of wall time, on a busy machine
     code: int = 0
@@ -703,30 +704,30 @@ def _(place):
     return path
 
 
-INJECTED = (r"<script>alert\(1\)", r"<img src=x", "\x1b", "\x07")
+TAGS, CONTROLS = (r"<script>alert\(1\)", r"<img src=x"), ("\x1b", "\x07")
 INJECTION = '<script>alert(1)</script> <img src=x onerror=alert(2)> \\u001b[31mred\\u001b[0m \\a =cmd|calc!A1'
 
 
-@case("32a", "HTML, ANSI and formulas in a compiler's error", "did_not_build", "error", absent=INJECTED, html=True)
+@case("32a", "HTML, ANSI and formulas in a compiler's error", "did_not_build", "error", absent=CONTROLS, off_page=TAGS, html=True)
 def _(place):
     raw = INJECTION.replace("\\u001b", "\x1b").replace("\\a", "\x07")
     return f'#include "rt/fragments.h"\n#error {raw}\nnamespace rt {{ "{raw}" }}\n'
 
 
-@case("32b", "the same in an exception", "crashed", "exception", absent=INJECTED, html=True, fast=True)
+@case("32b", "the same in an exception", "crashed", "exception", absent=CONTROLS, off_page=TAGS, html=True, fast=True)
 def _(place):
     text = INJECTION.replace("\\u001b", "\\x1b""\" \"")
     return disk(f'    throw std::runtime_error("{text}");', head="#include <stdexcept>\n")
 
 
-@case("32c", "the same in the names of an archive", "passed", absent=INJECTED, html=True)
+@case("32c", "the same in the names of an archive", "passed", absent=CONTROLS, off_page=TAGS, html=True)
 def _(place):
     odd = "\x1b[31m<script>alert(1)</script>\x07/fragments/"
     return _zip(place, [(odd + "uniform_disk.cpp", disk("    return right(u);")), ("<img src=x onerror=alert(2)>/fragments/uniform_disk.cpp", "x"),
                         (odd + "Uniform-Disk.cpp", "x"), (odd + "phong.cpp", "x")])
 
 
-@case("32d", "ESC in the name of the submission, which is none", set(), absent=INJECTED, code=2)
+@case("32d", "ESC in the name of the submission, which is none", set(), absent=CONTROLS, off_page=TAGS, code=2)
 def _(place):
     folder = place.folder / "\x1b[31m<script>alert(1)<"
     folder.mkdir()
