@@ -50,6 +50,7 @@ class Case:
     bystander: bool = False  # mirror_direction is graded as well and must pass
     html: bool = False
     times: int = 1  # gradings, one after the other
+    jobs: int = 2  # programs at a time
     fast: bool = False
     own: bool = False  # something that one's own code may do: tried with --trusted, too
     after: object = None  # faults that the place shows afterwards
@@ -331,7 +332,7 @@ def _(place):
 
 # ---- endings and bombs
 
-@case("14a", "an endless loop", "timed_out", "ran longer than", fast=True, own=True)
+@case("14a", "an endless loop", "timed_out", "ran longer than", own=True)
 def _(place):
     return disk("    volatile bool on = true;\n    while (on) {}\n    return right(u);")
 
@@ -353,7 +354,7 @@ def _(place):
     return right(u);""")
 
 
-@case("15", "a fork bomb of 256 processes", {"crashed", "timed_out"}, "starts other programs", bystander=True, seconds=90)
+@case("15", "a fork bomb of 256 processes", {"crashed", "timed_out"}, "starts other programs", bystander=True, seconds=90, fast=True)
 def _(place):
     return bomb("    for (int i = 0; i < 8; ++i) fork();\n    sleep(20);", own_name())
 
@@ -381,12 +382,13 @@ def _(place):
     sleep(10);""", "#include <pthread.h>")
 
 
-@case("16a", "2.9 GB of memory", "crashed", "memory", bystander=True, own=True, seconds=120)
+@case("16a", "2.9 GB of memory", "crashed", "memory", bystander=True, own=True, seconds=120, jobs=1)
 def _(place):
     return bomb("""    for (int i = 0; i < 29; ++i) std::memset(new char[100 << 20], 1 + i, 100 << 20);""")
 
 
-@case("16b", "2.9 GB of memory, spread over seven children", {"crashed", "timed_out"}, ("memory", "GB", "other programs"), bystander=True, seconds=120)
+@case("16b", "2.9 GB of memory, spread over seven children", {"crashed", "timed_out"}, ("memory", "GB", "other programs"), bystander=True, seconds=120,
+      jobs=1)
 def _(place):
     return bomb("""    for (int i = 0; i < 7; ++i)
         if (fork() == 0) { std::memset(new char[420 << 20], 1 + i, 420 << 20); sleep(8); _exit(0); }
