@@ -18,14 +18,14 @@ int main(int argc, char** argv) {
     app.add_option("--toolchain", toolchain, "what the build wrote about itself")->group("");
     app.require_subcommand(1);
 
-    StressArguments stress_arguments;
-    CLI::App* stress = add_stress_command(app, stress_arguments);
-    ConvergeArguments converge_arguments;
-    CLI::App* convergence = add_converge_command(app, converge_arguments);
-    LessonArguments lesson_arguments;
-    CLI::App* part_one = add_lesson_command(app, lesson_arguments);
-    CalibrateArguments calibration;
-    add_calibrate_command(app, calibration);
+    stress::StressArguments stress_arguments;
+    CLI::App* extremes = stress::add_stress_command(app, stress_arguments);
+    convergence::ConvergeArguments converge_arguments;
+    CLI::App* errors = convergence::add_converge_command(app, converge_arguments);
+    lesson::LessonArguments lesson_arguments;
+    CLI::App* part_one = lesson::add_lesson_command(app, lesson_arguments);
+    calibration::CalibrateArguments calibrate_arguments;
+    calibration::add_calibrate_command(app, calibrate_arguments);
 
     try {
         app.parse(argc, argv);
@@ -35,9 +35,9 @@ int main(int argc, char** argv) {
     const std::string command = command_of(argc, argv);
     return exit_code_of([&] {
         if (toolchain.empty()) toolchain = own_toolchain().string();
-        if (stress->parsed()) return run_stress(stress_arguments, toolchain, command);
-        if (convergence->parsed()) return converge(converge_arguments, toolchain, command);
-        if (part_one->parsed()) return lesson(lesson_arguments, toolchain), 0;
-        return calibrate(calibration, toolchain, command) ? 0 : int(below_required);
+        if (extremes->parsed()) return stress::run_stress(stress_arguments, toolchain, command);
+        if (errors->parsed()) return convergence::converge(converge_arguments, toolchain, command);
+        if (part_one->parsed()) return lesson::run_lesson(lesson_arguments, toolchain), 0;
+        return calibration::calibrate(calibrate_arguments, toolchain, command) ? 0 : int(below_required);
     });
 }

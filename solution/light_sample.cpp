@@ -6,7 +6,8 @@ namespace rt {
 ///
 ///     density per solid angle = density per area x distance^2 / cos(angle at the light)
 ///
-/// light    light.kind tells the shape: a quad or a disc shines from its front side, a sphere from its outside
+/// light    light.kind tells the shape: a quad or a disc shines from its front side, a sphere from its outside; its
+///          center(), normal() and area() are in scene.h
 /// p        point of a surface [world]
 /// u        random point of the unit square, 0 <= u < 1
 /// returns  unit direction from p to the point of the light [world], its distance [m] and the density of the direction
@@ -31,20 +32,20 @@ LightSample light_sample(const Emitter& light, vec3 p, vec2 u) {
     }
 
     // A point of the flat light, uniform in area.
-    const bool quad = light.kind == Emitter::Kind::quad;
-    const vec3 normal = quad ? cross(light.quad.u, light.quad.v) : light.disc.normal;
-    const Frame frame = frame_about(light.disc.normal);
-    const vec2 on_disk = light.disc.radius * uniform_disk(u).point;
-    const vec3 point = quad ? light.quad.center + (2 * u.x - 1) * light.quad.u + (2 * u.y - 1) * light.quad.v
-                            : light.disc.center + on_disk.x * frame.x + on_disk.y * frame.y;
-    const Real length = std::sqrt(dot(normal, normal));
-    const Real area = quad ? 4 * length : pi * sqr(light.disc.radius);
+    vec3 point = center(light);
+    if (light.kind == Emitter::Kind::quad) {
+        point = point + (2 * u.x - 1) * light.quad.u + (2 * u.y - 1) * light.quad.v;
+    } else {
+        const Frame frame = frame_about(light.disc.normal);
+        const vec2 on_disk = light.disc.radius * uniform_disk(u).point;
+        point = point + on_disk.x * frame.x + on_disk.y * frame.y;
+    }
 
     // Its density per solid angle.
-    const vec3 to_point = point - p;
+    const vec3 to_point = point - p, n = normal(light);
     const Real squared = dot(to_point, to_point), distance = std::sqrt(squared);
-    const Real cosine = -dot(to_point, normal) * (1 / distance) * (1 / length);
-    return {to_point * (1 / distance), distance, cosine > 0 ? squared / (cosine * area) : 0};
+    const Real cosine = -dot(to_point, n) * (1 / distance) * (1 / std::sqrt(dot(n, n)));
+    return {to_point * (1 / distance), distance, cosine > 0 ? squared / (cosine * area(light)) : 0};
     // END SOLUTION: return not_started(LightSample{vec3(0, 0, 1), 0, 0});
 }
 

@@ -152,8 +152,8 @@ int render(const Options& o, const rt::Scene& scene, rt::RenderSettings settings
         fmt::print(stderr, "{}: {} after {:.3g} % of the picture; what is missing is black\n", show.name,
                    interrupted ? "interrupted" : "the time was over", 100 * rendering.done);
     if (!o.quiet) fmt::print("{}", rt::report(show.name, settings, rendering));
-    if (rendering.fault.empty()) return ok;
-    fmt::print(stderr, "{}", rt::report_fault(o.scene, scene.camera.size, settings, rendering));
+    if (!rendering.bad_sample) return ok;
+    fmt::print(stderr, "{}", rt::report_bad_sample(o.scene, scene.camera.size, settings, *rendering.bad_sample));
     return not_finite;
 }
 

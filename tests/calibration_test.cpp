@@ -15,6 +15,7 @@
 #include "rt/files/scene_reader.h"
 
 using namespace grade;
+using namespace grade::calibration;
 using Catch::Matchers::ContainsSubstring;
 
 namespace {
@@ -23,8 +24,8 @@ namespace {
 Check one_check() {
     Check check;
     check.name = "one", check.fragment = "phong";
-    Statistic statistic{"L1", "number", [](const Observation&) { return 0.0; }, 1.0, 0.01, 0.1};
-    check.statistics = {statistic};
+    check.statistics = {{.id = "L1", .what = "number", .measure = [](const Observation&) { return 0.0; }, .truth = 1,
+                         .delta0 = 0.01, .delta = 0.1}};
     return check;
 }
 

@@ -72,11 +72,14 @@ Observation observe(double (*fragment)(double)) {
     return seen;
 }
 
+double doubled(double x) { return 2 * x; }
+
 Statistic doubling() {
-    return formula("X", "off by", of<double>([](double x) { return 2 * x; }), 1e-6,
-                   {{"the factor is 3", of<double>([](double x) { return 3 * x; })},
-                    {"the result is nan", of<double>([](double) { return NAN; })}},
-                   {{"negative numbers alone are wrong", [](const Row& in) { return in[0] < 0; }}});
+    return formula<doubled>({.id = "X", .what = "off by", .tolerance = 1e-6,
+                             .right = doubled,
+                             .suspects = {{"the factor is 3", [](double x, double) { return x + x / 2; }},
+                                          {"the result is nan", [](double) { return NAN; }}},
+                             .circumstances = {{"negative numbers alone are wrong", [](double x) { return x < 0; }}}});
 }
 
 }  // namespace
@@ -108,7 +111,7 @@ TEST_CASE("chi-squared of even points is 1 on average, and large where a part ge
     Generator random(3);
     std::uniform_real_distribution<double> u(0, 1);
     const Statistic s = uniform_in_square(
-        "X", "", [](const Row&, const Row& out) { return rt::vec2(out[0], out[1]); }, 4, 4, always(""));
+        {.point = [](const Row&, const Row& out) { return rt::vec2(out[0], out[1]); }, .columns = 4, .rows = 4});
     const auto seen = [&](double width) {
         Observation o;
         for (int k = 0; k < 500; ++k) {

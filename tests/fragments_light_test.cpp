@@ -27,10 +27,7 @@ Emitter random_light(Kind kind, Real distance, Random& random) {
 
 std::string described(const Emitter& light) {
     static const char* names[] = {"quad", "disc", "sphere"};
-    const vec3 center = light.kind == Kind::quad   ? light.quad.center
-                        : light.kind == Kind::disc ? light.disc.center
-                                                   : light.sphere.center;
-    return std::string(names[int(light.kind)]) + " at " + text(center);
+    return std::string(names[int(light.kind)]) + " at " + text(center(light));
 }
 
 /// What all samples of a light together say about the irradiance at p, for radiance 1.

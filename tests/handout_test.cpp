@@ -68,6 +68,8 @@ TEST_CASE("each statistic has a family, and each section to which a hint sends i
     }
     for (const Check& check : all_checks(1))
         for (const Statistic& statistic : check.statistics) CHECK_NOTHROW(subject_of(statistic.id));
+    CHECK(subject_of("L2") == Subject::factor);
+    CHECK_THROWS_AS(subject_of("Z9"), std::out_of_range);
 }
 
 TEST_CASE("the handout documents each key of a scene file") {

@@ -109,9 +109,7 @@ TEST_CASE("the density of a lamp is that of light_sample") {
     const vec3 p{0.3, 0.2, -0.1};
     for (const Emitter& emitter : world.emitters) {
         const auto found = std::find_if(world.surfaces.begin(), world.surfaces.end(), [&](const SurfaceRecord& r) {
-            if (r.emitter == nothing) return false;
-            if (emitter.kind == Emitter::Kind::sphere) return r.center == emitter.sphere.center && r.radius > 0;
-            return r.center == (emitter.kind == Emitter::Kind::quad ? emitter.quad.center : emitter.disc.center);
+            return r.emitter != nothing && r.center == center(emitter);
         });
         REQUIRE(found != world.surfaces.end());
         const Index lamp = found - world.surfaces.begin();

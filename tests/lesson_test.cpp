@@ -5,6 +5,7 @@
 #include "catch.h"
 
 using namespace grade;
+using namespace grade::lesson;
 
 namespace {
 

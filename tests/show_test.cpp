@@ -172,12 +172,14 @@ TEST_CASE("a number that is none is reported with the command that shows its sam
     settings.sampler = Sampler::orthogonal;
     settings.seed = 7;
     settings.time_limit = 5;
-    Rendering rendering;
-    rendering.fault = "pixel 3,4, sample 100: radiance nan 0 0";
-    rendering.fault_slice = next_slice(settings.sampler, settings.seed, 6, 64, 64);
-    CHECK(report_fault("a.toml", {10, 20}, settings, rendering) ==
+    BadSample bad{{3, 4}, 100, {std::numeric_limits<Real>::quiet_NaN(), 0, 0}, {}};
+    bad.slice = next_slice(settings.sampler, settings.seed, 6, 64, 64);
+    CHECK(report_bad_sample("a.toml", {10, 20}, settings, bad) ==
           "a.toml: pixel 3,4, sample 100: radiance nan 0 0; expected a finite number\n"
           "To see how it came about: raytrace a.toml --pixel 3,4 --seed 7 --samples 128 --sampler sobol --size 10x20 --time-limit 1\n");
+    bad.sample.reset();
+    CHECK(report_bad_sample("a.toml", {10, 20}, settings, bad)
+              .starts_with("a.toml: pixel 3,4: the mean is no finite number, though every sample is; expected a finite number\n"));
 }
 
 TEST_CASE("a picture that ends long before its time limit says why, unless it was reached or stopped", "[show]") {

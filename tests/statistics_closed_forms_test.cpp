@@ -40,20 +40,13 @@ TEST_CASE("moments of the lobe are those of directions drawn from it") {
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> u(0, 1);
     for (double n : {3.0, 50.0}) {
-        Moments cosine, sine_square, estimate;
-        int below = 0;
+        Moments estimate;
         for (int k = 0; k < 100000; ++k) {
             const double c = std::pow(u(random), 1 / (n + 1));
-            cosine.add(c);
-            sine_square.add(1 - c * c);
             estimate.add((n + 2) / (n + 1) * c);  // of the BRDF's integral, at normal incidence
-            below += c < 0.95;
         }
-        CHECK(std::abs(cosine.mean - lobe_mean_cosine(n)) < 4 * cosine.standard_error());
-        CHECK(std::abs(sine_square.mean - lobe_mean_square_sine(n)) < 4 * sine_square.standard_error());
         CHECK(estimate.mean == Approx(phong_albedo(n, 0)).margin(4 * estimate.standard_error()));
         CHECK(estimate.variance() == Approx(lobe_dispersion(n)).epsilon(0.05));
-        CHECK(below / 1e5 == Approx(lobe_cosine_distribution(n, 0.95)).margin(0.007));
     }
 }
 
@@ -70,7 +63,6 @@ TEST_CASE("a furnace adds up its bounces") {
     CHECK(furnace_radiance(2, 0.5, 0) == Approx(2));
     CHECK(furnace_radiance(2, 0.5, 2) == Approx(2 * (1 + 0.5 + 0.25)));
     CHECK(furnace_radiance(2, 1, 3) == Approx(8));
-    CHECK(transmitted(0.5, 4) == Approx(std::exp(-2.0)));
 }
 
 TEST_CASE("geometry of blur, penumbra and slab") {

@@ -31,7 +31,8 @@ TEST_CASE("a region's mean is the mean of its pixels alone") {
     const Image image = film(8, 6, [](double x, double) { return x < 4 ? 1.0 : 3.0; });
     CHECK(region_mean(image, {2, 1, 4, 3}).y == Approx(2));
     CHECK(column_profile(image, whole(image))[3] == Approx(1));
-    CHECK(row_profile(image, {4, 0, 4, 6}).size() == 6);
+    const Image stairs = film(8, 6, [](double x, double y) { return std::floor(y) + (x < 4 ? 0.0 : 10.0); });
+    CHECK(column_profile(stairs, {3, 2, 2, 3}) == std::vector<double>{3, 13});
 }
 
 TEST_CASE("a slanted edge through box-filtered pixels has mean 0 and mean square (1 + slope^2) / 12") {
@@ -44,7 +45,10 @@ TEST_CASE("a slanted edge through box-filtered pixels has mean 0 and mean square
     CHECK(sharp.mean == Approx(0).margin(2e-3));
     CHECK(sharp.mean_square == Approx((1 + 0.125 * 0.125) / 12).epsilon(0.02));
     CHECK(slanted_spread(step(0.5), {0, 0, 20, 16}, edge, 2, 5).mean == Approx(0.5).epsilon(0.01));
-    CHECK(slanted_spread(transposed(transposed(step(0))), {0, 0, 20, 16}, edge, 2, 5).mean == Approx(sharp.mean));
+    const Image level = transposed(step(0));
+    CHECK(level.width == 16);
+    CHECK(level.at(3, 7) == step(0).at(7, 3));
+    CHECK(slanted_spread(transposed(level), {0, 0, 20, 16}, edge, 2, 5).mean == Approx(sharp.mean));
 }
 
 TEST_CASE("without a filter the spread of a slanted edge is 0") {
@@ -60,18 +64,6 @@ TEST_CASE("the spread of a ramp is that of the uniform distribution") {
     const Spread s = edge_spread(column_profile(image, whole(image)));
     CHECK(s.mean == Approx(19.5));
     CHECK(s.variance == Approx(width * width / 12 + 1.0 / 6).epsilon(0.01));
-    CHECK(s.kurtosis == Approx(1.8).epsilon(0.02));
-}
-
-TEST_CASE("a uniform streak has variance L^2/12 and kurtosis 1.8, two end points have kurtosis 1") {
-    const Image streak = film(40, 3, [](double x, double) { return x > 10 && x < 30 ? 1.0 : 0.0; });
-    const Spread s = light_spread(column_profile(streak, whole(streak)));
-    CHECK(s.mean == Approx(20));
-    CHECK(s.variance == Approx(400.0 / 12).epsilon(0.01));
-    CHECK(s.kurtosis == Approx(1.8).epsilon(0.01));
-    std::vector<double> ends(40, 0);
-    ends[10] = ends[30] = 1;
-    CHECK(light_spread(ends).kurtosis == Approx(1));
 }
 
 TEST_CASE("blobs: disc, square, and disc without its square root have the shapes that tell them apart") {
@@ -84,7 +76,6 @@ TEST_CASE("blobs: disc, square, and disc without its square root have the shapes
     CHECK(disc.centroid.x == Approx(20.25).epsilon(1e-3));
     CHECK(disc.centroid.y == Approx(19.5).epsilon(1e-3));
     CHECK(disc.variance.x / (radius * radius) == Approx(0.25).epsilon(0.01));
-    CHECK(disc.kurtosis.x == Approx(2).epsilon(0.01));
     CHECK(disc.radial_square == Approx(radius * radius / 2).epsilon(0.01));
     CHECK(disc.radial_kurtosis == Approx(4.0 / 3).epsilon(0.01));
     CHECK(disc.covariance == Approx(0).margin(0.05));
@@ -92,14 +83,14 @@ TEST_CASE("blobs: disc, square, and disc without its square root have the shapes
     const Blob square =
         measure([&](double x, double y) { return std::max(std::abs(x), std::abs(y)) < radius ? 1.0 : 0.0; });
     CHECK(square.variance.y / (radius * radius) == Approx(1.0 / 3).epsilon(0.01));
-    CHECK(square.kurtosis.y == Approx(1.8).epsilon(0.01));
+    CHECK(square.radial_kurtosis == Approx(1.4).epsilon(0.01));
 
     const Blob peaked = measure([&](double x, double y) {
         const double r = std::hypot(x, y);
         return r < radius && r > 0 ? 1 / r : 0.0;
     });
     CHECK(peaked.variance.x / (radius * radius) == Approx(1.0 / 6).epsilon(0.02));
-    CHECK(peaked.kurtosis.x == Approx(2.7).epsilon(0.02));
+    CHECK(peaked.radial_kurtosis == Approx(1.8).epsilon(0.02));
 }
 
 TEST_CASE("what is no image is named, with the pixel") {

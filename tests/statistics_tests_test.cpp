@@ -5,7 +5,6 @@
 #include "statistics/chi_squared.h"
 #include "statistics/distributions.h"
 #include "statistics/moments.h"
-#include "statistics/multiplicity.h"
 #include "statistics/regression.h"
 #include "statistics/welch.h"
 
@@ -16,28 +15,14 @@ TEST_CASE("moments of a few numbers are their textbook values") {
     const Moments m = moments_of(values);
     CHECK(m.mean == Approx(5));
     CHECK(m.variance() == Approx(32.0 / 7));
-    CHECK(m.m3 == Approx(42));
-    CHECK(m.kurtosis() == Approx(356.0 * 8 / (32 * 32)));
+    CHECK(m.standard_error() == Approx(std::sqrt(4.0 / 7)));
 }
 
-TEST_CASE("joined moments are those of all the numbers, and a large mean does not drown a small variance") {
-    std::mt19937_64 random(1);
-    std::normal_distribution<double> draw(1e9, 1);
-    Moments all, parts;
-    for (int k = 0; k < 100; ++k) {
-        Moments part;
-        for (int i = 0; i < 10; ++i) {
-            const double x = draw(random);
-            all.add(x);
-            part.add(x);
-        }
-        parts.join(part);
-    }
-    CHECK(parts.mean == Approx(all.mean).epsilon(1e-15));
-    CHECK(parts.variance() == Approx(all.variance()).epsilon(1e-6));
-    CHECK(parts.kurtosis() == Approx(all.kurtosis()).epsilon(1e-6));
-    CHECK(all.variance() == Approx(1).epsilon(0.2));
-    CHECK(all.kurtosis() == Approx(3).epsilon(0.2));
+TEST_CASE("a large mean does not drown a small variance") {
+    Moments m;
+    for (const double x : {2, 4, 4, 4, 5, 5, 7, 9}) m.add(1e9 + x);
+    CHECK(m.mean == 1e9 + 5);
+    CHECK(m.variance() == Approx(32.0 / 7).epsilon(1e-6));
 }
 
 TEST_CASE("quantiles are those of the tables") {
@@ -82,14 +67,6 @@ TEST_CASE("the chi-squared test finds wrong counts and impossible ones") {
     CHECK(chi_squared_test(wrong, expected).p < 1e-6);
     CHECK(chi_squared_test(impossible, expected).p == 0);
     CHECK(chi_squared_test(expected, expected).p == Approx(1));
-}
-
-TEST_CASE("Holm rejects step by step, never less than Bonferroni") {
-    const std::vector<double> p = {0.01, 0.04, 0.03, 0.005};
-    CHECK(holm(p, 0.05) == std::vector<bool>{true, false, false, true});
-    CHECK(bonferroni(0.05, 4) == Approx(0.0125));
-    const std::vector<double> all = {0.02, 0.012, 0.001};
-    CHECK(holm(all, 0.05) == std::vector<bool>{true, true, true});
 }
 
 TEST_CASE("a fit recovers its coefficients, and its interval holds them as often as it says") {

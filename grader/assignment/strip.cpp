@@ -92,7 +92,7 @@ std::vector<std::string> secrets(const Marked& file) {
     for (const auto& line : file.region) {
         const std::string text = trimmed(line);
         const bool speaks = std::any_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c); });
-        if (speaks && text.compare(0, 2, "//") != 0) found.push_back(text);
+        if (speaks && text != "} else {" && text.compare(0, 2, "//") != 0) found.push_back(text);
     }
     return found;
 }

@@ -12,8 +12,9 @@
 #include "calibration/report.h"
 #include "studies/studies.h"
 #include "report/terminal.h"
+#include "rt/files/scene_reader.h"
 
-namespace grade {
+namespace grade::calibration {
 
 namespace {
 
@@ -22,7 +23,7 @@ std::pair<int, int> shard_of(const std::string& text) {
     int which = 0, all = 0, length = 0;
     if (std::sscanf(text.c_str(), "%d/%d%n", &which, &all, &length) != 2 || length != int(text.size()) || which < 1 ||
         which > all)
-        throw std::invalid_argument(fmt::format("--shard {}: not a part of a whole; expected one like 2/4", text));
+        throw rt::InputError(fmt::format("--shard {}: not a part of a whole; expected one like 2/4", text));
     return {which - 1, all};
 }
 
@@ -95,9 +96,9 @@ bool calibrate(const CalibrateArguments& arguments, const std::string& toolchain
         arguments.results.empty() ? fs::path(toolchain).parent_path() / "calibration" : fs::absolute(arguments.results);
     const Workshop workshop(toolchain, results, arguments.amount, arguments.names);
     if (!fs::is_directory(workshop.chain().source / "solution"))
-        throw std::invalid_argument("calibrate needs the folder solution/, which is not here");
+        throw rt::InputError("calibrate needs the folder solution/, which is not here");
     if (workshop.variants().empty())
-        throw std::invalid_argument("no variant and no fragment has such a name; tests/variants holds them");
+        throw rt::InputError("no variant and no fragment has such a name; tests/variants holds them");
     if (arguments.fast) return fast(workshop, !arguments.names.empty(), arguments.jobs);
 
     ProgressLine line;
@@ -119,4 +120,4 @@ bool calibrate(const CalibrateArguments& arguments, const std::string& toolchain
     return true;
 }
 
-}  // namespace grade
+}  // namespace grade::calibration

@@ -9,7 +9,7 @@ namespace CLI {
 class App;
 }
 
-namespace grade {
+namespace grade::calibration {
 
 struct CalibrateArguments {
     std::string results;              // folder; empty: calibration/ in the build's folder
@@ -27,7 +27,7 @@ CLI::App* add_calibrate_command(CLI::App& app, CalibrateArguments& arguments);
 ///
 /// command  as it was typed
 /// Returns whether nothing is off: with `fast`, each wrong variant fails and each right one passes; else, that the work
-/// is done. Throws std::invalid_argument for what is wrong with the arguments.
+/// is done. Throws rt::InputError for what is wrong with the arguments.
 bool calibrate(const CalibrateArguments& arguments, const std::string& toolchain, const std::string& command);
 
-}  // namespace grade
+}  // namespace grade::calibration

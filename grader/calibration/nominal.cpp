@@ -7,7 +7,7 @@
 #include "statistics/distributions.h"
 #include "statistics/moments.h"
 
-namespace grade {
+namespace grade::calibration {
 
 namespace {
 
@@ -51,4 +51,4 @@ std::vector<Nominal> nominal_rates(const PooledChecks& checks, int draws, std::u
     return rates;
 }
 
-}  // namespace grade
+}  // namespace grade::calibration

@@ -5,7 +5,7 @@
 
 #include "calibration/replay.h"
 
-namespace grade {
+namespace grade::calibration {
 
 /// How a statistic's t-test keeps its promise on the solution's replicates: a statistic that is normal enough rejects
 /// the truth as often as alpha says.
@@ -22,4 +22,4 @@ struct Nominal {
 /// draws  tests of each, of 16 replicates: the fewest that a failure may rest on
 std::vector<Nominal> nominal_rates(const PooledChecks& checks, int draws, std::uint64_t random);
 
-}  // namespace grade
+}  // namespace grade::calibration

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace grade {
+namespace grade::calibration {
 
 void PixelMoments::add(const rt::Image& image) {
     if (count == 0) mean = squares = rt::Image(image.width, image.height);
@@ -40,4 +40,4 @@ PeerRules judged_by_peers(const rt::Image& picture, int pictures, const PixelMom
             std::abs(own - theirs) <= 0.025 * std::abs(theirs)};
 }
 
-}  // namespace grade
+}  // namespace grade::calibration

@@ -2,7 +2,7 @@
 
 #include "rt/files/image.h"
 
-namespace grade {
+namespace grade::calibration {
 
 /// Mean and variance of each pixel over independent pictures.
 struct PixelMoments {
@@ -27,4 +27,4 @@ struct PeerRules {
 /// lightwave's image tests, and of pbrt-v4's furnace tests, written anew.
 PeerRules judged_by_peers(const rt::Image& picture, int pictures, const PixelMoments& reference);
 
-}  // namespace grade
+}  // namespace grade::calibration

@@ -1,19 +1,16 @@
 #include "calibration/pool.h"
 
 #include <memory>
-#include <nlohmann/json.hpp>
 
-#include "protocol/bytes.h"
-#include "files/files.h"
 #include "judging/judge_check.h"
+#include "programs/kept_file.h"
 
-namespace grade {
+namespace grade::calibration {
 
 namespace {
 
 constexpr int most_faults = 8;
 constexpr double patience_with_replicate = 10;  // CPU seconds of a replicate, as in a grading
-constexpr std::uint64_t most_bytes = 1u << 30;
 
 }  // namespace
 
@@ -50,37 +47,23 @@ Pool collect(const Check& check, std::uint64_t seed, int replicates, const fs::p
 }
 
 void write_pool(const fs::path& path, const Pool& pool) {
-    nlohmann::ordered_json head;
-    head["schema"] = "penumbra/pool/v1";
-    head["statistics"] = pool.statistics;
-    head["replicates"] = pool.replicates();
-    head["faults"] = pool.faults;
-    head["unfit"] = pool.unfit;
-    head["ignores_seed"] = pool.ignores_seed;
-    head["cpu_seconds"] = pool.cpu_seconds;
-    std::string text = head.dump() + "\n";
-    text.append(reinterpret_cast<const char*>(pool.scalars.data()), pool.scalars.size() * sizeof(double));
-    fs::create_directories(path.parent_path());
-    write_text(path, text);
+    write_kept(path, {{"statistics", pool.statistics},
+                      {"faults", pool.faults},
+                      {"unfit", pool.unfit},
+                      {"ignores_seed", pool.ignores_seed},
+                      {"cpu_seconds", pool.cpu_seconds},
+                      {"scalars", kept_numbers(pool.scalars)}});
 }
 
-std::optional<Pool> read_pool(const fs::path& path) try {
-    const auto text = read_text(path, most_bytes);
-    if (!text) return std::nullopt;
-    const std::size_t end = text->find('\n');
-    const auto head = nlohmann::json::parse(text->substr(0, end));
-    Pool pool;
-    pool.statistics = head.at("statistics");
-    pool.faults = head.at("faults");
-    pool.unfit = head.at("unfit");
-    pool.ignores_seed = head.at("ignores_seed");
-    pool.cpu_seconds = head.at("cpu_seconds");
-    pool.scalars.resize(head.at("replicates").get<std::size_t>() * std::size_t(pool.statistics));
-    if (text->size() != end + 1 + pool.scalars.size() * sizeof(double)) return std::nullopt;
-    copy_bytes(pool.scalars.data(), text->data() + end + 1, pool.scalars.size() * sizeof(double));
-    return pool;
-} catch (const nlohmann::json::exception&) {
-    return std::nullopt;
+std::optional<Pool> read_pool(const fs::path& path) {
+    return read_kept(path, [](const KeptJson& kept) {
+        return Pool{.statistics = kept.at("statistics"),
+                    .faults = kept.at("faults"),
+                    .unfit = kept.at("unfit"),
+                    .ignores_seed = kept.at("ignores_seed"),
+                    .cpu_seconds = kept.at("cpu_seconds"),
+                    .scalars = numbers_of(kept.at("scalars"))};
+    });
 }
 
-}  // namespace grade
+}  // namespace grade::calibration

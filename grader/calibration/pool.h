@@ -8,7 +8,7 @@
 #include "checks/kit/check.h"
 #include "judging/reference.h"
 
-namespace grade {
+namespace grade::calibration {
 
 /// The scalars of many replicates of one check, from one program: what replays draw from.
 struct Pool {
@@ -32,10 +32,10 @@ struct Pool {
 Pool collect(const Check& check, std::uint64_t seed, int replicates, const fs::path& program,
              const fs::path& solution_program, const Sandbox& sandbox, const fs::path& meshes);
 
-/// A line of JSON, then the scalars as the machine has them. Throws std::runtime_error.
+/// Throws std::runtime_error.
 void write_pool(const fs::path& path, const Pool& pool);
 
 /// None: there is no such file, or it is not whole.
 std::optional<Pool> read_pool(const fs::path& path);
 
-}  // namespace grade
+}  // namespace grade::calibration

@@ -12,7 +12,7 @@
 #include "judging/grading.h"
 #include "judging/judge_check.h"
 
-namespace grade {
+namespace grade::calibration {
 
 namespace {
 
@@ -33,11 +33,6 @@ std::string timeless_hash(const Record& record) {
     };
     strip(json);
     return fmt::format("{:016x}", std::hash<std::string>{}(json.dump()));
-}
-
-Verdict verdict_named(const std::string& text) {
-    const auto found = std::ranges::find(verdict_names, text);
-    return found == verdict_names.end() ? Verdict::inconclusive : static_cast<Verdict>(found - verdict_names.begin());
 }
 
 }  // namespace
@@ -122,6 +117,11 @@ std::optional<RealGrading> read_grading(const fs::path& path) {
     return grading;
 }
 
+Verdict verdict_named(const std::string& text) {
+    const auto found = std::ranges::find(verdict_names, text);
+    return found == verdict_names.end() ? Verdict::inconclusive : static_cast<Verdict>(found - verdict_names.begin());
+}
+
 bool is_found(Verdict verdict) {
     return verdict == Verdict::failed || verdict == Verdict::not_finite || verdict == Verdict::crashed ||
            verdict == Verdict::timed_out;
@@ -132,4 +132,4 @@ bool says_one_of(const std::string& message, const std::vector<std::string>& wor
     return std::ranges::any_of(words, [&](const std::string& word) { return text.find(lower(word)) != text.npos; });
 }
 
-}  // namespace grade
+}  // namespace grade::calibration

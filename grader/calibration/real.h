@@ -9,7 +9,7 @@
 #include "calibration/workshop.h"
 #include "record/record.h"
 
-namespace grade {
+namespace grade::calibration {
 
 /// Variants of different fragments in one submission: the grader judges each fragment with the solution's others, so
 /// they cannot disturb each other, and what is not changed must pass.
@@ -49,10 +49,13 @@ std::map<std::string, std::string> changed_texts(const Bundle& bundle, const Wor
 void write_grading(const fs::path& path, const RealGrading& grading);
 std::optional<RealGrading> read_grading(const fs::path& path);
 
+/// The verdict that the record spells so; inconclusive for a word that is none.
+Verdict verdict_named(const std::string& text);
+
 /// Whether a verdict says that a fragment is wrong.
 bool is_found(Verdict verdict);
 
 /// Whether the message names the cause: holds one of the words, in any case.
 bool says_one_of(const std::string& message, const std::vector<std::string>& words);
 
-}  // namespace grade
+}  // namespace grade::calibration

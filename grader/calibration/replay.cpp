@@ -7,7 +7,7 @@
 #include "statistics/distributions.h"
 #include "statistics/moments.h"
 
-namespace grade {
+namespace grade::calibration {
 
 namespace {
 
@@ -111,4 +111,4 @@ Tally replay_fixed(const std::vector<PooledChecks>& seeds, const Settings& setti
     return replay_by(FixedTest(replicates, settings), seeds, gradings, random);
 }
 
-}  // namespace grade
+}  // namespace grade::calibration

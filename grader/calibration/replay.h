@@ -6,7 +6,7 @@
 #include "calibration/pool.h"
 #include "statistics/engine.h"
 
-namespace grade {
+namespace grade::calibration {
 
 /// Checks of one grading seed, each with its store.
 struct PooledCheck {
@@ -32,12 +32,12 @@ struct Tally {
 /// random     seed of the draws
 Tally replay(const std::vector<PooledChecks>& seeds, const Settings& settings, long gradings, std::uint64_t random);
 
-/// The same with a test of fixed size, of the same alpha and beta, in place of the code that stops when it is certain: a
-/// statistic fails where Student's test rejects |m| <= delta0, passes where |m| <= delta is shown, and is inconclusive
+/// The same with a test of fixed size, of the same alpha and beta, in place of the code that stops when it is certain:
+/// a statistic fails where Student's test rejects |m| <= delta0, passes where |m| <= delta is shown, and is inconclusive
 /// otherwise.
 ///
 /// replicates  of each check, at least 2
 Tally replay_fixed(const std::vector<PooledChecks>& seeds, const Settings& settings, int replicates, long gradings,
                    std::uint64_t random);
 
-}  // namespace grade
+}  // namespace grade::calibration

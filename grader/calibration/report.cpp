@@ -12,7 +12,7 @@
 
 #include "judging/grading.h"
 
-namespace grade {
+namespace grade::calibration {
 
 namespace {
 
@@ -279,4 +279,4 @@ Plot budget_plot(const Summary& s, int fragments) {
     return plot;
 }
 
-}  // namespace grade
+}  // namespace grade::calibration

@@ -5,7 +5,7 @@
 #include "calibration/summary.h"
 #include "report/plot.h"
 
-namespace grade {
+namespace grade::calibration {
 
 /// The calibration as Markdown: what was to be shown beside what was measured, then the tables behind it.
 ///
@@ -18,4 +18,4 @@ std::string calibration_report(const Summary& summary, const std::string& comman
 /// fragments  of the assignment
 Plot budget_plot(const Summary& summary, int fragments);
 
-}  // namespace grade
+}  // namespace grade::calibration

@@ -5,7 +5,7 @@
 #include "calibration/workshop.h"
 
 /// Where the steps of a calibration leave their results, and with which seeds.
-namespace grade {
+namespace grade::calibration {
 
 /// The grading seed of one part of the replicates.
 inline std::uint64_t pool_seed(int part) { return 1001 + std::uint64_t(part); }
@@ -67,4 +67,4 @@ inline fs::path load_file(const Workshop& workshop, const Bundle& bundle) {
     return workshop.results() / "load" / (bundle.name + ".json");
 }
 
-}  // namespace grade
+}  // namespace grade::calibration

@@ -11,7 +11,7 @@
 #include "calibration/results.h"
 #include "judging/experiment.h"
 
-namespace grade {
+namespace grade::calibration {
 
 namespace {
 
@@ -212,4 +212,4 @@ std::vector<Step> steps_of(const Workshop& workshop) {
     return steps;
 }
 
-}  // namespace grade
+}  // namespace grade::calibration

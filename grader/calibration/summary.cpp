@@ -14,7 +14,7 @@
 #include "programs/parallel.h"
 #include "statistics/distributions.h"
 
-namespace grade {
+namespace grade::calibration {
 
 namespace {
 
@@ -134,6 +134,14 @@ void read_real(const Workshop& workshop, const std::vector<Bundle>& bundles, con
     if (!wrong && summary.right_gradings > 0) summary.whole_seconds = seconds / summary.right_gradings;
 }
 
+/// How many of the verdicts say that a fragment is wrong.
+int count_found(const nlohmann::json& verdicts) {
+    return int(std::ranges::count_if(verdicts, [](const std::string& text) {
+        const Verdict verdict = verdict_named(text);
+        return verdict != Verdict::passed && verdict != Verdict::inconclusive;
+    }));
+}
+
 void read_doses(const Workshop& workshop, Summary& summary) {
     for (const Variant* variant : workshop.variants(Variant::Kind::dose)) {
         const auto text = read_text(dose_file(workshop, *variant));
@@ -142,9 +150,7 @@ void read_doses(const Workshop& workshop, Summary& summary) {
         Dose dose{variant, {}};
         for (const std::string& size : variant->doses) {
             const auto& verdicts = json.at(size);
-            const auto found = std::ranges::count_if(
-                verdicts, [](const auto& verdict) { return verdict != "passed" && verdict != "inconclusive"; });
-            dose.found.emplace_back(size, double(found) / double(verdicts.size()));
+            dose.found.emplace_back(size, double(count_found(verdicts)) / double(verdicts.size()));
         }
         summary.doses.push_back(std::move(dose));
     }
@@ -152,10 +158,9 @@ void read_doses(const Workshop& workshop, Summary& summary) {
         const auto text = read_text(confined_file(workshop, *variant));
         if (!text) continue;
         const auto json = nlohmann::json::parse(*text);
-        Confined confined{variant, json.at("changed"), json.at("pixels"), int(json.at("verdicts").size()), 0};
-        for (const auto& verdict : json.at("verdicts"))
-            confined.found += verdict != "passed" && verdict != "inconclusive";
-        summary.confined.push_back(confined);
+        const auto& verdicts = json.at("verdicts");
+        summary.confined.push_back(
+            {variant, json.at("changed"), json.at("pixels"), int(verdicts.size()), count_found(verdicts)});
     }
 }
 
@@ -170,6 +175,97 @@ std::pair<double, double> rate_bounds(long hits, long all) {
     return {low, high};
 }
 
+namespace {
+
+/// Replays: many short jobs, in any order, which fill in a summary.
+class Replays {
+public:
+    Replays(const Workshop& workshop, Summary& summary)
+        : workshop_(workshop),
+          summary_(summary),
+          settings_(settings_of(workshop, GradingSettings{}.replicates)),
+          draws_(workshop.amount().draws),
+          enough_(std::min(4 * settings_.cap, workshop.amount().replicates / workshop.amount().seeds)),
+          solution_(stores_of(workshop, "solution", workshop.fragments(), enough_)) {
+        summary.noisy = settings_.statistics;
+        summary.least_replicates = solution_.least;
+        if (!solution_.seeds.empty())
+            for (const PooledCheck& stored : solution_.seeds.front())
+                fixed_[key_of(*stored.check)] = fixed_replicates(stored, settings_);
+    }
+
+    void run(int jobs, const std::function<void(int, int, const std::string&)>& listener) {
+        if (!solution_.seeds.empty()) add_solution();
+        for (auto* rows : {&summary_.right, &summary_.wrong})
+            for (VariantSummary& row : *rows) add(row.variant->name, [&] { replay_variant(row); });
+        Progress progress(listener);
+        progress.expect(Work::check, int(work_.size()));
+        in_parallel(int(work_.size()), jobs, [&](int i) {
+            work_[std::size_t(i)].second();
+            progress.tell("replays: " + work_[std::size_t(i)].first);
+            progress.done(Work::check);
+        });
+    }
+
+private:
+    void add(const std::string& name, std::function<void()> job) { work_.emplace_back(name, std::move(job)); }
+
+    void add_solution() {
+        constexpr int pieces = 50;
+        for (int piece = 0; piece < pieces; ++piece)
+            add("the solution", [this, piece] {
+                const Tally tally = replay(solution_.seeds, settings_, draws_ / pieces, 1 + std::uint64_t(piece));
+                const std::scoped_lock guard(lock_);
+                summary_.solution.add(tally);
+            });
+        for (Budget& budget : summary_.budgets)
+            add("budgets", [&] { budget.right = replay_within(budget, solution_, draws_ / 50, 99); });
+        for (Budget& budget : summary_.fixed_budgets)
+            add("fixed budgets", [&] { budget.right = replay_exactly(budget, solution_, draws_ / 50, 99); });
+        add("rates of each statistic",
+            [this] { summary_.nominal = nominal_rates(solution_.seeds.front(), nominal_draws, 7); });
+    }
+
+    void replay_variant(VariantSummary& row) {
+        read_peers(workshop_, row);
+        const Variant& variant = *row.variant;
+        // Few replicates have a mean of their own, off the truth: many draws from them would be of another, wrong program.
+        const Stores stores = stores_of(workshop_, variant.name, {variant.fragment},
+                                        variant.kind == Variant::Kind::right ? enough_ : 0);
+        if (stores.seeds.empty()) return;
+        row.replayed = replay(stores.seeds, settings_, draws_ / 10, 3);
+        for (const PooledCheck& stored : stores.seeds.front())
+            row.fixed_seconds += fixed_[key_of(*stored.check)] * stored.pool->seconds_per_replicate();
+        if (variant.kind == Variant::Kind::wrong) {
+            for (Budget& budget : summary_.budgets)
+                add_wrong(budget, variant.name, lock_, replay_within(budget, stores, draws_ / 500, 5));
+            for (Budget& budget : summary_.fixed_budgets)
+                add_wrong(budget, variant.name, lock_, replay_exactly(budget, stores, draws_ / 500, 5));
+        }
+        const std::scoped_lock guard(lock_);
+        if (stores.least > 0) summary_.least_replicates = std::min(summary_.least_replicates, stores.least);
+    }
+
+    Tally replay_within(const Budget& budget, const Stores& stores, long draws, std::uint64_t random) const {
+        return replay(stores.seeds, settings_of(workshop_, budget.replicates), draws, random);
+    }
+    Tally replay_exactly(const Budget& budget, const Stores& stores, long draws, std::uint64_t random) const {
+        return replay_fixed(stores.seeds, settings_, budget.replicates, draws, random);
+    }
+
+    const Workshop& workshop_;
+    Summary& summary_;
+    Settings settings_;
+    long draws_;
+    int enough_;  // replicates that the stores of what is right must hold
+    Stores solution_;
+    std::map<std::string, int> fixed_;  // replicates of a test of fixed size, by check
+    std::mutex lock_;
+    std::vector<std::pair<std::string, std::function<void()>>> work_;
+};
+
+}  // namespace
+
 Summary summarize(const Workshop& workshop, int jobs,
                   const std::function<void(int, int, const std::string&)>& listener) {
     Summary summary;
@@ -182,74 +278,11 @@ Summary summarize(const Workshop& workshop, int jobs,
     for (const Bundle& bundle : bundles_under_load(workshop))
         if (const auto text = read_text(load_file(workshop, bundle)))
             ++summary.under_load, summary.same_under_load += nlohmann::json::parse(*text).at("same").get<bool>();
-
-    // replays: many short jobs, in any order
-    const int cap = GradingSettings{}.replicates;
-    const Settings settings = settings_of(workshop, cap);
-    const long draws = workshop.amount().draws;
-    summary.noisy = settings.statistics;
-    for (const int n : {8, 16, 32, 64, 128, 256, 512}) summary.budgets.push_back({n, {}, {}, 0, {}});
+    for (const int n : {8, 16, 32, 64, 128, 256, 512}) summary.budgets.push_back({.replicates = n});
     for (const int n : {2, 3, 4, 6, 8, 12, 16, 24, 32, 64, 128, 256})
-        summary.fixed_budgets.push_back({n, {}, {}, 0, {}});
-    // Few replicates have a mean of their own, off the truth: many draws from them would be of another, wrong program.
-    const int enough = std::min(4 * cap, workshop.amount().replicates / workshop.amount().seeds);
-    const Stores solution = stores_of(workshop, "solution", workshop.fragments(), enough);
-    std::map<std::string, int> fixed;
-    if (!solution.seeds.empty())
-        for (const PooledCheck& stored : solution.seeds.front())
-            fixed[key_of(*stored.check)] = fixed_replicates(stored, settings);
-    summary.least_replicates = solution.least;
-
-    std::mutex lock;
-    std::vector<std::pair<std::string, std::function<void()>>> work;
-    if (!solution.seeds.empty()) {
-        constexpr int pieces = 50;
-        for (int piece = 0; piece < pieces; ++piece)
-            work.emplace_back("the solution", [&, piece] {
-                const Tally tally = replay(solution.seeds, settings, draws / pieces, 1 + std::uint64_t(piece));
-                const std::scoped_lock guard(lock);
-                summary.solution.add(tally);
-            });
-        for (Budget& budget : summary.budgets)
-            work.emplace_back("budgets", [&] {
-                budget.right = replay(solution.seeds, settings_of(workshop, budget.replicates), draws / 50, 99);
-            });
-        for (Budget& budget : summary.fixed_budgets)
-            work.emplace_back("fixed budgets", [&] {
-                budget.right = replay_fixed(solution.seeds, settings, budget.replicates, draws / 50, 99);
-            });
-        work.emplace_back("rates of each statistic",
-                          [&] { summary.nominal = nominal_rates(solution.seeds.front(), nominal_draws, 7); });
-    }
-    for (auto* rows : {&summary.right, &summary.wrong})
-        for (VariantSummary& row : *rows)
-            work.emplace_back(row.variant->name, [&] {
-                read_peers(workshop, row);
-                const Stores stores = stores_of(workshop, row.variant->name, {row.variant->fragment},
-                                                row.variant->kind == Variant::Kind::right ? enough : 0);
-                if (stores.seeds.empty()) return;
-                row.replayed = replay(stores.seeds, settings, draws / 10, 3);
-                for (const PooledCheck& stored : stores.seeds.front())
-                    row.fixed_seconds += fixed[key_of(*stored.check)] * stored.pool->seconds_per_replicate();
-                if (row.variant->kind == Variant::Kind::wrong) {
-                    for (Budget& budget : summary.budgets)
-                        add_wrong(budget, row.variant->name, lock,
-                                  replay(stores.seeds, settings_of(workshop, budget.replicates), draws / 500, 5));
-                    for (Budget& budget : summary.fixed_budgets)
-                        add_wrong(budget, row.variant->name, lock,
-                                  replay_fixed(stores.seeds, settings, budget.replicates, draws / 500, 5));
-                }
-                const std::scoped_lock guard(lock);
-                if (stores.least > 0) summary.least_replicates = std::min(summary.least_replicates, stores.least);
-            });
-    Progress progress(listener);
-    progress.expect(Work::check, int(work.size()));
-    in_parallel(int(work.size()), jobs, [&](int i) {
-        work[std::size_t(i)].second();
-        progress.tell("replays: " + work[std::size_t(i)].first);
-        progress.done(Work::check);
-    });
+        summary.fixed_budgets.push_back({.replicates = n});
+    Replays(workshop, summary).run(jobs, listener);
     return summary;
 }
 
-}  // namespace grade
+}  // namespace grade::calibration

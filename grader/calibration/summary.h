@@ -11,7 +11,7 @@
 #include "calibration/replay.h"
 #include "calibration/workshop.h"
 
-namespace grade {
+namespace grade::calibration {
 
 /// What the results say about one variant.
 struct VariantSummary {
@@ -70,4 +70,4 @@ Summary summarize(const Workshop& workshop, int jobs,
 /// Source: Clopper and Pearson, "The use of confidence or fiducial limits...", Biometrika 26, 1934.
 std::pair<double, double> rate_bounds(long hits, long all);
 
-}  // namespace grade
+}  // namespace grade::calibration

@@ -11,7 +11,7 @@
 #include "programs/process.h"
 #include "rt/files/scene_reader.h"
 
-namespace grade {
+namespace grade::calibration {
 
 namespace {
 
@@ -94,4 +94,4 @@ std::string changed_text(const Variant& variant, const fs::path& source, const s
     return read_text(work.path() / file).value();
 }
 
-}  // namespace grade
+}  // namespace grade::calibration

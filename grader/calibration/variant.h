@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace grade {
+namespace grade::calibration {
 
 namespace fs = std::filesystem;
 
@@ -37,4 +37,4 @@ std::vector<Variant> read_variants(const fs::path& folder);
 /// Throws rt::InputError where the patch does not apply any more.
 std::string changed_text(const Variant& variant, const fs::path& source, const std::string& dose = {});
 
-}  // namespace grade
+}  // namespace grade::calibration

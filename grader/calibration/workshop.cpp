@@ -10,7 +10,7 @@
 #include "programs/parallel.h"
 #include "programs/progress.h"
 
-namespace grade {
+namespace grade::calibration {
 
 namespace {
 
@@ -143,4 +143,4 @@ void run_steps(const std::vector<Step>& steps, int shard, int shards, int jobs,
     });
 }
 
-}  // namespace grade
+}  // namespace grade::calibration

@@ -13,7 +13,7 @@
 #include "calibration/variant.h"
 #include "checks/kit/check.h"
 
-namespace grade {
+namespace grade::calibration {
 
 /// How much is measured.
 struct Amount {
@@ -90,4 +90,4 @@ std::vector<Step> steps_of(const Workshop& workshop);
 void run_steps(const std::vector<Step>& steps, int shard, int shards, int jobs,
                const std::function<void(int done, int all, const std::string& doing)>& progress);
 
-}  // namespace grade
+}  // namespace grade::calibration

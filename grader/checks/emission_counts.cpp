@@ -1,11 +1,5 @@
-#include <fmt/format.h>
-
-#include "checks/kit/draw.h"
-#include "checks/kit/formula.h"
 #include "checks/fragment_checks.h"
-#include "checks/kit/probe_check.h"
-#include "checks/kit/render_check.h"
-#include "rt/files/scene_reader.h"
+#include "checks/kit/kit.h"
 #include "statistics/irradiance.h"
 
 namespace grade {
@@ -21,36 +15,35 @@ Check truth_table() {
             for (const bool sampled : {false, true}) rows.push_back(row(event, sampled));
         return rows;
     };
-    const auto table = [](auto counts) {
-        return of<Event, bool>([=](Event event, bool sampled) { return counts(event, sampled); });
+    // a sampled emitter that does not count after one more kind of event
+    const auto but_after = [](Event kind) {
+        return [kind](bool right, Event e, bool sampled) { return right && !(sampled && e == kind); };
     };
-    Statistic right = formula(
-        "F1", "wrong answers", table([](Event e, bool sampled) { return e != Event::diffuse || !sampled; }), 0,
-        {{"every emitter counts: a diffuse ray gathers again what shadow rays have gathered",
-          table([](Event, bool) { return true; })},
-         {"no emitter counts", table([](Event, bool) { return false; })},
-         {"the answer is the wrong way round",
-          table([](Event e, bool sampled) { return e == Event::diffuse && sampled; })},
-         {"emitters are seen by the camera alone", table([](Event e, bool) { return e == Event::camera; })},
-         {"no emitter counts after a diffuse bounce: one that no shadow ray looks for must",
-          table([](Event e, bool) { return e != Event::diffuse; })},
-         {"a sampled emitter never counts: the camera, mirrors, glass, lobes and media send no shadow rays",
-          table([](Event, bool sampled) { return !sampled; })},
-         {"whether shadow rays look for the emitter is taken the wrong way round",
-          table([](Event e, bool sampled) { return e != Event::diffuse || sampled; })},
-         {"a sampled emitter counts from the camera alone: mirrors, glass, lobes and media send no shadow rays either",
-          table([](Event e, bool sampled) { return e == Event::camera || !sampled; })},
-         {"a sampled emitter does not count after glass or a mirror: caustics are missing",
-          table([](Event e, bool sampled) {
-              return !sampled || e == Event::camera || e == Event::lobe || e == Event::medium;
-          })},
-         {"a sampled emitter does not count after a glossy lobe, which sends no shadow rays",
-          table([](Event e, bool sampled) {
-              return !sampled || e == Event::camera || e == Event::specular || e == Event::medium;
-          })},
-         {"a sampled emitter does not count inside a medium, which sends no shadow rays",
-          table([](Event e, bool sampled) { return !sampled || (e != Event::diffuse && e != Event::medium); })}});
-    right.hint = [](double, double) { return std::string("the answer is wrong for some kind of path"); };
+    Statistic right = formula<rt::emission_counts>(
+        {.id = "F1", .what = "wrong answers",
+         .right = [](Event e, bool sampled) { return e != Event::diffuse || !sampled; },
+         .suspects = {
+             {"every emitter counts: a diffuse ray gathers again what shadow rays have gathered",
+              [](Event, bool) { return true; }},
+             {"no emitter counts", [](Event, bool) { return false; }},
+             {"the answer is the wrong way round", [](bool right) { return !right; }},
+             {"emitters are seen by the camera alone", [](Event e, bool) { return e == Event::camera; }},
+             {"no emitter counts after a diffuse bounce: one that no shadow ray looks for must",
+              [](Event e, bool) { return e != Event::diffuse; }},
+             {"a sampled emitter never counts: the camera, mirrors, glass, lobes and media send no shadow rays",
+              [](Event, bool sampled) { return !sampled; }},
+             {"whether shadow rays look for the emitter is taken the wrong way round",
+              [](Event e, bool sampled) { return e != Event::diffuse || sampled; }},
+             {"a sampled emitter counts from the camera alone: mirrors, glass, lobes and media send no shadow rays "
+              "either",
+              [](Event e, bool sampled) { return e == Event::camera || !sampled; }},
+             {"a sampled emitter does not count after glass or a mirror: caustics are missing",
+              but_after(Event::specular)},
+             {"a sampled emitter does not count after a glossy lobe, which sends no shadow rays",
+              but_after(Event::lobe)},
+             {"a sampled emitter does not count inside a medium, which sends no shadow rays",
+              but_after(Event::medium)}}});
+    right.hint = always("the answer is wrong for some kind of path");
     return probe_check("truth_table", inputs, {right});
 }
 
@@ -58,23 +51,26 @@ Check truth_table() {
 /// gathered, by shadow rays or by diffuse rays that hit the lamp, it is
 ///
 ///     albedo/pi L quad_irradiance
-Check floor_under_lamp(Generator& random, const std::string& name, bool sampled, bool pane, Hint hint) {
+struct FloorUnderLamp {
+    std::string name;
+    bool sampled = true, pane = false;
+    std::string where;  // the lamp is
+    KnownRatio known;
+};
+
+Check floor_under_lamp(Generator& random, const FloorUnderLamp& setting) {
     const Place place = any_place(random);
     const rt::Quad lamp{place({between(random, -0.3, 0.3), between(random, -0.3, 0.3), 1}),
                         between(random, 0.6, 0.9) * place.axes.x, -between(random, 0.6, 0.9) * place.axes.y};
     const View view{place({2.5, 0, 0.8}), place({0, 0, 0}), place.turned({0, 0, 1}), 12, {24, 24}};
     const double radiance = between(random, 1, 4), albedo = between(random, 0.5, 0.9);
-    std::string scene = fmt::format(
-                            "[render]\nbounces = 2\n\n{}[materials.floor]\nalbedo = {}\n\n[materials.lamp]\nemission = "
-                            "{}\nsampled = {}\n\n",
-                            toml(view), toml(albedo), toml(radiance), sampled) +
-                        quad("floor", place({0, 0, 0}), 3.0 * place.axes.x, 3.0 * place.axes.y) +
-                        quad("lamp", lamp.center, lamp.u, lamp.v);
-    if (pane)
-        scene += "[materials.pane]\ntransmittance = 1\n\n" +
-                 quad("pane", place({0, 0, 0.6}), 1.5 * place.axes.x, 1.5 * place.axes.y);
+    std::string scene = scene_table("[render]", {{"bounces", 2}}) + toml(view) +
+                        material("floor", {{"albedo", albedo}}) +
+                        material("lamp", {{"emission", radiance}, {"sampled", setting.sampled}}) +
+                        place.floor("floor", 3) + quad("lamp", lamp);
+    if (setting.pane) scene += material("pane", {{"transmittance", 1}}) + place.floor("pane", 1.5, 0.6);
 
-    const rt::Camera camera = rt::parse_scene(scene, "floor").camera;
+    const rt::Camera camera = camera_of(scene);
     double due = 0;
     for (int y = 0; y < view.size.y; ++y)
         for (int x = 0; x < view.size.x; ++x) {
@@ -83,24 +79,30 @@ Check floor_under_lamp(Generator& random, const std::string& name, bool sampled,
             });
             due += albedo / rt::pi * radiance * sight / (view.size.x * view.size.y);
         }
-    Statistic light = of_picture("F1", "light of the floor, over what must be",
-        [=](const rt::Image& image) { return region_mean(image, whole(image)).r / due; }, 1, 0.05, std::move(hint));
-    return render_check(name, {scene, 32, "sobol"}, {light});
+    const Statistic light =
+        of_picture({.id = "F1", .what = "light of the floor, over what must be",
+                    .number = [=](const rt::Image& image) { return region_mean(image, whole(image)).r / due; },
+                    .delta = 0.05,
+                    .hint = by_ratio("the light of a floor under a lamp" + setting.where, {setting.known})});
+    return render_check(setting.name, {scene, 32, "sobol"}, {light});
 }
 
 }  // namespace
 
 Checks check_emission_counts(Generator& random) {
     return {truth_table(),
-            floor_under_lamp(random, "nothing_twice", true, false,
-                             by_ratio("the light of a floor under a lamp",
-                                      {{2, "shadow rays gather the lamp, and diffuse rays that hit it again"}})),
-            floor_under_lamp(random, "nothing_lost", false, false,
-                             by_ratio("the light of a floor under a lamp that no shadow ray looks for",
-                                      {{0, "only diffuse rays can find the lamp: it must count for them"}})),
-            floor_under_lamp(random, "caustic", true, true,
-                             by_ratio("the light of a floor under a lamp behind glass",
-                                      {{0, "shadow rays end at the glass: what a ray hits behind it must count"}}))};
+            floor_under_lamp(random,
+                             {.name = "nothing_twice",
+                              .known = {2, "shadow rays gather the lamp, and diffuse rays that hit it again"}}),
+            floor_under_lamp(random, {.name = "nothing_lost",
+                                      .sampled = false,
+                                      .where = " that no shadow ray looks for",
+                                      .known = {0, "only diffuse rays can find the lamp: it must count for them"}}),
+            floor_under_lamp(random,
+                             {.name = "caustic",
+                              .pane = true,
+                              .where = " behind glass",
+                              .known = {0, "shadow rays end at the glass: what a ray hits behind it must count"}})};
 }
 
 }  // namespace grade

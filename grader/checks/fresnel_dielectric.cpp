@@ -1,8 +1,6 @@
 #include "checks/fragment_checks.h"
-#include "checks/kit/draw.h"
-#include "checks/kit/formula.h"
 #include "checks/kit/glass.h"
-#include "checks/kit/probe_check.h"
+#include "checks/kit/kit.h"
 
 namespace grade {
 
@@ -18,27 +16,19 @@ double fresnel(double cosine, double from, double to, double share_s, double sha
     return share_s * rt::sqr(std::sin(a - b) / std::sin(a + b)) + share_p * rt::sqr(std::tan(a - b) / std::tan(a + b));
 }
 
-RowFunction law(double share_s, double share_p, double total, bool inverted = false) {
-    return of<double, double, double>([=](double cosine, double from, double to) {
-        return inverted ? fresnel(cosine, to, from, share_s, share_p, total)
-                        : fresnel(cosine, from, to, share_s, share_p, total);
-    });
+auto law(double share_s, double share_p, double total) {
+    return [=](double cosine, double from, double to) { return fresnel(cosine, from, to, share_s, share_p, total); };
 }
 
-/// Schlick's approximation, with or without total internal reflection and equal indices.
-RowFunction schlick(bool cases) {
-    return of<double, double, double>([=](double c, double from, double to) {
-        const double r0 = rt::sqr((from - to) / (from + to));
-        if (cases && std::sqrt(1 - c * c) * from > to) return 1.0;
-        if (cases && from == to) return 0.0;
-        return r0 + (1 - r0) * std::pow(1 - c, 5);
-    });
+double schlick(double cosine, double from, double to) {
+    const double r0 = rt::sqr((from - to) / (from + to));
+    return r0 + (1 - r0) * std::pow(1 - cosine, 5);
 }
 
 }  // namespace
 
 Checks check_fresnel_dielectric(Generator& random) {
-    const auto inputs = rows_of(192, [](Generator& draw) {
+    const auto any_boundary = [](Generator& draw) {
         const double low = between(draw, 1, 1.2), high = between(draw, 1.3, 2.5);
         const bool up = chance(draw, 0.5);
         const double from = up ? high : low, to = chance(draw, 0.05) ? from : up ? low : high;
@@ -49,23 +39,40 @@ Checks check_fresnel_dielectric(Generator& random) {
         if (from > to && chance(draw, 0.6))
             cosine = std::sqrt(1 - (1 - close_to_zero(draw, 3e-5)) * rt::sqr(to / from));
         return row(cosine, from, to);
-    });
-    return {
-        probe_check("reflectance", inputs,
-                    {formula("F3", "reflectance, off by", law(0.5, 0.5, 1), 1e-3,
-                             {{"total internal reflection gives 0; expected 1", law(0.5, 0.5, 0)},
-                              {"total internal reflection gives nan; expected 1", law(0.5, 0.5, NAN)},
-                              {"the indices are inverted: ior_from and ior_to are exchanged", law(0.5, 0.5, 1, true)},
-                              {"the factor 1/2 is missing: unpolarised light is the mean of s and p", law(1, 1, 1)},
-                              {"only s-polarised light is counted: expected the mean of s and p", law(1, 0, 1)},
-                              {"only p-polarised light is counted: expected the mean of s and p", law(0, 1, 1)},
-                              {"the transmitted share is returned; expected the reflected one",
-                               of<double, double, double>([](double c, double from, double to) {
-                                   return 1 - fresnel(c, from, to, 0.5, 0.5, 1);
-                               })},
-                              {"this is Schlick's approximation; expected Fresnel's formula", schlick(false)},
-                              {"this is Schlick's approximation; expected Fresnel's formula", schlick(true)}})}),
-        slab(random, "light_through_a_slab"), invisible_glass(random)};
+    };
+    // out of air into what is thinner, and along a surface between equal indices
+    const auto thinner = [](Generator& draw) {
+        const double to = between(draw, 0.5, 0.9);
+        return row(between(draw, 0.05, 0.95) * std::sqrt(1 - to * to), 1.0, to);
+    };
+    const auto equal = [](Generator& draw) {
+        const double n = between(draw, 1, 2);
+        return row(chance(draw, 0.5) ? 0 : between(draw, 0, 1), n, n);
+    };
+    const auto inputs = [=](Generator& random) {
+        Rows rows = rows_of(192, any_boundary)(random);
+        for (const Row& r : rows_of_kinds(16, thinner, equal)(random)) rows.push_back(r);
+        return rows;
+    };
+    const Statistic reflectance = formula<rt::fresnel_dielectric>(
+        {.id = "F3", .what = "reflectance, off by", .tolerance = 1e-3,
+         .right = law(0.5, 0.5, 1),
+         .suspects = {{"total internal reflection gives 0; expected 1", law(0.5, 0.5, 0)},
+                      {"total internal reflection gives nan; expected 1", law(0.5, 0.5, NAN)},
+                      {"the indices are inverted: ior_from and ior_to are exchanged",
+                       [](double c, double from, double to) { return fresnel(c, to, from, 0.5, 0.5, 1); }},
+                      {"the factor 1/2 is missing: unpolarised light is the mean of s and p", law(1, 1, 1)},
+                      {"only s-polarised light is counted: expected the mean of s and p", law(1, 0, 1)},
+                      {"only p-polarised light is counted: expected the mean of s and p", law(0, 1, 1)},
+                      {"the transmitted share is returned; expected the reflected one",
+                       [](double right) { return 1 - right; }},
+                      {"this is Schlick's approximation; expected Fresnel's formula", schlick},
+                      {"this is Schlick's approximation; expected Fresnel's formula",
+                       [](double right, double c, double from, double to) {
+                           return right == 1 || from == to ? right : schlick(c, from, to);
+                       }}}});
+    return {probe_check("reflectance", inputs, {reflectance}), slab(random, "light_through_a_slab"),
+            invisible_glass(random)};
 }
 
 }  // namespace grade

@@ -1,10 +1,6 @@
-#include <array>
-
 #include "checks/fragment_checks.h"
-#include "checks/kit/draw.h"
 #include "checks/kit/figures.h"
-#include "checks/kit/formula.h"
-#include "checks/kit/probe_check.h"
+#include "checks/kit/kit.h"
 
 namespace grade {
 
@@ -24,13 +20,14 @@ std::array<double, 2> crossings(const Sphere& sphere, const Ray& ray) {
     return {double(foot - half), double(foot + half)};
 }
 
+using Allowed = bool (*)(double t, const Ray& ray);
+
 /// The first crossing that is allowed, or inf.
-RowFunction first(std::function<bool(double t, const Ray&)> near_one,
-                  std::function<bool(double t, const Ray&)> far_one) {
-    return of<Sphere, Ray>([=](const Sphere& sphere, const Ray& ray) {
+auto first(Allowed near_one, Allowed far_one) {
+    return [=](const Sphere& sphere, const Ray& ray) {
         const auto [t0, t1] = crossings(sphere, ray);
         return near_one(t0, ray) ? t0 : far_one(t1, ray) ? t1 : rt::inf;
-    });
+    };
 }
 
 /// A sphere, and a ray that meets its line well, from outside, inside or behind, with an interval that holds both, one
@@ -56,9 +53,19 @@ Row ordinary_sphere(Generator& random, bool clipped) {
             ray.near = std::max(0.0, chance(random, 0.5) ? (t0 + t1) / 2 : t1 + (t1 - t0));
         if (clipped && chance(random, 0.5)) ray.far = std::max(ray.near, 0.0) + std::abs(t1) * between(random, 0.1, 2);
         for (const double t : {t0, t1})
-            if (std::abs(t - ray.near) < margin || std::abs(t - ray.far) < margin) return ordinary_sphere(random, clipped);
+            if (std::abs(t - ray.near) < margin || std::abs(t - ray.far) < margin)
+                return ordinary_sphere(random, clipped);
     }
     return row(sphere, ray);
+}
+
+/// A sphere a millimetre large, and a ray that starts close by, or within it.
+Row small_sphere(Generator& random) {
+    const double radius = log_between(random, 1e-3, 1e-2);
+    const Sphere sphere{radius * box(random, -2, 2), radius};
+    const rt::vec3 d = direction(random), beside = between(random, 0, 0.9) * radius * tilted(random, d, rt::pi / 2);
+    const double start = chance(random, 0.3) ? between(random, -0.3, 0.3) : -1 - log_between(random, 0.02, 3);
+    return row(sphere, Ray{sphere.center + beside + start * radius * d, log_between(random, 0.5, 10) * d, 0, rt::inf});
 }
 
 Check silhouette(Generator& random) {
@@ -66,58 +73,55 @@ Check silhouette(Generator& random) {
     const rt::vec3 center = place({between(random, -0.5, 0.5), between(random, -0.4, 0.4), 0});
     const double radius = between(random, 0.7, 1.1);
     return figure_check(
-        "silhouette", toml(view_down(place, 5, 40)) + bright_lamp + sphere("lamp", center, radius), "sphere",
-        [=](const rt::Camera& camera) -> Sight {
+        "silhouette", toml(place.from_above(5, 40, figure_size)) + bright_lamp() + sphere("lamp", center, radius),
+        "sphere", [=](const rt::Camera& camera) -> Sight {
             return [=](rt::vec2 film) {
                 return glm::length(rt::cross(center - camera.eye, view_direction(camera, film))) < radius ? 1.0 : 0.0;
             };
         });
 }
 
+Statistic distance_to_sphere(const std::string& what) {
+    const Allowed inside = [](double t, const Ray& ray) { return t > ray.near && t < ray.far; };
+    const Allowed after_start = [](double t, const Ray&) { return t > 0; };
+    const Allowed anywhere = [](double t, const Ray&) { return !std::isnan(t); };
+    const Allowed never = [](double, const Ray&) { return false; };
+    const Allowed before_far = [](double t, const Ray& ray) { return t > 0 && t < ray.far; };
+    const Allowed after_near = [](double t, const Ray& ray) { return t > ray.near; };
+    return formula<rt::hit_sphere>(
+        {.id = "W1", .what = what, .tolerance = 1e-3,
+         .right = first(inside, inside),
+         .suspects = {{"the far crossing is returned where the near one counts", first(never, inside)},
+                      {"crossings behind the ray's origin count as hits", first(anywhere, anywhere)},
+                      {"the far crossing is never returned: a ray that starts inside must hit the sphere from within",
+                       first(inside, never)},
+                      {"the ray's interval is ignored: a hit counts only for near < t < far",
+                       first(after_start, after_start)},
+                      {"the near end of the ray's interval is ignored", first(before_far, before_far)},
+                      {"the far end of the ray's interval is ignored", first(after_near, after_near)},
+                      {"t is a length; expected in units of |direction|, which need not be 1",
+                       [](double right, const Sphere&, const Ray& r) { return right * glm::length(r.direction); }},
+                      {"a sphere that is missed gives no inf",
+                       [](double right, const Sphere& s, const Ray& r) {
+                           return std::isnan(crossings(s, r)[0]) ? double(NAN) : right;
+                       }}},
+         .circumstances = {
+             {"only rays whose direction is no unit vector are wrong: d . d is not 1",
+              [](const Sphere&, const Ray& r) { return std::abs(glm::length(r.direction) - 1) > 1e-6; }},
+             {"only rays that start inside the sphere are wrong",
+              [](const Sphere& s, const Ray& r) { return glm::length(r.origin - s.center) < s.radius; }},
+             {"only rays that pass the sphere are wrong: the square root's argument is negative there",
+              [](const Sphere& s, const Ray& r) { return std::isnan(crossings(s, r)[0]); }}}});
+}
+
 }  // namespace
 
 Checks check_hit_sphere(Generator& random) {
-    const auto inside = [](double t, const Ray& ray) { return t > ray.near && t < ray.far; };
-    const auto after_start = [](double t, const Ray&) { return t > 0; };
-    const auto always_ = [](double t, const Ray&) { return !std::isnan(t); };
-    const auto never = [](double, const Ray&) { return false; };
-    const auto before_far = [](double t, const Ray& ray) { return t > 0 && t < ray.far; };
-    const auto after_near = [](double t, const Ray& ray) { return t > ray.near; };
-    const RowFunction right = first(inside, inside);
-
-    const std::vector<Suspect> suspects = {
-        {"the far crossing is returned where the near one counts", first(never, inside)},
-        {"crossings behind the ray's origin count as hits", first(always_, always_)},
-        {"the far crossing is never returned: a ray that starts inside must hit the sphere from within",
-         first(inside, never)},
-        {"the ray's interval is ignored: a hit counts only for near < t < far", first(after_start, after_start)},
-        {"the near end of the ray's interval is ignored", first(before_far, before_far)},
-        {"the far end of the ray's interval is ignored", first(after_near, after_near)},
-        {"t is a length; expected in units of |direction|, which need not be 1",
-         of<Sphere, Ray>([=](const Sphere& s, const Ray& r) {
-             return from_row<double>(right(row(s, r))) * glm::length(r.direction);
-         })},
-        {"a sphere that is missed gives no inf", of<Sphere, Ray>([=](const Sphere& s, const Ray& r) {
-             return std::isnan(crossings(s, r)[0]) ? double(NAN) : from_row<double>(right(row(s, r)));
-         })}};
-    const std::vector<Circumstance> circumstances = {
-        {"only rays whose direction is no unit vector are wrong: d . d is not 1", [](const Row& in) {
-             const Ray ray = argument<1, Sphere, Ray>(in);
-             return std::abs(glm::length(ray.direction) - 1) > 1e-6;
-         }},
-        {"only rays that start inside the sphere are wrong", [](const Row& in) {
-             const Sphere s = argument<0, Sphere, Ray>(in);
-             return glm::length(argument<1, Sphere, Ray>(in).origin - s.center) < s.radius;
-         }},
-        {"only rays that pass the sphere are wrong: the square root's argument is negative there", [](const Row& in) {
-             return std::isnan(crossings(argument<0, Sphere, Ray>(in), argument<1, Sphere, Ray>(in))[0]);
-         }}};
     const auto unclipped = rows_of(96, [](Generator& draw) { return ordinary_sphere(draw, false); });
     const auto clipped = rows_of(96, [](Generator& draw) { return ordinary_sphere(draw, true); });
-    return {probe_check("nearest_crossing", unclipped,
-                        {formula("W1", "distance, off by", right, 1e-3, suspects, circumstances)}),
-            probe_check("interval", clipped,
-                        {formula("W1", "distance within the interval, off by", right, 1e-3, suspects, circumstances)}),
+    return {probe_check("nearest_crossing", unclipped, {distance_to_sphere("distance, off by")}),
+            probe_check("small_spheres", rows_of(96, small_sphere), {distance_to_sphere("distance to a small sphere, off by")}),
+            probe_check("interval", clipped, {distance_to_sphere("distance within the interval, off by")}),
             silhouette(random)};
 }
 

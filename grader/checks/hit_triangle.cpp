@@ -1,14 +1,9 @@
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "checks/fragment_checks.h"
-#include "checks/kit/draw.h"
 #include "checks/kit/figures.h"
 #include "checks/kit/hit_flat.h"
-#include "checks/kit/probe_check.h"
 
 namespace grade {
 
@@ -49,87 +44,90 @@ Row ordinary_triangle(Generator& random, bool clipped) {
         share[0] = close_to_zero(random, 1e-6);
         share[1] += before - share[0];
     }
-    return row(t, ray_towards(random, share[0] * t.a + share[1] * t.b + share[2] * t.c, normal_of_triangle(t), size, clipped));
+    const vec3 target = share[0] * t.a + share[1] * t.b + share[2] * t.c;
+    return row(t, ray_towards(random, target, normal_of_triangle(t), size, clipped));
 }
 
-std::string triangle(const std::string& material, vec3 a, vec3 b, vec3 c) {
-    return fmt::format("[[shape]]\ntype = \"triangle\"\na = {}\nb = {}\nc = {}\nmaterial = \"{}\"\n\n", toml(a),
-                       toml(b), toml(c), material);
+Row small_triangle(Generator& random) {
+    const double size = log_between(random, 5e-4, 5e-3);
+    if (chance(random, 0.2)) {
+        const Triangle flat{{-size, -size, 0}, {size, -size, 0}, {0, size, 0}};
+        return row(flat, Ray{{-2 * size, 0, chance(random, 0.5) ? 0 : size}, {1, 0, 0}, 0, rt::inf});
+    }
+    const rt::Frame frame = rt::frame_about(direction(random));
+    const vec3 center = size * box(random, -1, 1);
+    const Triangle t{center - size * frame.x - size * frame.y, center + size * frame.x - size * frame.y, center + size * frame.y};
+    const double x = between(random, -0.3, 0.3), y = between(random, -0.7, 0.3) - (chance(random, 0.3) ? 2 : 0);
+    return row(t, near_ray(random, center + size * (x * frame.x + y * frame.y), frame.z, size));
 }
 
 Check two_triangles(Generator& random) {
     const Place place = any_place(random);
     const rt::Quad q = any_quad(random, place, 0, 1);
     const vec3 a = q.center - q.u - q.v, b = q.center + q.u - q.v, c = q.center + q.u + q.v, d = q.center - q.u + q.v;
-    // no shadow ray looks for a triangle
-    const std::string scene = toml(view_down(place, 5, 40)) + "[materials.lamp]\nemission = 1\nsampled = false\n\n" +
+    const std::string scene = toml(place.from_above(5, 40, figure_size)) + unsampled_lamp("lamp", 1) +
                               triangle("lamp", a, b, c) + triangle("lamp", a, c, d);
-    Check check = figure_check("two_triangles", scene, "pair of triangles", [q](const rt::Camera& camera) -> Sight {
-        return [=](rt::vec2 film) { return on_quad(q, camera.eye, view_direction(camera, film)) ? 1.0 : 0.0; };
-    });
-    Statistic seam = of_picture(
-        "A1", "brightest pixel, off 1 by",
-        [](const rt::Image& image) {
-            double most = 0;
-            for (const rt::Color& c : image.pixels) most = std::max(most, c.x);
-            return std::abs(most - 1);
-        },
-        0, 1e-9, always("the figure's radiance is 1"));
-    seam.exact = true;
-    check.statistics.push_back(seam);
+    Check check = figure_check("two_triangles", scene, "pair of triangles",
+                               [q](const rt::Camera& camera) { return sight_of(q, camera); });
+    check.statistics.push_back(of_picture({.id = "A1", .what = "brightest pixel, off 1 by",
+                                           .number =
+                                               [](const rt::Image& image) {
+                                                   double most = 0;
+                                                   for (const rt::Color& c : image.pixels) most = std::max(most, c.x);
+                                                   return std::abs(most - 1);
+                                               },
+                                           .truth = 0, .delta = 1e-9, .exact = true,
+                                           .hint = always("the figure's radiance is 1")}));
     return check;
+}
+
+/// The suspects of any flat shape, and points beyond the edges.
+std::vector<Suspect<rt::hit_triangle>> triangle_suspects(const FlatShape<Triangle>& flat) {
+    std::vector<Suspect<rt::hit_triangle>> suspects = flat_suspects<rt::hit_triangle>(flat);
+    const auto parallelogram = [](const Triangle& t, const Ray& ray) {
+        const auto [a, b, c] = shares(t, ray);
+        return b >= 0 && c >= 0 && b <= 1 && c <= 1;
+    };
+    suspects.push_back({"the parallelogram of which the triangle is one half is hit: is u + v <= 1 tested?",
+                        hit_where(flat, parallelogram, in_interval)});
+    // two edges of three, as conditions on the shares, with or without regard to the side
+    for (const auto& [i, j] : {std::pair(0, 1), std::pair(1, 2), std::pair(0, 2)})
+        for (const bool either_sign : {false, true}) {
+            const auto two_edges = [=, i = i, j = j](const Triangle& t, const Ray& ray) {
+                const auto share = shares(t, ray);
+                return (share[i] >= 0 && share[j] >= 0) || (either_sign && share[i] <= 0 && share[j] <= 0);
+            };
+            suspects.push_back({"points outside one of the three edges count as inside: that edge is not tested",
+                                hit_where(flat, two_edges, in_interval)});
+        }
+    return suspects;
 }
 
 }  // namespace
 
 Checks check_hit_triangle(Generator& random) {
-    const auto at = [](const Triangle& t, const Ray& ray) { return plane_crossing(ray, t.a, normal_of_triangle(t)); };
     const auto inside = [](const Triangle& t, const Ray& ray) {
         const auto [a, b, c] = shares(t, ray);
         return a >= 0 && b >= 0 && c >= 0;
     };
-    const RowFunction right = of<Triangle, Ray>([=](const Triangle& t, const Ray& ray) {
-        const double where = at(t, ray);
-        return inside(t, ray) && where > ray.near && where < ray.far ? where : rt::inf;
-    });
-    std::vector<Suspect> suspects = flat_suspects<Triangle>(at, inside, normal_of_triangle);
-    suspects.push_back({"the parallelogram of which the triangle is one half is hit: is u + v <= 1 tested?",
-                        of<Triangle, Ray>([=](const Triangle& t, const Ray& ray) {
-                            const auto [a, b, c] = shares(t, ray);
-                            const double where = at(t, ray);
-                            return b >= 0 && c >= 0 && b <= 1 && c <= 1 && where > ray.near && where < ray.far
-                                       ? where
-                                       : rt::inf;
-                        })});
-    // two edges of three, as conditions on the shares, with or without regard to the side
-    for (const auto& [i, j] : {std::pair(0, 1), std::pair(1, 2), std::pair(0, 2)})
-        for (const bool either_sign : {false, true})
-            suspects.push_back({"points outside one of the three edges count as inside: that edge is not tested",
-                                of<Triangle, Ray>([=, i = i, j = j](const Triangle& t, const Ray& ray) {
-                                    const auto share = shares(t, ray);
-                                    const bool in = (share[i] >= 0 && share[j] >= 0) ||
-                                                    (either_sign && share[i] <= 0 && share[j] <= 0);
-                                    const double where = at(t, ray);
-                                    return in && where > ray.near && where < ray.far ? where : rt::inf;
-                                })});
-    const std::vector<Circumstance> circumstances =
-        flat_circumstances<Triangle>([](const Triangle& t) { return glm::length(t.b - t.a) + glm::length(t.c - t.a); });
-    const auto unclipped = rows_of(96, [](Generator& draw) { return ordinary_triangle(draw, false); });
-    const auto clipped = rows_of(160, [](Generator& draw) { return ordinary_triangle(draw, true); });
+    const FlatShape<Triangle> flat{
+        .point = [](const Triangle& t) { return t.a; },
+        .normal = normal_of_triangle,
+        .inside = inside,
+        .size = [](const Triangle& t) { return glm::length(t.b - t.a) + glm::length(t.c - t.a); }};
     const auto nothing = rows_of(24, [](Generator& draw) {
         const vec3 a = box(draw, -1, 1), b = box(draw, -1, 1), origin = box(draw, 3, 4);
         const Triangle thin = chance(draw, 0.5) ? Triangle{a, a, b} : Triangle{a, b, a};
         return row(thin, Ray{origin, rt::unit(a + between(draw, 0, 1) * (b - a) - origin), 0, rt::inf});
     });
-    return {probe_check("inside", unclipped, {formula("W1", "distance, off by", right, 1e-3, suspects, circumstances)}),
-            probe_check("interval", clipped,
-                        {formula("W1", "distance within the interval, off by", right, 1e-3, suspects, circumstances)}),
-            probe_check("no_area", nothing,
-                        {property(
-                            "W1", "a triangle without area is hit",
-                            [](const Row&, const Row& out) { return out[0] == rt::inf ? 0.0 : 1.0; }, 0,
-                            "a triangle whose corners coincide must give inf, not nan or a hit")}),
-            two_triangles(random)};
+    Checks checks = flat_checks<rt::hit_triangle>(flat, triangle_suspects(flat), ordinary_triangle, small_triangle);
+    checks.push_back(probe_check(
+        "no_area", nothing,
+        {property({.id = "W1", .what = "a triangle without area is hit",
+                   .violation = of_call<rt::hit_triangle>([](double t) { return t == rt::inf ? 0.0 : 1.0; }),
+                   .says = "a triangle whose corners coincide must give inf, not nan or a hit"})}));
+    checks.push_back(two_triangles(random));
+    return checks;
 }
 
 }  // namespace grade

@@ -1,11 +1,6 @@
-#include <fmt/format.h>
-
-#include "checks/kit/convergence.h"
-#include "checks/kit/draw.h"
-#include "checks/kit/estimate.h"
-#include "checks/kit/formula.h"
 #include "checks/fragment_checks.h"
-#include "checks/kit/probe_check.h"
+#include "checks/kit/convergence.h"
+#include "checks/kit/kit.h"
 #include "statistics/convergence.h"
 
 namespace grade {
@@ -13,6 +8,7 @@ namespace grade {
 namespace {
 
 using Kind = Integrand::Kind;
+using Points = std::vector<double>;
 
 constexpr int random_levels = 5;
 
@@ -21,15 +17,14 @@ constexpr int random_levels = 5;
 ///     height / other exp((other - rate) x)
 ///
 /// so the estimate is; with other = rate there is no error at all. power is that of the density.
-RowFunction estimate(double power, bool mean) {
-    return of<Integrand, Integrand, std::vector<double>>(
-        [=](const Integrand& f, const Integrand& q, const std::vector<double>& x) {
-            double sum = 0;
-            for (const double xi : x)
-                sum += f.parameters[0] * std::pow(q.parameters[0], power) *
-                       std::exp(-(f.parameters[1] + power * q.parameters[1]) * xi);
-            return Row{x.empty() ? 0.0 : mean ? sum / double(x.size()) : sum};
-        });
+auto estimate_with(double power) {
+    return [=](const Integrand& f, const Integrand& q, const Points& x) {
+        double sum = 0;
+        for (const double xi : x)
+            sum += f.parameters[0] * std::pow(q.parameters[0], power) *
+                   std::exp(-(f.parameters[1] + power * q.parameters[1]) * xi);
+        return x.empty() ? 0.0 : sum / double(x.size());
+    };
 }
 
 /// A wave with a whole number of periods, which regular points do not see, and a sharp peak, from independent points.
@@ -46,26 +41,46 @@ Check wave_and_peak(Generator& random) {
         return row(fine ? wave : peak, density, x);
     });
     // twice the mean over all rows is the mean over those of one kind
-    const auto share = [](Kind kind, double integral) {
-        return [=](const Row& in, const Row& out) { return Kind(int(in[0])) == kind ? 2 * out[0] / integral : 0.0; };
+    const auto mean_estimate = [=](const std::string& what, const std::string& known_as, Kind kind, double integral) {
+        return mean_of(
+            {.id = "I1", .what = "mean estimate of " + what + ", over the integral",
+             .number = of_call<rt::integrate_monte_carlo>(
+                 [=](double mean, const Integrand& f, const Integrand&, const Points&) {
+                     return f.kind == kind ? 2 * mean / integral : 0.0;
+                 }),
+             .delta = 0.25,
+             .hint = by_ratio("the mean estimate of " + known_as,
+                              {{double(count), "is the division by the number of points missing?"}},
+                              "expected f(x_i)/Q(x_i), over the number of points")});
     };
-    const std::string hint = "expected f(x_i)/Q(x_i), over the number of points";
-    Statistic on_wave = mean_of("I1", "mean estimate of a wave that regular points do not see, over the integral",
-                                share(Kind::cosine, span), 1, 1,
-                                by_ratio("the mean estimate of a wave",
-                                         {{double(count), "is the division by the number of points missing?"}}, hint));
-    Statistic on_peak = mean_of("I1", "mean estimate of a sharp peak, over the integral",
-                                share(Kind::gaussian, width * std::sqrt(2 * rt::pi)), 1, 1,
-                                by_ratio("the mean estimate of a sharp peak",
-                                         {{double(count), "is the division by the number of points missing?"}}, hint));
-    for (Statistic* s : {&on_wave, &on_peak}) s->delta = 0.25;
-    return probe_check("wave_and_peak", inputs, {on_wave, on_peak});
+    return probe_check(
+        "wave_and_peak", inputs,
+        {mean_estimate("a wave that regular points do not see", "a wave", Kind::cosine, span),
+         mean_estimate("a sharp peak", "a sharp peak", Kind::gaussian, width * std::sqrt(2 * rt::pi))});
 }
 
 std::vector<double> drawn(Generator& random, int count, double rate) {
     std::vector<double> x;
     for (int k = 0; k < count; ++k) x.push_back(std::exponential_distribution<double>(rate)(random));
     return x;
+}
+
+Statistic given_estimate() {
+    return formula<rt::integrate_monte_carlo>(
+        {.id = "I1", .what = "estimate from given points, off by", .tolerance = 1e-4,
+         .right = estimate_with(-1),
+         .suspects = {{"f is multiplied by the density; expected the weight 1/Q", estimate_with(1)},
+                      {"the density is ignored; expected the weight 1/Q(x_i)", estimate_with(0)},
+                      {"one density serves all points; expected that of each, w_i = 1/Q(x_i)",
+                       [](const Integrand& f, const Integrand& q, const Points& x) {
+                           double sum = 0;
+                           for (const double xi : x) sum += f(xi) / q(x[0]) / double(x.size());
+                           return sum;
+                       }},
+                      {"the sum is not divided by the number of points",
+                       [](double right, const Integrand&, const Integrand&, const Points& x) {
+                           return right * double(x.size());
+                       }}}});
 }
 
 }  // namespace
@@ -80,17 +95,6 @@ Checks check_integrate_monte_carlo(Generator& random) {
         }
         return rows;
     };
-    Statistic value = formula("I1", "estimate from given points, off by", estimate(-1, true), 1e-4,
-                              {{"f is multiplied by the density; expected the weight 1/Q", estimate(1, true)},
-                               {"the density is ignored; expected the weight 1/Q(x_i)", estimate(0, true)},
-                               {"one density serves all points; expected that of each, w_i = 1/Q(x_i)",
-                                of<Integrand, Integrand, std::vector<double>>(
-                                    [](const Integrand& f, const Integrand& q, const std::vector<double>& x) {
-                                        double sum = 0;
-                                        for (const double xi : x) sum += f(xi) / q(x[0]) / double(x.size());
-                                        return sum;
-                                    })},
-                               {"the sum is not divided by the number of points", estimate(-1, false)}});
 
     // Over many draws the mean is the integral: height / rate.
     const double rate = between(random, 0.8, 1.2), other = between(random, 0.75, 1.2) * rate;
@@ -98,9 +102,10 @@ Checks check_integrate_monte_carlo(Generator& random) {
         const Integrand f{Kind::exponential, {2, rate}}, q{Kind::exponential, {other, other}};
         return row(f, q, drawn(draw, 32, other));
     });
-    Statistic mean = mean_of(
-        "I1", "mean estimate over the integral", [=](const Row&, const Row& out) { return out[0] * rate / 2; }, 1, 1,
-        by_ratio("the mean estimate", {{32, "is the division by the number of points missing?"}}));
+    const Statistic mean =
+        mean_of({.id = "I1", .what = "mean estimate over the integral",
+                 .number = of_call<rt::integrate_monte_carlo>([=](double mean) { return mean * rate / 2; }),
+                 .hint = by_ratio("the mean estimate", {{32, "is the division by the number of points missing?"}})});
 
     constexpr int repeats = 16;
     const double slower = 0.8 * rate;  // of the density: its fourth moments are finite
@@ -113,17 +118,15 @@ Checks check_integrate_monte_carlo(Generator& random) {
             }
         return rows;
     };
-    Statistic order = error_order(
+    const Statistic order = error_order(
         "power of N with which the error falls", random_levels, repeats,
-        [=](const Row&, const Row& out) { return out[0] - 2 / rate; }, -0.5,
+        of_call<rt::integrate_monte_carlo>([=](double mean) { return mean - 2 / rate; }), -0.5,
         [](double value, double) {
-            return fmt::format(
-                "the error falls as N^{:.2f} with N points; expected N^-0.5: is the sum divided by N, with the weight "
-                "1/Q(x_i) of each "
-                "point?",
-                value);
+            return fmt::format("the error falls as N^{:.2f} with N points; expected N^-0.5: is the sum divided by N, "
+                               "with the weight 1/Q(x_i) of each point?",
+                               value);
         });
-    return {probe_check("given_points", inputs, {value}), probe_check("unbiased", repeated, {mean}),
+    return {probe_check("given_points", inputs, {given_estimate()}), probe_check("unbiased", repeated, {mean}),
             wave_and_peak(random), probe_check("convergence", more_points, {order})};
 }
 

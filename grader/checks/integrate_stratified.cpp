@@ -1,10 +1,6 @@
-#include <fmt/format.h>
-
-#include "checks/kit/convergence.h"
-#include "checks/kit/draw.h"
-#include "checks/kit/formula.h"
 #include "checks/fragment_checks.h"
-#include "checks/kit/probe_check.h"
+#include "checks/kit/convergence.h"
+#include "checks/kit/kit.h"
 #include "statistics/convergence.h"
 
 namespace grade {
@@ -23,13 +19,14 @@ double mean(const std::vector<double>& u) {
 
 /// The estimate for f = c0 + c1 x: the sum over the strata of d_t f(mean of the stratum's points), times a factor that
 /// may be wrong. Strata without numbers add nothing.
-RowFunction estimate(std::function<double(const StratumOf&, const Strata&)> factor) {
-    return of<Integrand, Strata>([=](const Integrand& f, const Strata& strata) {
+template <class Factor>
+auto sum_over_strata(Factor factor) {
+    return [=](const Integrand& f, const Strata& strata) {
         double sum = 0;
         for (const StratumOf& s : strata)
             if (!s.u.empty()) sum += (s.high - s.low) * f(s.low + (s.high - s.low) * mean(s.u)) * factor(s, strata);
-        return Row{sum};
-    });
+        return sum;
+    };
 }
 
 double points_of_all(const Strata& strata) {
@@ -39,12 +36,12 @@ double points_of_all(const Strata& strata) {
 }
 
 /// All strata sampled as one interval from the first low to the last high.
-Row as_one(const Integrand& f, const Strata& strata) {
+double as_one(const Integrand& f, const Strata& strata) {
     const double low = strata.front().low, width = strata.back().high - low, all = points_of_all(strata);
     double sum = 0;
     for (const StratumOf& s : strata)
         for (const double u : s.u) sum += width / all * f(low + u * width);
-    return {sum};
+    return sum;
 }
 
 /// Equal strata from low to low + span, one random number to each.
@@ -63,11 +60,36 @@ Check wave(Generator& random) {
     const auto inputs = rows_of(96, [=](Generator& draw) { return row(f, equal_strata(draw, low, span, count)); });
     return probe_check(
         "wave", inputs,
-        {mean_of(
-            "I1", "mean estimate of a wave with a period to a stratum, over the integral",
-            [=](const Row&, const Row& out) { return out[0] / span; }, 1, 1,
-            by_ratio("the mean estimate of a wave", {{1.0 / count, "are the strata averaged? Expected their sum"},
-                                                     {count / span, "is the width of the strata missing?"}}))});
+        {mean_of({.id = "I1", .what = "mean estimate of a wave with a period to a stratum, over the integral",
+                  .number = of_call<rt::integrate_stratified>([=](double sum) { return sum / span; }),
+                  .hint = by_ratio("the mean estimate of a wave",
+                                   {{1.0 / count, "are the strata averaged? Expected their sum"},
+                                    {count / span, "is the width of the strata missing?"}})})});
+}
+
+Statistic sum_of_given() {
+    return formula<rt::integrate_stratified>(
+        {.id = "I1", .what = "sum over the strata, off by", .tolerance = 1e-4,
+         .right = sum_over_strata([](const StratumOf&, const Strata&) { return 1.0; }),
+         .suspects = {
+             {"the sum of each stratum is divided by the number of all points; expected its own number N_t",
+              sum_over_strata(
+                  [](const StratumOf& s, const Strata& all) { return double(s.u.size()) / points_of_all(all); })},
+             {"the sum of each stratum is divided by the number of points of the first one; expected its own number "
+              "N_t",
+              sum_over_strata(
+                  [](const StratumOf& s, const Strata& all) { return double(s.u.size()) / double(all[0].u.size()); })},
+             {"the sum of each stratum is not divided by its number of points N_t",
+              sum_over_strata([](const StratumOf& s, const Strata&) { return double(s.u.size()); })},
+             {"the width d_t of the stratum is missing",
+              sum_over_strata([](const StratumOf& s, const Strata&) { return 1 / (s.high - s.low); })},
+             {"the strata are averaged; expected their sum",
+              [](double right, const Integrand&, const Strata& all) { return right / double(all.size()); }},
+             {"a stratum without points gives 0/0; expected that it adds nothing",
+              [](double right, const Integrand&, const Strata& all) {
+                  return std::ranges::any_of(all, [](const StratumOf& s) { return s.u.empty(); }) ? NAN : right;
+              }},
+             {"all points are spread over one interval: the strata are not used", as_one}}});
 }
 
 }  // namespace
@@ -92,31 +114,13 @@ Checks check_integrate_stratified(Generator& random) {
         }
         return rows;
     };
-    const auto right = estimate([](const StratumOf&, const Strata&) { return 1.0; });
-    Statistic value = formula(
-        "I1", "sum over the strata, off by", right, 1e-4,
-        {{"the sum of each stratum is divided by the number of all points; expected its own number N_t",
-          estimate([](const StratumOf& s, const Strata& all) { return double(s.u.size()) / points_of_all(all); })},
-         {"the sum of each stratum is divided by the number of points of the first one; expected its own number N_t",
-          estimate([](const StratumOf& s, const Strata& all) { return double(s.u.size()) / double(all[0].u.size()); })},
-         {"the sum of each stratum is not divided by its number of points N_t",
-          estimate([](const StratumOf& s, const Strata&) { return double(s.u.size()); })},
-         {"the width d_t of the stratum is missing",
-          estimate([](const StratumOf& s, const Strata&) { return 1 / (s.high - s.low); })},
-         {"the strata are averaged; expected their sum",
-          estimate([](const StratumOf&, const Strata& all) { return 1 / double(all.size()); })},
-         {"a stratum without points gives 0/0; expected that it adds nothing",
-          estimate([](const StratumOf&, const Strata& all) {
-              for (const StratumOf& s : all)
-                  if (s.u.empty()) return double(NAN);
-              return 1.0;
-          })},
-         {"all points are spread over one interval: the strata are not used", of<Integrand, Strata>(as_one)}});
-    Statistic calls = property("I1", "points used",
-        [](const Row& in, const Row& out) {
-            return std::abs(out[1] - points_of_all(argument<1, Integrand, Strata>(in)));
-        },
-        0, "f is not evaluated once for each random number");
+    const Statistic calls = property({.id = "I1", .what = "points used",
+                                      .violation =
+                                          [](const Row& in, const Row& out) {
+                                              const Strata strata = argument<rt::integrate_stratified, 1>(in);
+                                              return std::abs(out[1] - points_of_all(strata));
+                                          },
+                                      .says = "f is not evaluated once for each random number"});
     constexpr int repeats = 12;
     const auto more_strata = [=](Generator& draw) {
         Rows rows;
@@ -127,14 +131,13 @@ Checks check_integrate_stratified(Generator& random) {
             }
         return rows;
     };
-    const auto error = [](const Row& in, const Row& out) {
-        const Integrand f = argument<0, Integrand, Strata>(in);
-        const Strata strata = argument<1, Integrand, Strata>(in);
-        const double low = strata.front().low, high = strata.back().high;
-        return out[0] - (high - low) * f((low + high) / 2);
-    };
-    Statistic order = error_order(
-        "power of N with which the error falls", stratified_levels, repeats, error, -1.5, [](double value, double) {
+    const Statistic order = error_order(
+        "power of N with which the error falls", stratified_levels, repeats,
+        of_call<rt::integrate_stratified>([](double sum, const Integrand& f, const Strata& strata) {
+            const double low = strata.front().low, high = strata.back().high;
+            return sum - (high - low) * f((low + high) / 2);
+        }),
+        -1.5, [](double value, double) {
             const std::string off = fmt::format(
                 "the error falls as N^{:.2f} with one point in each of N intervals; expected N^-1.5", value);
             return std::abs(value + 0.5) < 0.2
@@ -144,7 +147,7 @@ Checks check_integrate_stratified(Generator& random) {
                              ": it hardly falls: does each stratum count once, with its width and its number of points?"
                        : off;
         });
-    return {probe_check("given_points", inputs, {value, calls}), wave(random),
+    return {probe_check("given_points", inputs, {sum_of_given(), calls}), wave(random),
             probe_check("convergence", more_strata, {order})};
 }
 

@@ -1,10 +1,6 @@
-#include <fmt/format.h>
-
-#include "checks/kit/convergence.h"
-#include "checks/kit/draw.h"
-#include "checks/kit/formula.h"
 #include "checks/fragment_checks.h"
-#include "checks/kit/probe_check.h"
+#include "checks/kit/convergence.h"
+#include "checks/kit/kit.h"
 #include "statistics/convergence.h"
 
 namespace grade {
@@ -25,10 +21,27 @@ double sum_of_cosine(const Integrand& f, double a, double b, int n, double shift
            h * f.parameters[1] * std::cos(w * ((a + b) / 2 + (shift - 0.5) * h) + f.parameters[3]) * gain;
 }
 
-RowFunction shifted(double shift, std::function<double(double d, int n)> factor = [](double, int) { return 1.0; }) {
-    return of<Integrand, double, double, int>([=](const Integrand& f, double a, double b, int n) {
-        return Row{factor(b - a, n) * sum_of_cosine(f, a, b, n, shift)};
-    });
+auto shifted(double shift) {
+    return [=](const Integrand& f, double a, double b, int n) { return sum_of_cosine(f, a, b, n, shift); };
+}
+
+Statistic regular_sum() {
+    return formula<rt::integrate_uniform>(
+        {.id = "I1", .what = "sum over regular points, off by", .tolerance = 1e-4,
+         .right = shifted(0.5),
+         .suspects = {
+             {"the sum runs over left end points, x_i = a + i D/n; expected the middle of each interval", shifted(0)},
+             {"the sum runs over right end points; expected the middle of each interval", shifted(1)},
+             {"this is the trapezoidal rule, over n + 1 points; expected the midpoints",
+              [](const Integrand& f, double a, double b, int n) {
+                  return (sum_of_cosine(f, a, b, n, 0) + sum_of_cosine(f, a, b, n, 1)) / 2;
+              }},
+             {"the factor D is missing",
+              [](double right, const Integrand&, double a, double b, int) { return right / (b - a); }},
+             {"the factor 1/N is missing",
+              [](double right, const Integrand&, double, double, int n) { return right * n; }},
+             {"the factor D/N is missing",
+              [](double right, const Integrand&, double a, double b, int n) { return right * n / (b - a); }}}});
 }
 
 }  // namespace
@@ -44,34 +57,19 @@ Checks check_integrate_uniform(Generator&) {
         return row(f, a, a + span, n);
     });
 
-    Statistic value = formula(
-        "I1", "sum over regular points, off by", shifted(0.5), 1e-4,
-        {{"the sum runs over left end points, x_i = a + i D/n; expected the middle of each interval", shifted(0)},
-         {"the sum runs over right end points; expected the middle of each interval", shifted(1)},
-         {"this is the trapezoidal rule, over n + 1 points; expected the midpoints",
-          of<Integrand, double, double, int>([](const Integrand& f, double a, double b, int n) {
-              return (sum_of_cosine(f, a, b, n, 0) + sum_of_cosine(f, a, b, n, 1)) / 2;
-          })},
-         {"the factor D is missing", shifted(0.5, [](double d, int) { return 1 / d; })},
-         {"the factor 1/N is missing", shifted(0.5, [](double, int n) { return double(n); })},
-         {"the factor D/N is missing", shifted(0.5, [](double d, int n) { return n / d; })}});
     // the probe also says how often f was called, and between which x
-    Statistic points = property("I1", "points used",
-        [](const Row& in, const Row& out) {
-            RowReader reader(in);
-            read(reader, Tag<Integrand>{});
-            const double a = reader.number(), b = reader.number(), n = reader.number(), h = (b - a) / n;
-            return std::max(
-                {std::abs(out[1] - n), std::abs(out[2] - (a + h / 2)) / h, std::abs(out[3] - (b - h / 2)) / h});
-        },
-        1e-3, "f is not evaluated once at each of the N midpoints, from a + D/2N to b - D/2N");
-    // the integral of height exp(-rate x), the same functions on each level
-    const auto error = [](const Row& in, const Row& out) {
-        RowReader reader(in);
-        const Integrand f = read(reader, Tag<Integrand>{});
-        const double a = reader.number(), b = reader.number();
-        return out[0] - (f(a) - f(b)) / f.parameters[1];
-    };
+    const Statistic points = property(
+        {.id = "I1", .what = "points used",
+         .violation =
+             [](const Row& in, const Row& out) {
+                 return of_arguments<rt::integrate_uniform>([&](const Integrand&, double a, double b, int n) {
+                     const double h = (b - a) / n;
+                     return std::max({std::abs(out[1] - n), std::abs(out[2] - (a + h / 2)) / h,
+                                      std::abs(out[3] - (b - h / 2)) / h});
+                 })(in);
+             },
+         .tolerance = 1e-3,
+         .says = "f is not evaluated once at each of the N midpoints, from a + D/2N to b - D/2N"});
     constexpr int repeats = 4;
     const auto more_points = [=](Generator& random) {
         std::vector<Row> functions;
@@ -91,15 +89,28 @@ Checks check_integrate_uniform(Generator&) {
             }
         return rows;
     };
-    Statistic order = error_order(
-        "power of N with which the error falls", uniform_levels, repeats, error, -2, [](double value, double) {
+    // the integral of height exp(-rate x), the same functions on each level
+    const Statistic order = error_order(
+        "power of N with which the error falls", uniform_levels, repeats,
+        of_call<rt::integrate_uniform>([](double sum, const Integrand& f, double a, double b, int) {
+            return sum - (f(a) - f(b)) / f.parameters[1];
+        }),
+        -2, [](double value, double) {
             const std::string off = fmt::format("the error falls as N^{:.2f} with N points; expected N^-2", value);
             return std::abs(value + 1) < 0.3
                        ? off + ": are the points at the ends of the intervals? Expected their middles"
                    : value > -0.3 ? off + ": it hardly falls: is each interval counted, once, with its width D/N?"
                                   : off;
         });
-    return {probe_check("regular_points", inputs, {value, points}), probe_check("convergence", more_points, {order})};
+    // from right to left the integral has the other sign
+    const auto backwards = [inputs](Generator& random) {
+        Rows rows = inputs(random);
+        for (Row& r : rows) std::swap(r[r.size() - 3], r[r.size() - 2]);
+        return rows;
+    };
+    return {probe_check("regular_points", inputs, {regular_sum(), points}),
+            probe_check("backwards", backwards, {regular_sum()}),
+            probe_check("convergence", more_points, {order})};
 }
 
 }  // namespace grade

@@ -1,15 +1,8 @@
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 
 #include "checks/fragment_checks.h"
-#include "checks/kit/draw.h"
-#include "checks/kit/formula.h"
 #include "checks/kit/lens_pictures.h"
-#include "checks/kit/probe_check.h"
-#include "checks/kit/render_check.h"
-#include "rt/files/scene_reader.h"
+#include "checks/kit/warp.h"
 #include "statistics/blob.h"
 #include "statistics/projection.h"
 
@@ -18,9 +11,6 @@ namespace grade {
 namespace {
 
 using rt::Camera, rt::Ray, rt::vec2, rt::vec3;
-
-Camera camera_of(const Row& in) { return argument<0, Camera, Ray, vec2>(in); }
-Ray pinhole_of(const Row& in) { return argument<1, Camera, Ray, vec2>(in); }
 
 Camera any_lens_camera(Generator& random) {
     const Place place = any_place(random);
@@ -40,120 +30,22 @@ Row lens_row(const Camera& camera, Generator& random) {
 }
 
 /// Where on the lens a ray starts, in lens radii.
-vec2 on_lens(const Row& in, const Row& out) {
-    const Camera camera = camera_of(in);
-    const vec3 offset = (from_row<Ray>(out).origin - camera.eye) / camera.lens_radius;
+vec2 on_lens(const Ray& ray, const Camera& camera, const Ray&, vec2) {
+    const vec3 offset = (ray.origin - camera.eye) / camera.lens_radius;
     return {rt::dot(offset, camera.right), rt::dot(offset, camera.up)};
-}
-
-/// How far along the pinhole's ray the point in focus is.
-using Focus = double (*)(const Camera& camera, vec3 d);
-
-/// Angle between the ray and the way from its origin to the point in focus.
-double miss(const Row& in, const Row& out, Focus focus) {
-    const Camera camera = camera_of(in);
-    const Ray ray = from_row<Ray>(out), pinhole = pinhole_of(in);
-    const double t = focus(camera, pinhole.direction);
-    const vec3 due = rt::unit(pinhole.direction + (pinhole.origin - ray.origin) / t);
-    return glm::length(rt::unit(ray.direction) - due);
 }
 
 double plane_in_focus(const Camera& camera, vec3 d) { return camera.focus / -rt::dot(d, camera.back); }
 
-Statistic focus_point() {
-    struct Mistake {
-        const char* words;
-        Focus focus;
-    };
-    static constexpr Mistake mistakes[] = {
-        {"the focus is measured along the ray; expected along the axis: what is in focus is a plane, not a sphere",
-         [](const Camera& camera, vec3) { return camera.focus; }},
-        {"the cosine is on the wrong side: the plane in focus is further away along an oblique ray, focus/cosine",
-         [](const Camera& camera, vec3 d) { return camera.focus * -rt::dot(d, camera.back); }},
-        {"the rays of a pixel are parallel; expected that they meet in the plane in focus",
-         [](const Camera&, vec3) { return rt::inf; }},
-        {"the rays of a pixel meet behind the camera: a sign is wrong",
-         [](const Camera& camera, vec3 d) { return -plane_in_focus(camera, d); }},
-        {"the rays of a pixel meet at distance 1, whatever the focus",
-         [](const Camera& camera, vec3 d) { return 1 / -rt::dot(d, camera.back); }},
-        {"the rays of a pixel meet at twice the distance",
-         [](const Camera& camera, vec3 d) { return 2 * plane_in_focus(camera, d); }},
-        {"the rays of a pixel meet at half of the distance",
-         [](const Camera& camera, vec3 d) { return 0.5 * plane_in_focus(camera, d); }},
-        {"the rays of a pixel meet too close by the lens radius",
-         [](const Camera& camera, vec3 d) { return (camera.focus - camera.lens_radius) / -rt::dot(d, camera.back); }}};
-    Statistic s = property(
-        "D3", "angle by which rays miss the point in focus",
-        [](const Row& in, const Row& out) { return miss(in, out, plane_in_focus); }, 1e-4,
-        "rays do not meet the pinhole's ray in the plane in focus");
-    s.cause = [](const Observation& seen) -> std::string {
-        for (const Mistake& mistake : mistakes) {
-            bool all = true;
-            for (std::size_t k = 0; all && k < seen.inputs.size(); ++k)
-                all = miss(seen.inputs[k], seen.outputs[k], mistake.focus) < 1e-4;
-            if (all) return mistake.words;
-        }
-        return "";
-    };
-    return s;
-}
-
-std::vector<Statistic> ray_properties() {
-    return {
-        property(
-            "D1", "origin off the plane of the lens by [lens radius]",
-            [](const Row& in, const Row& out) {
-                const Camera camera = camera_of(in);
-                return std::abs(rt::dot(from_row<Ray>(out).origin - camera.eye, camera.back)) / camera.lens_radius;
-            },
-            1e-3,
-            "the lens is not at right angles to the camera's axis: is it turned with the camera, along right and up?"),
-        property(
-            "D1", "length of the direction, off 1 by",
-            [](const Row&, const Row& out) { return std::abs(glm::length(from_row<Ray>(out).direction) - 1); }, 1e-4,
-            "the direction is no unit vector"),
-        property(
-            "D1", "the ray's interval",
-            [](const Row&, const Row& out) {
-                const Ray ray = from_row<Ray>(out);
-                return ray.near >= 0 && ray.near < 0.01 && ray.far > 1e6 ? 0.0 : 1.0;
-            },
-            0, "the ray must be valid from 0 to infinity")};
-}
-
-Check rays(Generator& random) {
-    const Camera camera = any_lens_camera(random);
-    const auto inputs = rows_of(1024, [=](Generator& draw) { return lens_row(camera, draw); });
-    const auto square_radius = [](const Row& in, const Row& out) {
-        const vec2 p = on_lens(in, out);
-        return p.x * p.x + p.y * p.y;
-    };
-    Statistic size = mean_of("D2", "mean square of the distance from the middle of the lens [lens radius^2]",
-                             square_radius, 0.5, 0.5,
-                             by_value("the mean square of the distance from the middle of the lens, in lens radii,",
-                                      {{1.0 / 3, "is the square root missing? r = sqrt(u)"},
-                                       {2.0 / 3, "is the lens a square?"},
-                                       {0.125, "is the lens radius taken for its diameter?"},
-                                       {2, "is the lens's diameter taken for its radius?"},
-                                       {1, "do all rays start on the rim?"},
-                                       {0.5 / rt::sqr(camera.lens_radius), "is the lens radius used?"},
-                                       {0.5 * rt::sqr(camera.lens_radius), "is the lens radius squared?"},
-                                       {0, "is u used? All rays start in the middle"}},
-                                      0.04));
-    Statistic spread = uniform_in_square(
-        "V3", "chi squared of the points on the lens per degree of freedom",
-        [](const Row& in, const Row& out) {
-            const vec2 p = on_lens(in, out);
-            const double turn = std::atan2(p.y, p.x) / (2 * rt::pi);
-            return vec2(p.x * p.x + p.y * p.y, turn < 0 ? turn + 1 : turn);
-        },
-        8, 8,
-        always("the points are not spread evenly over the lens, the disc about camera.eye along right and up: both "
-               "coordinates of u are needed, "
-               "independent of each other"));
-    std::vector<Statistic> all = ray_properties();
-    all.insert(all.end(), {size, spread});
-    return probe_check("lens", inputs, all);
+/// Angle between the ray and the way from its origin to the point in focus; focus(camera, d) is how far along the
+/// pinhole's ray that is.
+template <class Focus>
+RowNumber miss(Focus focus) {
+    return of_call<rt::lens_ray>([=](const Ray& ray, const Camera& camera, const Ray& pinhole, vec2) {
+        const double t = focus(camera, pinhole.direction);
+        const vec3 due = rt::unit(pinhole.direction + (pinhole.origin - ray.origin) / t);
+        return glm::length(rt::unit(ray.direction) - due);
+    });
 }
 
 Check in_focus() {
@@ -162,7 +54,71 @@ Check in_focus() {
         if (chance(random, 0.1)) camera.focus = rt::inf;
         return lens_row(camera, random);
     });
-    return probe_check("in_focus", inputs, {focus_point()});
+    const Statistic point = property(
+        {.id = "D3", .what = "angle by which rays miss the point in focus",
+         .violation = miss(plane_in_focus),
+         .tolerance = 1e-4,
+         .says = "rays do not meet the pinhole's ray in the plane in focus",
+         .mistakes = {
+             {"the focus is measured along the ray; expected along the axis: what is in focus is a plane, not a sphere",
+              miss([](const Camera& camera, vec3) { return camera.focus; })},
+             {"the cosine is on the wrong side: the plane in focus is further away along an oblique ray, focus/cosine",
+              miss([](const Camera& camera, vec3 d) { return camera.focus * -rt::dot(d, camera.back); })},
+             {"the rays of a pixel are parallel; expected that they meet in the plane in focus",
+              miss([](const Camera&, vec3) { return rt::inf; })},
+             {"the rays of a pixel meet behind the camera: a sign is wrong",
+              miss([](const Camera& camera, vec3 d) { return -plane_in_focus(camera, d); })},
+             {"the rays of a pixel meet at distance 1, whatever the focus",
+              miss([](const Camera& camera, vec3 d) { return 1 / -rt::dot(d, camera.back); })},
+             {"the rays of a pixel meet at twice the distance",
+              miss([](const Camera& camera, vec3 d) { return 2 * plane_in_focus(camera, d); })},
+             {"the rays of a pixel meet at half of the distance",
+              miss([](const Camera& camera, vec3 d) { return 0.5 * plane_in_focus(camera, d); })},
+             {"the rays of a pixel meet too close by the lens radius", miss([](const Camera& camera, vec3 d) {
+                  return (camera.focus - camera.lens_radius) / -rt::dot(d, camera.back);
+              })}}});
+    return probe_check("in_focus", inputs, {point});
+}
+
+Check rays_of_lens(Generator& random) {
+    const Camera camera = any_lens_camera(random);
+    const auto inputs = rows_of(1024, [=](Generator& draw) { return lens_row(camera, draw); });
+    const Statistic plane = property(
+        {.id = "D1", .what = "origin off the plane of the lens by [lens radius]",
+         .violation = of_call<rt::lens_ray>([](const Ray& ray, const Camera& camera, const Ray&, vec2) {
+             return std::abs(rt::dot(ray.origin - camera.eye, camera.back)) / camera.lens_radius;
+         }),
+         .tolerance = 1e-3,
+         .says = "the lens is not at right angles to the camera's axis: is it turned with the camera, along right and "
+                 "up?"});
+    const auto from_middle = [](vec2 p) { return p.x * p.x + p.y * p.y; };
+    const RowPoint start = of_call<rt::lens_ray>(on_lens);
+    const Statistic size =
+        mean_of({.id = "D2", .what = "mean square of the distance from the middle of the lens [lens radius^2]",
+                 .number = [=](const Row& in, const Row& out) { return from_middle(start(in, out)); },
+                 .truth = 0.5,
+                 .hint = by_value("the mean square of the distance from the middle of the lens, in lens radii,",
+                                  {{1.0 / 3, "is the square root missing? r = sqrt(u)"},
+                                   {2.0 / 3, "is the lens a square?"},
+                                   {0.125, "is the lens radius taken for its diameter?"},
+                                   {2, "is the lens's diameter taken for its radius?"},
+                                   {1, "do all rays start on the rim?"},
+                                   {0.5 / rt::sqr(camera.lens_radius), "is the lens radius used?"},
+                                   {0.5 * rt::sqr(camera.lens_radius), "is the lens radius squared?"},
+                                   {0, "is u used? All rays start in the middle"}},
+                                  0.04)});
+    const Statistic spread = uniform_in_square(
+        {.id = "V3", .what = "chi squared of the points on the lens per degree of freedom",
+         .point =
+             [=](const Row& in, const Row& out) {
+                 const vec2 p = start(in, out);
+                 return vec2(from_middle(p), turn(p.x, p.y));
+             },
+         .hint = always("the points are not spread evenly over the lens, the disc about camera.eye along right and up: "
+                        "both coordinates of u are needed, independent of each other")});
+    return probe_check(
+        "lens", inputs,
+        {plane, unit_direction<rt::lens_ray>("D1"), whole_ray<rt::lens_ray>("D1"), size, spread});
 }
 
 /// A lamp of so many pixels' radius at a film point, at distance z along the axis: a disc parallel to the film, whose
@@ -193,17 +149,14 @@ Blur blur(const rt::Image& image, const Region& region, double lamp_radius) {
 }
 
 /// What is sharp has no blur, but for how its rim falls on the pixels.
-Statistic sharp(std::string what, Region region, double lamp_radius, Hint hint) {
-    Statistic s = of_picture(
-        "D3", std::move(what), [=](const rt::Image& image) { return blur(image, region, lamp_radius).square; }, 0, 0.8,
-        std::move(hint));
-    s.delta0 = 0.2;
-    return s;
+Statistic sharp(const std::string& where, Region region, double lamp_radius, Hint hint) {
+    return of_picture({.id = "D3", .what = "blur in " + where + " [pixel^2]",
+                       .number = [=](const rt::Image& image) { return blur(image, region, lamp_radius).square; },
+                       .truth = 0, .delta = 0.8, .delta0 = 0.2,
+                       .hint = std::move(hint)});
 }
 
-std::string lens_scene(const View& view) {
-    return toml(view) + "[materials.lamp]\nemission = 3\nsampled = false\n\n";
-}
+std::string lens_scene(const View& view) { return toml(view) + unsampled_lamp("lamp", 3); }
 
 /// Three lamps, in any order from left to right: before the plane in focus, in it, and behind it.
 Check depths(Generator& random) {
@@ -214,7 +167,7 @@ Check depths(Generator& random) {
     view.focus = focus;
     // 1/z - 1/focus is nearer/focus and -further/focus
     view.lens_radius = between(random, 6.5, 7.5) * focus / nearer / (16 / std::tan(15 * rt::pi / 180));
-    const Camera camera = rt::parse_scene(lens_scene(view), "lens").camera;
+    const Camera camera = camera_of(lens_scene(view));
     const double before = focus / (1 + nearer), behind = focus / (1 - further);
     std::array<int, 3> left = {0, 32, 64};
     std::ranges::shuffle(left, random);
@@ -222,39 +175,41 @@ Check depths(Generator& random) {
                               lamp_at(camera, {left[1] + 16, 16}, focus, size) +
                               lamp_at(camera, {left[2] + 16, 16}, behind, size);
 
-    const auto radius = [=](int x, double z) {
-        return [=](const rt::Image& image) {
-            return blur(image, {x, 0, 32, 32}, size).radius() / blur_radius(camera, z);
-        };
+    const auto radius = [&](const std::string& where, int x, double z) {
+        return of_picture(
+            {.id = "D1", .what = "radius of the blur disc " + where + " the plane in focus, over what must be",
+             .number =
+                 [=](const rt::Image& image) {
+                     return blur(image, {x, 0, 32, 32}, size).radius() / blur_radius(camera, z);
+                 },
+             .delta = 0.08,
+             .hint = by_ratio("the blur disc of a lamp " + where + " the plane in focus",
+                              {{0.5, "is the lens radius taken for its diameter?"},
+                               {2, "is the lens's diameter taken for its radius?"},
+                               {std::sqrt(2.0 / 3), "is the square root of u missing?"},
+                               {std::sqrt(4.0 / 3), "is the lens a square?"},
+                               {std::sqrt(2.0), "do all rays start on the rim of the lens?"},
+                               {0, "is the lens used?"}})});
     };
-    const std::vector<KnownRatio> known = {{0.5, "is the lens radius taken for its diameter?"},
-                                           {2, "is the lens's diameter taken for its radius?"},
-                                           {std::sqrt(2.0 / 3), "is the square root of u missing?"},
-                                           {std::sqrt(4.0 / 3), "is the lens a square?"},
-                                           {std::sqrt(2.0), "do all rays start on the rim of the lens?"},
-                                           {0, "is the lens used?"}};
-    return render_check(
-        "depths", {scene, 16, "sobol"},
-        {of_picture("D1", "radius of the blur disc before the plane in focus, over what must be",
-                    radius(left[0], before), 1, 0.08,
-                    by_ratio("the blur disc of a lamp before the plane in focus", known)),
-         of_picture("D1", "radius of the blur disc behind the plane in focus, over what must be",
-                    radius(left[2], behind), 1, 0.08,
-                    by_ratio("the blur disc of a lamp behind the plane in focus", known)),
-         sharp("blur in the plane in focus [pixel^2]", {left[1], 0, 32, 32}, size,
-               always("what is in the plane in focus is blurred: do all rays of a film point meet there?")),
-         of_picture(
-             "D2", "mean fourth power over squared mean square of the blur",
+    const Statistic shape = of_picture(
+        {.id = "D2", .what = "mean fourth power over squared mean square of the blur",
+         .number =
              [=](const rt::Image& image) {
                  const Blur b = blur(image, {left[0], 0, 32, 32}, size);
                  return b.fourth / rt::sqr(b.square);
              },
-             4.0 / 3, 0.12,
-             by_value("the blur disc's mean fourth power over its squared mean square, 4/3 for a uniform disc,",
-                      {{1.8, "is the square root of u missing? The middle of the lens gets too much"},
-                       {1.4, "is the lens a square?"},
-                       {1, "do all rays start on the rim of the lens?"}},
-                      0.04))});
+         .truth = 4.0 / 3, .delta = 0.12,
+         .hint = by_value("the blur disc's mean fourth power over its squared mean square, 4/3 for a uniform disc,",
+                          {{1.8, "is the square root of u missing? The middle of the lens gets too much"},
+                           {1.4, "is the lens a square?"},
+                           {1, "do all rays start on the rim of the lens?"}},
+                          0.04)});
+    return render_check(
+        "depths", {scene, 16, "sobol"},
+        {radius("before", left[0], before), radius("behind", left[2], behind),
+         sharp("the plane in focus", {left[1], 0, 32, 32}, size,
+               always("what is in the plane in focus is blurred: do all rays of a film point meet there?")),
+         shape});
 }
 
 /// A lamp in the plane in focus, in a corner of a wide picture.
@@ -265,24 +220,22 @@ Check corner(Generator& random) {
     view.lens_radius = between(random, 0.35, 0.4) * view.focus;
     const double size = 3;
     const bool right = chance(random, 0.5), low = chance(random, 0.5);
-    const Camera camera = rt::parse_scene(lens_scene(view), "lens").camera;
+    const Camera camera = camera_of(lens_scene(view));
     const std::string scene = lens_scene(view) + lamp_at(camera, {right ? 40 : 8, low ? 40 : 8}, view.focus, size);
     const Region region{right ? 32 : 0, low ? 32 : 0, 16, 16};
     return render_check(
         "corner", {scene, 16, "sobol"},
-        {sharp("blur in the corner of the plane in focus [pixel^2]", region, size, [](double value, double) {
-            return fmt::format(
-                "in the corner of the picture, what is in focus is blurred to a disc of radius {:.3g} pixels: is the "
-                "focus "
-                "measured along the ray? It is along the axis",
-                std::sqrt(2 * std::max(value, 0.0)));
+        {sharp("the corner of the plane in focus", region, size, [](double value, double) {
+            return fmt::format("in the corner of the picture, what is in focus is blurred to a disc of radius {:.3g} "
+                               "pixels: is the focus measured along the ray? It is along the axis",
+                               std::sqrt(2 * std::max(value, 0.0)));
         })});
 }
 
 }  // namespace
 
 Checks check_lens_ray(Generator& random) {
-    return {in_focus(), rays(random), depths(random), corner(random), two_colors(random), adding_up(random)};
+    return {in_focus(), rays_of_lens(random), depths(random), corner(random), two_colors(random), adding_up(random)};
 }
 
 }  // namespace grade

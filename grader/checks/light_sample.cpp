@@ -1,7 +1,4 @@
-#include <array>
-
 #include "checks/fragment_checks.h"
-#include "checks/kit/probe_check.h"
 #include "checks/kit/shadow_scene.h"
 #include "checks/kit/warp.h"
 #include "statistics/irradiance.h"
@@ -12,9 +9,6 @@ namespace grade {
 namespace {
 
 using rt::Emitter, rt::LightSample, rt::vec2, rt::vec3;
-
-Emitter emitter_of(const Row& in) { return argument<0, Emitter, vec3, vec2>(in); }
-vec3 point_of(const Row& in) { return argument<1, Emitter, vec3, vec2>(in); }
 
 vec3 normal_of(const Emitter& light) {
     return light.kind == Emitter::Kind::quad ? rt::unit(rt::cross(light.quad.u, light.quad.v)) : light.disc.normal;
@@ -43,22 +37,18 @@ vec2 on_light(const Emitter& light, vec3 p, const LightSample& s) {
 
 /// Area that a sample stands for: distance^2 / (cosine at the light * density). Its mean is the light's area, whatever
 /// the density, if that is the density of the sample.
-double area_share(const Row& in, const LightSample& s) {
+double area_share(const LightSample& s, const Emitter& light) {
     if (!(s.density > 0)) return 0;
-    const double cosine = -rt::dot(s.direction, normal_of(emitter_of(in)));
+    const double cosine = -rt::dot(s.direction, normal_of(light));
     return cosine > 1e-9 ? rt::sqr(s.distance) / (cosine * s.density) : 0;
 }
 
 /// How far a sample is off the light's surface, in the light's size.
-double off_light(const Row& in, const Row& out) {
-    const Emitter light = emitter_of(in);
-    const LightSample s = from_row<LightSample>(out);
-    const vec3 p = point_of(in);
+double off_light(const LightSample& s, const Emitter& light, vec3 p, vec2) {
     if (!(s.density > 0)) return s.density == 0 ? 0 : rt::inf;
     if (std::abs(glm::length(s.direction) - 1) > 1e-4) return rt::inf;
     const vec3 q = p + s.distance * s.direction - center_of(light);
-    const bool round = light.kind == Emitter::Kind::sphere;
-    if (round) {
+    if (light.kind == Emitter::Kind::sphere) {
         const double off = std::abs(glm::length(q) / light.sphere.radius - 1);
         return rt::dot(q, s.direction) > 1e-3 * light.sphere.radius ? rt::inf : off;  // the near side alone is seen
     }
@@ -67,6 +57,13 @@ double off_light(const Row& in, const Row& out) {
     const double beyond =
         light.kind == Emitter::Kind::quad ? std::max(std::abs(at.x), std::abs(at.y)) - 1 : std::hypot(at.x, at.y) - 1;
     return std::max({off_plane, beyond, 0.0});
+}
+
+Statistic samples_on_light(const std::string& unit, const std::string& says) {
+    return property({.id = "L1", .what = "distance of the samples from the light, in its " + unit,
+                     .violation = of_call<rt::light_sample>(off_light),
+                     .tolerance = 1e-3,
+                     .says = says});
 }
 
 Emitter emitter(Generator& random, Emitter::Kind kind) {
@@ -80,9 +77,60 @@ Emitter emitter(Generator& random, Emitter::Kind kind) {
 }
 
 std::function<Rows(Generator&)> samples_of(const Emitter& light, vec3 p, int side) {
-    return [=](Generator& draws) {
-        return repeat(rows_over_square(side, [=](vec2 u) { return row(light, p, u); })(draws));
+    return with_repeats(rows_over_square(side, [=](vec2 u) { return row(light, p, u); }));
+}
+
+/// The mean of f(point on the light) over its area.
+template <class F>
+RowNumber moment_on_light(F f) {
+    return of_call<rt::light_sample>([f](const LightSample& s, const Emitter& light, vec3 p, vec2) {
+        const double share = area_share(s, light);
+        return share > 0 ? share * f(on_light(light, p, s)) : 0.0;
+    });
+}
+
+std::string one_point(const Observation& seen) {
+    const LightSample first = result<rt::light_sample>(seen.outputs[0]);
+    for (const Row& out : seen.outputs)
+        if (glm::length(result<rt::light_sample>(out).direction - first.direction) > 1e-9) return "";
+    return "one point of the light is taken for all samples: u must choose it";
+}
+
+/// Where on a flat light samples are: their mean, and their mean squares.
+std::vector<Statistic> places_on_light(double area, bool quad) {
+    const auto mean = [&](const std::string& axis, int k) {
+        return mean_of({.id = "L3", .what = "mean point on the light, " + axis,
+                        .number = moment_on_light([=](vec2 q) { return q[k] / area; }),
+                        .truth = 0,
+                        .hint =
+                            [](double value, double) {
+                                return std::string(
+                                    std::abs(value) > 0.05
+                                        ? "the light is sampled from its corner, or one half of it more than the other"
+                                        : "one side of the light is sampled more than the other");
+                            },
+                        .cause = one_point});
     };
+    const auto mean_square = [&](const std::string& axis, int k) {
+        return mean_of(
+            {.id = "L3", .what = "mean square of the point on the light, " + axis,
+             .number = moment_on_light([=](vec2 q) { return q[k] * q[k]; }),
+             .truth = area / (quad ? 3 : 4),
+             .hint = by_ratio("the mean square of the point on the light",
+                              {{1.0 / 16, quad ? "u and v are half edges, which are used as whole ones"
+                                               : "the radius is used as the diameter"},
+                               {16, quad ? "u and v are half edges already" : "the diameter is used as the radius"},
+                               {0.25, "half of the light is sampled"},
+                               {0, "one point of the light is sampled"},
+                               {2.0 / 3, "points crowd in the middle: is a square root missing?"}}),
+             .cause = one_point});
+    };
+    const Statistic covariance =
+        mean_of({.id = "L3", .what = "covariance of the point on the light",
+                 .number = moment_on_light([=](vec2 q) { return q.x * q.y / area; }),
+                 .truth = 0,
+                 .hint = always("the two coordinates depend on each other: one needs u.x and the other u.y")});
+    return {mean("across", 0), mean("along", 1), mean_square("across", 0), mean_square("along", 1), covariance};
 }
 
 Check flat_light(Generator& random, Emitter::Kind kind, const char* name) {
@@ -90,61 +138,30 @@ Check flat_light(Generator& random, Emitter::Kind kind, const char* name) {
     const bool quad = kind == Emitter::Kind::quad;
     const vec3 p =
         center_of(light) + between(random, 1, 3) * tilted(random, normal_of(light), between(random, 0.2, 0.8));
-    const double area = area_of(light), second = area / (quad ? 3 : 4);
-    const auto moment = [](auto f) {
-        return [f](const Row& in, const Row& out) {
-            const LightSample s = from_row<LightSample>(out);
-            const double share = area_share(in, s);
-            return share > 0 ? share * f(on_light(emitter_of(in), point_of(in), s)) : 0.0;
-        };
-    };
-    Statistic on = property("L1", "distance of the samples from the light, in its size", off_light, 1e-3,
-                            quad ? "samples lie beside the light: its points are center + x u + y v with |x|, |y| <= "
-                                   "1, at `distance` along the unit direction"
-                                 : "samples lie beside the light: its points are within the radius of the centre, at "
-                                   "`distance` along the unit direction");
-    Statistic size = mean_of("L1", "light gathered, as an area [m2]", moment([](vec2) { return 1.0; }), area, area,
-                             by_ratio("the light that is gathered",
-                                      {{0.25, quad ? "u and v are half edges: the area is 4 |u x v|"
-                                                   : "is the radius used as the diameter?"},
-                                       {4, "the density is that of an area 4 times too large"},
-                                       {1 / area, "the light's area is missing from the density"},
-                                       {2, "is a density halved?"},
-                                       {0.5, "is a density doubled?"},
-                                       {rt::pi, "is a factor pi missing from the area?"}},
-                                      "is the density per solid angle, distance^2 / (cosine at the light * area)?"));
-    find_half_a_percent(size);
-    const Hint corner = [](double value, double) {
-        return std::string(std::abs(value) > 0.05
-                               ? "the light is sampled from its corner, or one half of it more than the other"
-                               : "one side of the light is sampled more than the other");
-    };
-    Statistic x =
-        mean_of("L3", "mean point on the light, across", moment([=](vec2 q) { return q.x / area; }), 0, 1, corner);
-    Statistic y =
-        mean_of("L3", "mean point on the light, along", moment([=](vec2 q) { return q.y / area; }), 0, 1, corner);
-    Statistic xy =
-        mean_of("L3", "covariance of the point on the light", moment([=](vec2 q) { return q.x * q.y / area; }), 0, 1,
-                always("the two coordinates depend on each other: one needs u.x and the other u.y"));
-    const Hint width = by_ratio("the mean square of the point on the light",
-                                {{1.0 / 16, quad ? "u and v are half edges, which are used as whole ones"
-                                                 : "the radius is used as the diameter"},
-                                 {16, quad ? "u and v are half edges already" : "the diameter is used as the radius"},
-                                 {0.25, "half of the light is sampled"},
-                                 {0, "one point of the light is sampled"},
-                                 {2.0 / 3, "points crowd in the middle: is a square root missing?"}});
-    Statistic xx = mean_of("L3", "mean square of the point on the light, across",
-                           moment([](vec2 q) { return q.x * q.x; }), second, second, width);
-    Statistic yy = mean_of("L3", "mean square of the point on the light, along",
-                           moment([](vec2 q) { return q.y * q.y; }), second, second, width);
-    const auto one_point = [](const Observation& seen) -> std::string {
-        const LightSample first = from_row<LightSample>(seen.outputs[0]);
-        for (const Row& out : seen.outputs)
-            if (glm::length(from_row<LightSample>(out).direction - first.direction) > 1e-9) return "";
-        return "one point of the light is taken for all samples: u must choose it";
-    };
-    for (Statistic* s : {&size, &x, &y, &xx, &yy}) s->cause = one_point;
-    return probe_check(name, samples_of(light, p, 32), {on, size, x, y, xx, yy, xy, purity()});
+    const double area = area_of(light);
+    const Statistic on = samples_on_light(
+        "size", quad ? "samples lie beside the light: its points are center + x u + y v with |x|, |y| <= 1, at "
+                       "`distance` along the unit direction"
+                     : "samples lie beside the light: its points are within the radius of the centre, at `distance` "
+                       "along the unit direction");
+    const Statistic size = find_half_a_percent(
+        mean_of({.id = "L1", .what = "light gathered, as an area [m2]",
+                 .number = moment_on_light([](vec2) { return 1.0; }),
+                 .truth = area,
+                 .hint = by_ratio("the light that is gathered",
+                                  {{0.25, quad ? "u and v are half edges: the area is 4 |u x v|"
+                                               : "is the radius used as the diameter?"},
+                                   {4, "the density is that of an area 4 times too large"},
+                                   {1 / area, "the light's area is missing from the density"},
+                                   {2, "is a density halved?"},
+                                   {0.5, "is a density doubled?"},
+                                   {rt::pi, "is a factor pi missing from the area?"}},
+                                  "is the density per solid angle, distance^2 / (cosine at the light * area)?"),
+                 .cause = one_point}));
+    std::vector<Statistic> statistics = places_on_light(area, quad);
+    statistics.insert(statistics.begin(), {on, size});
+    statistics.push_back(purity());
+    return probe_check(name, samples_of(light, p, 32), statistics);
 }
 
 Check sphere_light(Generator& random) {
@@ -155,106 +172,99 @@ Check sphere_light(Generator& random) {
                  solid_angle = 2 * rt::pi * cap;
     const rt::Frame frame = rt::frame_about(axis);
     // mean of f / density is the integral of f over the directions towards the sphere
-    const auto integral = [](std::function<double(vec3)> f) {
-        return [f](const Row&, const Row& out) {
-            const LightSample s = from_row<LightSample>(out);
-            return s.density > 0 ? f(s.direction) / s.density : 0.0;
-        };
+    const auto integral = [](auto f) {
+        return of_call<rt::light_sample>(
+            [f](const LightSample& s) { return s.density > 0 ? f(s.direction) / s.density : 0.0; });
     };
-    Statistic on = property("L1", "distance of the samples from the light, in its radius", off_light, 1e-3,
-                            "samples lie off the near side of the sphere, at `distance` along the unit direction");
-    Statistic size = mean_of(
-        "L1", "solid angle of the light [sr]", integral([](vec3) { return 1.0; }), solid_angle, solid_angle,
-        by_ratio("the solid angle",
-                 {{2, "is the density halved?"}, {4 * rt::pi / solid_angle, "the density is that of all directions"}},
-                 "is the density the one of the directions that are returned?"));
+    const auto lean = [&](const std::string& way, vec3 across) {
+        return mean_of({.id = "L1", .what = "mean direction, " + way,
+                        .number = integral([=](vec3 d) { return rt::dot(d, across) / (sine * solid_angle); }),
+                        .truth = 0,
+                        .hint = always("one side of the sphere is sampled more than the other")});
+    };
     // half a percent would take hundreds of replicates where samples are spread over the whole sphere
-    size.delta0 = 0.001 * solid_angle, size.delta = 0.01 * solid_angle;
-    Statistic height = mean_of("L1", "mean of 1 - cos(theta) about the axis, over its value",
-                               integral([=](vec3 d) { return (1 - rt::dot(d, axis)) * 2 / (cap * solid_angle); }), 1, 1,
-                               by_ratio("the mean of 1 - cos(theta)", {{0, "one point of the light is sampled"}},
-                                        "the sphere is not sampled evenly as seen from the point"));
-    Statistic x = mean_of("L1", "mean direction, sideways",
-                          integral([=](vec3 d) { return rt::dot(d, frame.x) / (sine * solid_angle); }), 0, 1,
-                          always("one side of the sphere is sampled more than the other"));
-    Statistic y = mean_of("L1", "mean direction, upwards",
-                          integral([=](vec3 d) { return rt::dot(d, frame.y) / (sine * solid_angle); }), 0, 1,
-                          always("one side of the sphere is sampled more than the other"));
+    const Statistic size = mean_of(
+        {.id = "L1", .what = "solid angle of the light [sr]",
+         .number = integral([](vec3) { return 1.0; }),
+         .truth = solid_angle, .delta = 0.01 * solid_angle,
+         .hint = by_ratio("the solid angle",
+                          {{2, "is the density halved?"},
+                           {4 * rt::pi / solid_angle, "the density is that of all directions"}},
+                          "is the density the one of the directions that are returned?")});
+    const Statistic height =
+        mean_of({.id = "L1", .what = "mean of 1 - cos(theta) about the axis, over its value",
+                 .number = integral([=](vec3 d) { return (1 - rt::dot(d, axis)) * 2 / (cap * solid_angle); }),
+                 .hint = by_ratio("the mean of 1 - cos(theta)", {{0, "one point of the light is sampled"}},
+                                  "the sphere is not sampled evenly as seen from the point")});
     // more rows, for samples that are spread over the whole sphere: most of them are on its far side
-    return probe_check("sphere_light", samples_of(light, p, 64),
+    return probe_check(
+        "sphere_light", samples_of(light, p, 64),
+        {samples_on_light("radius",
+                          "samples lie off the near side of the sphere, at `distance` along the unit direction"),
+         size, height, lean("sideways", frame.x), lean("upwards", frame.y), purity()});
+}
 
-                       {on, size, height, x, y, purity()});
+constexpr int layout_count = 48, samples_of_each = 16;
+
+/// The powers of distance, cosine and area that the estimates of small lights at many places have left over; nan where
+/// there is no light.
+double leftover_power(const Observation& seen, std::size_t which) {
+    std::vector<std::vector<double>> factors;
+    std::vector<double> logs;
+    for (int k = 0; k < layout_count; ++k) {
+        double sum = 0;
+        for (int i = 0; i < samples_of_each; ++i) {
+            const LightSample s = result<rt::light_sample>(seen.outputs[k * samples_of_each + i]);
+            if (s.density > 0) sum += 1 / s.density / samples_of_each;
+        }
+        const Row& in = seen.inputs[k * samples_of_each];
+        const Emitter light = argument<rt::light_sample, 0>(in);
+        const vec3 to = light.quad.center - argument<rt::light_sample, 1>(in);
+        const double r = glm::length(to), cosine = -rt::dot(to, normal_of(light)) / r;
+        factors.push_back({1, std::log(r), std::log(cosine), std::log(area_of(light))});
+        logs.push_back(std::log(sum * r * r / (cosine * area_of(light))));
+        if (!std::isfinite(logs.back())) return NAN;
+    }
+    return least_squares(factors, logs)[which].value;
 }
 
 /// Small lights at many places: which powers of distance, cosine and area the estimate has.
 Check layouts() {
-    constexpr int count = 48, each = 16;
     const auto inputs = [](Generator& random) {
         Rows rows;
-        for (int k = 0; k < count; ++k) {
+        for (int k = 0; k < layout_count; ++k) {
             Emitter light = emitter(random, Emitter::Kind::quad);
             light.quad.u *= 0.3, light.quad.v *= 0.3;
             const double angle = between(random, 0, 1.2);
             const vec3 p = light.quad.center + log_between(random, 1.5, 8) * tilted(random, normal_of(light), angle);
-            for (int i = 0; i < each; ++i) rows.push_back(row(light, p, square(random)));
+            for (int i = 0; i < samples_of_each; ++i) rows.push_back(row(light, p, square(random)));
         }
         return rows;
     };
-    const auto power = [](int which) {
-        return [which](const Observation& seen) {
-            std::vector<std::vector<double>> factors;
-            std::vector<double> logs;
-            for (int k = 0; k < count; ++k) {
-                double sum = 0;
-                for (int i = 0; i < each; ++i) {
-                    const LightSample s = from_row<LightSample>(seen.outputs[k * each + i]);
-                    if (s.density > 0) sum += 1 / s.density / each;
-                }
-                const Row& in = seen.inputs[k * each];
-                const Emitter light = emitter_of(in);
-                const vec3 to = light.quad.center - point_of(in);
-                const double r = glm::length(to), cosine = -rt::dot(to, normal_of(light)) / r;
-                factors.push_back({1, std::log(r), std::log(cosine), std::log(area_of(light))});
-                logs.push_back(std::log(sum * r * r / (cosine * area_of(light))));
-                if (!std::isfinite(logs.back())) return double(NAN);
-            }
-            return least_squares(factors, logs)[which].value;
-        };
-    };
-    const auto statistic = [&](int which, std::string what, std::function<std::string(double)> cause) {
-        Statistic s;
-        s.id = "L2";
-        s.what = std::move(what);
-        s.measure = power(which);
-        s.truth = 0;
-        s.delta0 = 0.02;
-        s.delta = 0.3;
-        s.hint = [cause](double value, double) {
-            return std::isnan(value) ? std::string("the light gives no light where it must") : cause(value);
-        };
-        return s;
+    const auto power = [](std::size_t which, const std::string& of, const std::vector<KnownValue>& known,
+                          const std::string& else_words) {
+        return Statistic{.id = "L2", .what = "power of the " + of + " that is left over",
+                         .measure = [=](const Observation& seen) { return leftover_power(seen, which); },
+                         .truth = 0, .delta0 = 0.02, .delta = 0.3,
+                         .hint = [=](double value, double) -> std::string {
+                             if (std::isnan(value)) return "the light gives no light where it must";
+                             for (const KnownValue& k : known)
+                                 if (std::abs(value - k.value) < 0.3) return k.words;
+                             return else_words;
+                         }};
     };
     return probe_check(
         "many_places", inputs,
-        {statistic(1, "power of the distance that is left over",
-                   [](double v) {
-                       return std::string(
-                           std::abs(v - 2) < 0.3
-                               ? "1/r^2 is missing: density per solid angle = density per area * distance^2 / cosine"
-                           : std::abs(v - 1) < 0.3 ? "the distance counts once; expected squared"
-                                                   : "the estimate has a wrong power of the distance");
-                   }),
-         statistic(2, "power of the cosine at the light that is left over",
-                   [](double v) {
-                       return std::string(std::abs(v + 1) < 0.3 ? "the cosine at the light is missing: density per "
-                                                                  "solid angle = density per area * distance^2 / cosine"
-                                                                : "the cosine at the light has a wrong power: is the "
-                                                                  "density multiplied where it must be divided?");
-                   }),
-         statistic(3, "power of the area that is left over", [](double v) {
-             return std::string(std::abs(v + 1) < 0.3 ? "the area is missing: the density per area is 1 / area"
-                                                      : "the estimate has a wrong power of the light's area");
-         })});
+        {power(1, "distance",
+               {{2, "1/r^2 is missing: density per solid angle = density per area * distance^2 / cosine"},
+                {1, "the distance counts once; expected squared"}},
+               "the estimate has a wrong power of the distance"),
+         power(2, "cosine at the light",
+               {{-1, "the cosine at the light is missing: density per solid angle = density per area * distance^2 / "
+                     "cosine"}},
+               "the cosine at the light has a wrong power: is the density multiplied where it must be divided?"),
+         power(3, "area", {{-1, "the area is missing: the density per area is 1 / area"}},
+               "the estimate has a wrong power of the light's area")});
 }
 
 /// Irradiance of a surface, against the formulas of Lambert and others: a quad anywhere, a disc that the surface faces,
@@ -289,19 +299,21 @@ Check irradiance(Generator& random) {
     for (std::size_t k = 0; k < 3; ++k) {
         const std::string name = std::array{"a quad", "a disc that faces it", "a sphere"}[k];
         // three times the mean over all rows is the mean over those of one light
-        const auto share = [=, kind = lights[k].kind, n = surfaces[k].n, all = due[k]](const Row& in, const Row& out) {
-            const LightSample s = from_row<LightSample>(out);
-            return emitter_of(in).kind == kind && s.density > 0
+        const auto share = [kind = lights[k].kind, n = surfaces[k].n, all = due[k]](const LightSample& s,
+                                                                                    const Emitter& light, vec3, vec2) {
+            return light.kind == kind && s.density > 0
                        ? 3 * std::max(0.0, rt::dot(n, s.direction)) / s.density / all
                        : 0.0;
         };
-        statistics.push_back(
-            mean_of("L1", "irradiance of a surface by " + name + ", over what it must be", share, 1, 1,
-                    by_ratio("the irradiance by " + name,
-                             {{0.5, "is the density twice too large?"}, {2, "is the density twice too small?"}},
-                             "is the density per solid angle that of the sample?")));
-        if (k < 2) find_half_a_percent(statistics.back());
-        else statistics.back().delta0 = 0.001, statistics.back().delta = 0.01;
+        const Statistic mean =
+            mean_of({.id = "L1", .what = "irradiance of a surface by " + name + ", over what it must be",
+                     .number = of_call<rt::light_sample>(share),
+                     .delta = 0.01,
+                     .hint = by_ratio("the irradiance by " + name,
+                                      {{0.5, "is the density twice too large?"},
+                                       {2, "is the density twice too small?"}},
+                                      "is the density per solid angle that of the sample?")});
+        statistics.push_back(k < 2 ? find_half_a_percent(mean) : mean);
     }
     return probe_check("irradiance", inputs, statistics);
 }
@@ -314,25 +326,94 @@ Check dark_side() {
             center_of(light) - between(random, 1, 3) * tilted(random, normal_of(light), between(random, 0, 1));
         return row(light, p, square(random));
     });
-    return probe_check(
-        "dark_side", inputs,
-        {property(
-            "L4", "density behind the light", [](const Row&, const Row& out) { return std::abs(out.back()); }, 0,
-            "the light shines backwards: behind a quad or a disc the density is 0")});
+    return probe_check("dark_side", inputs,
+                       {property({.id = "L4", .what = "density behind the light",
+                                  .violation = of_call<rt::light_sample>(
+                                      [](const LightSample& s) { return std::abs(s.density); }),
+                                  .says = "the light shines backwards: behind a quad or a disc the density is 0"})});
+}
+
+/// Lamps from a centimetre to 100 m away, seen along an axis of the world or anyhow; spheres from the inside as well, and so
+/// close that they fill half of the sky.
+Check anywhere() {
+    const auto flat = [](Generator& draw) {
+        const Emitter light = emitter(draw, chance(draw, 0.5) ? Emitter::Kind::quad : Emitter::Kind::disc);
+        const vec3 p = center_of(light) + log_between(draw, 1, 100) * tilted(draw, normal_of(light), between(draw, 0, 1));
+        return row(light, p, square(draw));
+    };
+    const auto sphere = [](Generator& draw) {
+        const Emitter light = emitter(draw, Emitter::Kind::sphere);
+        const vec3 away = chance(draw, 0.5) ? exact_direction(draw) : direction(draw);
+        return row(light, light.sphere.center + light.sphere.radius * (1 + log_between(draw, 1e-2, 100)) * away, square(draw));
+    };
+    const auto within = [](Generator& draw) {
+        const Emitter light = emitter(draw, Emitter::Kind::sphere);
+        return row(light, light.sphere.center + light.sphere.radius * between(draw, 0, 0.95) * direction(draw), square(draw));
+    };
+    const Statistic inside = property(
+        {.id = "L4", .what = "density for a point within a sphere light",
+         .violation = of_call<rt::light_sample>([](const LightSample& s, const Emitter& light, vec3 p, vec2) {
+             const bool within = light.kind == Emitter::Kind::sphere && glm::length(p - light.sphere.center) < light.sphere.radius;
+             return within ? std::abs(s.density) : 0.0;
+         }),
+         .says = "a sphere light sends nothing to a point within it: the density is 0"});
+    const Statistic on = property(
+        {.id = "L1", .what = "distance of the samples from the light, in its size",
+         .violation = of_call<rt::light_sample>([](const LightSample& s, const Emitter& light, vec3 p, vec2 u) {
+             const bool within = light.kind == Emitter::Kind::sphere && glm::length(p - light.sphere.center) < light.sphere.radius;
+             return within ? 0.0 : off_light(s, light, p, u);
+         }),
+         .tolerance = 1e-2,
+         .says = "samples lie off the light where it is near or far, or straight along an axis of the world"});
+    const Statistic missing = mean_of(
+        {.id = "L1", .what = "share of the samples in front of a flat light that count",
+         .number = of_call<rt::light_sample>([](const LightSample& s, const Emitter& light, vec3, vec2) {
+             const bool within = light.kind == Emitter::Kind::sphere;
+             return within || s.density > 0 ? 1.0 : 0.0;
+         }),
+         .delta0 = 0.001, .delta = 0.01,
+         .hint = always("a point in front of a flat light gets no light, from 1 to 100 m away")});
+    return probe_check("anywhere", rows_of_kinds(64, flat, sphere, within), {on, inside, missing});
+}
+
+/// The solid angle of spheres that fill up to half of the sky.
+Check large_spheres() {
+    const auto inputs = [](Generator& random) {
+        Rows rows;
+        for (const double sine : {0.3, 0.6, 0.8}) {
+            Emitter light = emitter(random, Emitter::Kind::sphere);
+            const vec3 p = light.sphere.center + light.sphere.radius / sine * direction(random);
+            for (const Row& u : rows_over_square(24, [](vec2 u) { return row(u); })(random))
+                rows.push_back(row(light, p, vec2(u[0], u[1])));
+        }
+        return rows;
+    };
+    return probe_check("large_spheres", inputs,
+                       {mean_of({.id = "L1", .what = "solid angle of spheres that fill up to half of the sky, over what it is",
+                                 .number = of_call<rt::light_sample>([](const LightSample& s, const Emitter& light, vec3 p, vec2) {
+                                     const double sine = light.sphere.radius / glm::length(p - light.sphere.center);
+                                     return s.density > 0 ? 1 / s.density / (2 * rt::pi * (1 - std::sqrt(1 - sine * sine))) : 0.0;
+                                 }),
+                                 .delta0 = 0.002, .delta = 0.05,
+                                 .hint = by_ratio("the solid angle of large spheres", {{2, "is the density halved?"}},
+                                                  "is the sine of the cone the radius over the distance of the centre?")})});
 }
 
 }  // namespace
 
 Checks check_light_sample(Generator& random) {
+    using Kind = Emitter::Kind;
     Checks checks = {layouts(),
-                     flat_light(random, Emitter::Kind::quad, "quad_light"),
-                     flat_light(random, Emitter::Kind::disc, "disc_light"),
+                     flat_light(random, Kind::quad, "quad_light"),
+                     flat_light(random, Kind::disc, "disc_light"),
                      sphere_light(random),
+                     anywhere(),
+                     large_spheres(),
                      irradiance(random),
                      dark_side()};
-    checks.push_back(shadow_check(random, "quad_penumbra", any_shadow(random, Emitter::Kind::quad)));
-    checks.push_back(shadow_check(random, "disc_penumbra", any_shadow(random, Emitter::Kind::disc)));
-    checks.push_back(shadow_check(random, "sphere_penumbra", any_shadow(random, Emitter::Kind::sphere)));
+    checks.push_back(shadow_check(random, "quad_penumbra", any_shadow(random, Kind::quad)));
+    checks.push_back(shadow_check(random, "disc_penumbra", any_shadow(random, Kind::disc)));
+    checks.push_back(shadow_check(random, "sphere_penumbra", any_shadow(random, Kind::sphere)));
     return checks;
 }
 

@@ -1,8 +1,6 @@
 #include "checks/fragment_checks.h"
-#include "checks/kit/draw.h"
 #include "checks/kit/figures.h"
-#include "checks/kit/formula.h"
-#include "checks/kit/probe_check.h"
+#include "checks/kit/kit.h"
 
 namespace grade {
 
@@ -11,11 +9,11 @@ namespace {
 using rt::vec3;
 
 /// The part along the normal and the part along the surface, each times a factor: -1 and 1 for a mirror.
-RowFunction parts(double along_normal, double along_surface) {
-    return of<vec3, vec3>([=](vec3 d, vec3 n) {
+auto parts(double along_normal, double along_surface) {
+    return [=](vec3 d, vec3 n) {
         const vec3 normal = rt::dot(d, n) * n;
         return vec3(along_normal * normal + along_surface * (d - normal));
-    });
+    };
 }
 
 Check mirror_image(Generator& random) {
@@ -27,11 +25,10 @@ Check mirror_image(Generator& random) {
     const rt::Quad q{place({2.2, between(random, -0.2, 0.2), between(random, 1.1, 1.4)}),
                      width * (std::cos(angle) * z + std::sin(angle) * y),
                      height * (std::cos(angle) * y - std::sin(angle) * z)};
-    const View view{place({-2.5, 0, 1.5}), place({0.2, 0, 0}), z, 34, {48, 40}};
+    const View view{place({-2.5, 0, 1.5}), place({0.2, 0, 0}), z, 34, figure_size};
     // the front of the quad, u x v, looks back along -x
-    const std::string scene = toml(view) + bright_lamp + "[materials.mirror]\nreflectance = 0.8\n\n" +
-                              quad("mirror", place({0, 0, 0}), 1.5 * place.axes.x, 1.5 * place.axes.y) +
-                              quad("lamp", q.center, q.u, q.v);
+    const std::string scene = toml(view) + bright_lamp() + material("mirror", {{"reflectance", 0.8}}) +
+                              place.floor("mirror", 1.5) + quad("lamp", q);
     const vec3 origin = place.origin, normal = place.axes.z;
     return figure_check("mirror_image", scene, "mirror image", [=](const rt::Camera& camera) -> Sight {
         return [=](rt::vec2 film) {
@@ -55,20 +52,20 @@ Checks check_mirror_direction(Generator& random) {
         const vec3 n = direction(draw);
         return row(log_between(draw, 0.1, 10) * direction(draw), n);
     });
-    Statistic s =
-        formula("W2", "mirrored direction, off by", parts(-1, 1), 1e-4,
-                {{"the direction is turned round: r has the wrong sign, it must leave the surface", parts(1, -1)},
-                 {"d goes straight on: nothing is mirrored", parts(1, 1)},
-                 {"d goes straight back", parts(-1, -1)},
-                 {"r runs along the surface: the factor 2 is missing", parts(0, 1)},
-                 {"the sign before 2 (d . n) n is wrong", parts(3, 1)},
-                 {"r has unit length; expected the length of d",
-                  of<vec3, vec3>([](vec3 d, vec3 n) { return rt::unit(d - 2 * rt::dot(d, n) * n); })},
-                 {"the normal is taken to be on the viewer's side: it may be on either side of the surface",
-                  of<vec3, vec3>([](vec3 d, vec3 n) { return vec3(d + 2 * std::abs(rt::dot(d, n)) * n); })},
-                 {"the normal is turned towards the viewer with the wrong sign",
-                  of<vec3, vec3>([](vec3 d, vec3 n) { return vec3(d - 2 * std::abs(rt::dot(d, n)) * n); })}});
-    return {probe_check("mirrored", inputs, {s}), mirror_image(random)};
+    const Statistic mirrored = formula<rt::mirror_direction>(
+        {.id = "W2", .what = "mirrored direction, off by", .tolerance = 1e-4,
+         .right = parts(-1, 1),
+         .suspects = {{"the direction is turned round: r has the wrong sign, it must leave the surface", parts(1, -1)},
+                      {"d goes straight on: nothing is mirrored", parts(1, 1)},
+                      {"d goes straight back", parts(-1, -1)},
+                      {"r runs along the surface: the factor 2 is missing", parts(0, 1)},
+                      {"the sign before 2 (d . n) n is wrong", parts(3, 1)},
+                      {"r has unit length; expected the length of d", [](vec3 right) { return rt::unit(right); }},
+                      {"the normal is taken to be on the viewer's side: it may be on either side of the surface",
+                       [](vec3 d, vec3 n) { return vec3(d + 2 * std::abs(rt::dot(d, n)) * n); }},
+                      {"the normal is turned towards the viewer with the wrong sign",
+                       [](vec3 d, vec3 n) { return vec3(d - 2 * std::abs(rt::dot(d, n)) * n); }}}});
+    return {probe_check("mirrored", inputs, {mirrored}), mirror_image(random)};
 }
 
 }  // namespace grade

@@ -1,10 +1,6 @@
-#include <fmt/format.h>
-
-#include "checks/kit/draw.h"
-#include "checks/kit/formula.h"
 #include "checks/fragment_checks.h"
-#include "checks/kit/probe_check.h"
-#include "checks/kit/render_check.h"
+#include "checks/kit/film_view.h"
+#include "checks/kit/kit.h"
 #include "statistics/blob.h"
 
 namespace grade {
@@ -19,139 +15,119 @@ Check points() {
         const double time = chance(random, 0.1) ? 0 : between(random, -2, 4);
         return row(point, velocity, time);
     });
-    const auto at = [](auto f) {
-        return of<vec3, vec3, double>(
-            [=](vec3 point, vec3 velocity, double time) { return vec3(f(point, velocity, time)); });
-    };
-    return probe_check(
-        "points", inputs,
-        {formula(
-            "M1", "point, off by", at([](vec3 p, vec3 v, double t) { return p + t * v; }), 1e-5,
-            {{"the point does not move", at([](vec3 p, vec3, double) { return p; })},
+    const Statistic right = formula<rt::moved>(
+        {.id = "M1", .what = "point, off by", .tolerance = 1e-5,
+         .right = [](vec3 p, vec3 v, double t) { return p + t * v; },
+         .suspects = {
+             {"the point does not move", [](vec3 p, vec3, double) { return p; }},
              {"the time is not used: the point is always where it is after 1 s",
-              at([](vec3 p, vec3 v, double) { return p + v; })},
-             {"the point moves backwards", at([](vec3 p, vec3 v, double t) { return p - t * v; })},
-             {"only the way is returned; expected the point after it",
-              at([](vec3, vec3 v, double t) { return t * v; })},
+              [](vec3 p, vec3 v, double) { return p + v; }},
+             {"the point moves backwards", [](vec3 p, vec3 v, double t) { return p - t * v; }},
+             {"only the way is returned; expected the point after it", [](vec3, vec3 v, double t) { return t * v; }},
              {"the speed is not used, the direction of the velocity alone",
-              at([](vec3 p, vec3 v, double t) { return p + t * rt::unit(v); })},
-             {"only the x component moves", at([](vec3 p, vec3 v, double t) { return p + t * vec3(v.x, 0, 0); })},
-             {"the z component does not move", at([](vec3 p, vec3 v, double t) { return p + t * vec3(v.x, v.y, 0); })},
+              [](vec3 p, vec3 v, double t) { return p + t * rt::unit(v); }},
+             {"only the x component moves", [](vec3 p, vec3 v, double t) { return p + t * vec3(v.x, 0, 0); }},
+             {"the z component does not move", [](vec3 p, vec3 v, double t) { return p + t * vec3(v.x, v.y, 0); }},
              {"times before 0 are clamped: a point moves then too",
-              at([](vec3 p, vec3 v, double t) { return p + std::max(t, 0.0) * v; })},
-             {"the way grows with the square of the time", at([](vec3 p, vec3 v, double t) { return p + t * t * v; })},
-             {"half of the way is gone", at([](vec3 p, vec3 v, double t) { return p + 0.5 * t * v; })},
-             {"twice the way is gone", at([](vec3 p, vec3 v, double t) { return p + 2.0 * t * v; })}})});
+              [](vec3 p, vec3 v, double t) { return p + std::max(t, 0.0) * v; }},
+             {"the way grows with the square of the time", [](vec3 p, vec3 v, double t) { return p + t * t * v; }},
+             {"half of the way is gone", [](vec3 p, vec3 v, double t) { return p + 0.5 * t * v; }},
+             {"twice the way is gone", [](vec3 p, vec3 v, double t) { return p + 2.0 * t * v; }}}});
+    return probe_check("points", inputs, {right});
+}
+
+/// Something that flies by, at one instant: the shutter is open so shortly that any time is the same.
+struct Flight {
+    Place place;
+    double time;
+    vec2 step;   // [pixel/s], y up
+    vec2 start;  // [pixel], at time 0
+
+    vec3 at_start() const { return film_pixel * vec3(start.x, start.y, 0); }
+    vec3 velocity() const { return place.turned(film_pixel * vec3(step.x, step.y, 0)); }
+    std::string instant() const { return shutter(time, time + 1e-9); }
+};
+
+/// sign  of the time
+Flight any_flight(Generator& random, double sign) {
+    const Place place = any_place(random);
+    const double time = sign * between(random, 0.4, 0.7),
+                 turn = between(random, 0, 2 * rt::pi);
+    const vec2 step = 16.0 * vec2(std::cos(turn), std::sin(turn));
+    return {place, time, step, vec2(between(random, -3, 3), between(random, -3, 3)) - time * step};
 }
 
 /// Where something is in the picture, along its motion and across, from where it must be.
-std::vector<Statistic> places(const std::string& id, const std::string& thing,
-                              std::function<vec2(const rt::Image&)> centroid, vec2 due, vec2 step, double time) {
-    const double speed = std::hypot(step.x, step.y);
+Check place_check(const std::string& name, const std::string& id, const std::string& thing, const std::string& scene,
+                  const Flight& flight, std::function<vec2(const rt::Image&)> centroid) {
+    const vec2 due = flight.start + flight.time * flight.step, seen_at(16 + due.x, 16 - due.y);
+    const vec2 step(flight.step.x, -flight.step.y);
+    const double speed = std::hypot(step.x, step.y), time = flight.time;
     const vec2 along = step / speed, across(-along.y, along.x);
-    const auto off = [=](vec2 axis) {
-        return [=](const rt::Image& image) {
-            const vec2 d = centroid(image) - due;
-            return d.x * axis.x + d.y * axis.y;
-        };
+    const auto off = [&](const std::string& what, vec2 axis, Hint hint) {
+        return of_picture({.id = id,
+                           .what = thing + ": distance " + what + " [pixel]",
+                           .number =
+                               [=](const rt::Image& image) {
+                                   const vec2 d = centroid(image) - seen_at;
+                                   return d.x * axis.x + d.y * axis.y;
+                               },
+                           .truth = 0, .delta = 0.5,
+                           .hint = std::move(hint)});
     };
-    return {of_picture(id, thing + ": distance along its way from where it must be [pixel]", off(along), 0, 0.5,
-                       by_value(thing + ": its distance along its way from where it must be",
-                                {{-speed * time, "it stands still"},
-                                 {-2 * speed * time, "it moves backwards"},
-                                 {speed * (1 - time), "it is always where it is after 1 s"}},
-                                0.8)),
-            of_picture(id, thing + ": distance from its way [pixel]", off(across), 0, 0.5,
-                       always(thing + " has left its way: point + time x velocity"))};
+    return render_check(name, {scene, 16, "sobol"},
+                        {off("along its way from where it must be", along,
+                             by_value(thing + ": its distance along its way from where it must be",
+                                      {{-speed * time, "it stands still"},
+                                       {-2 * speed * time, "it moves backwards"},
+                                       {speed * (1 - time), "it is always where it is after 1 s"}},
+                                      0.8)),
+                         off("from its way", across, always(thing + " has left its way: point + time x velocity"))});
 }
 
-/// A lamp that flies by, and the shadow that a disc behind the camera throws on the floor below, at one instant. They
-/// are on black and on white, in two pictures: the shutter is open so shortly that any time is the same.
+vec2 centroid_of_light(const rt::Image& image) { return blob_moments(image, whole(image)).centroid; }
+
+vec2 centroid_of_darkness(const rt::Image& image) {
+    rt::Image darkness = image;
+    double lit = 0;
+    for (const rt::Color& p : image.pixels) lit = std::max(lit, p.r);
+    for (rt::Color& p : darkness.pixels) p = rt::Color(lit - p.r);
+    return blob_moments(darkness, whole(darkness)).centroid;
+}
+
 Check moving_lamp(Generator& random) {
-    const Place place = any_place(random);
-    const double time = between(random, 0.4, 0.7) * (chance(random, 0.5) ? 1 : -1),
-                 turn = between(random, 0, 2 * rt::pi);
-    constexpr double pixel = 0.01;  // [m] across the plane of the lamp
-    const vec2 step = 16.0 * vec2(std::cos(turn), std::sin(turn));  // [pixel/s], y up
-    const vec2 start = vec2(between(random, -3, 3), between(random, -3, 3)) - time * step;
-    const View view{place({0, 0, 5}),
-                    place({0, 0, 0}),
-                    place.turned({0, 1, 0}),
-                    2 * std::atan(16 * pixel / 5) * 180 / rt::pi,
-                    {32, 32}};
-    const std::string scene =
-        fmt::format("{}[shutter]\nopen = {}\nclose = {}\n\n[materials.lamp]\nemission = 2\nsampled = false\n\n",
-                    toml(view), toml(time), toml(time + 1e-9)) +
-        sphere("lamp", place(pixel * vec3(start.x, start.y, 0)), 4 * pixel,
-               place.turned(pixel * vec3(step.x, step.y, 0)));
-    const vec2 due = start + time * step;
-    return render_check("lamp", {scene, 16, "sobol"},
-                        places(
-                            "M1", "a lamp that flies by",
-                            [](const rt::Image& image) { return blob_moments(image, whole(image)).centroid; },
-                            {16 + due.x, 16 - due.y}, {step.x, -step.y}, time));
+    const Flight flight = any_flight(random, -1);
+    const std::string scene = toml(film_view(flight.place, {32, 32})) + flight.instant() + unsampled_lamp("lamp", 2) +
+                              sphere("lamp", flight.place(flight.at_start()), 4 * film_pixel, flight.velocity());
+    return place_check("lamp", "M1", "a lamp that flies by", scene, flight, centroid_of_light);
 }
 
+/// The shadow that a disc behind the camera throws on the floor below.
 Check shadow(Generator& random) {
-    const Place place = any_place(random);
-    const double time = between(random, 0.4, 0.7) * (chance(random, 0.5) ? 1 : -1),
-                 turn = between(random, 0, 2 * rt::pi);
-    constexpr double pixel = 0.01;
-    const vec2 step = 16.0 * vec2(std::cos(turn), std::sin(turn));
-    const vec2 start = vec2(between(random, -3, 3), between(random, -3, 3)) - time * step;
-    const vec3 toward = {between(random, -0.3, 0.3), between(random, -0.3, 0.3), 1};
-    const View view{place({0, 0, 5}),
-                    place({0, 0, 0}),
-                    place.turned({0, 1, 0}),
-                    2 * std::atan(16 * pixel / 5) * 180 / rt::pi,
-                    {32, 32}};
+    const Flight flight = any_flight(random, 1);
+    const Place& place = flight.place;
+    const double x = between(random, -0.3, 0.3), y = between(random, -0.3, 0.3);
+    const vec3 toward(x, y, 1);
     const std::string scene =
-        fmt::format("{}[shutter]\nopen = {}\nclose = {}\n\n[materials.floor]\nalbedo = 0.8\n\n[materials.card]\n\n",
-                    toml(view), toml(time), toml(time + 1e-9)) +
-        fmt::format("[[light]]\ntype = \"directional\"\ntoward = {}\nirradiance = 3\n\n", toml(place.turned(toward))) +
-        quad("floor", place({0, 0, 0}), place.axes.x, place.axes.y) +
+        toml(film_view(place, {32, 32})) + flight.instant() + material("floor", {{"albedo", 0.8}}) +
+        material("card", {}) + directional_light(place.turned(toward), 3) + place.floor("floor", 1) +
         // as high as the light's slope needs; behind the camera, which does not see it
-        disc("card", place(pixel * vec3(start.x, start.y, 0) + 6.0 * toward), place.axes.z, 5 * pixel,
-             place.turned(pixel * vec3(step.x, step.y, 0)));
-    const vec2 due = start + time * step;
-    const auto centroid = [](const rt::Image& image) {
-        rt::Image darkness = image;
-        double lit = 0;
-        for (const rt::Color& p : image.pixels) lit = std::max(lit, p.r);
-        for (rt::Color& p : darkness.pixels) p = rt::Color(lit - p.r);
-        return blob_moments(darkness, whole(darkness)).centroid;
-    };
-    return render_check("shadow", {scene, 16, "sobol"},
-                        places("M3", "the shadow of a card that flies by", centroid, {16 + due.x, 16 - due.y},
-                               {step.x, -step.y}, time));
+        disc("card", place(flight.at_start() + 6.0 * toward), place.axes.z, 5 * film_pixel, flight.velocity());
+    return place_check("shadow", "M3", "the shadow of a card that flies by", scene, flight, centroid_of_darkness);
 }
 
 /// A lamp that flies by behind the camera, which sees it in a mirror.
 Check reflection(Generator& random) {
-    const Place place = any_place(random);
-    const double time = between(random, 0.4, 0.7) * (chance(random, 0.5) ? 1 : -1),
-                 turn = between(random, 0, 2 * rt::pi);
-    constexpr double eye = 3, height = 5,
-                     pixel = 0.01;  // [m]: of the camera and the lamp before the mirror; across the lamp's plane
-    const vec2 step = 16.0 * vec2(std::cos(turn), std::sin(turn));
-    const vec2 start = vec2(between(random, -3, 3), between(random, -3, 3)) - time * step;
-    const double vfov =
-        2 * std::atan(16 * pixel / (eye + height)) * 180 / rt::pi;  // the image stands behind the mirror
-    const View view{place({0, 0, eye}), place({0, 0, 0}), place.turned({0, 1, 0}), vfov, {32, 32}};
-    const std::string scene =
-        fmt::format(
-            "{}[shutter]\nopen = {}\nclose = {}\n\n[materials.lamp]\nemission = 2\nsampled = false\n\n"
-            "[materials.mirror]\nreflectance = 1\n\n",
-            toml(view), toml(time), toml(time + 1e-9)) +
-        quad("mirror", place({0, 0, 0}), place.axes.x, place.axes.y) +
-        sphere("lamp", place({pixel * start.x, pixel * start.y, height}), 4 * pixel,
-               place.turned(pixel * vec3(step.x, step.y, 0)));
-    const vec2 due = start + time * step;
-    return render_check("reflection", {scene, 16, "sobol"},
-                        places(
-                            "M3", "the mirror image of a lamp that flies by",
-                            [](const rt::Image& image) { return blob_moments(image, whole(image)).centroid; },
-                            {16 + due.x, 16 - due.y}, {step.x, -step.y}, time));
+    const Flight flight = any_flight(random, -1);
+    const Place& place = flight.place;
+    constexpr double eye = 3, height = 5;  // [m] of camera and lamp before the mirror, behind which the image is
+    const View view = place.from_above(eye, vfov_of(16 * film_pixel, eye + height), {32, 32});
+    const std::string scene = toml(view) + flight.instant() + unsampled_lamp("lamp", 2) +
+                              material("mirror", {{"reflectance", 1}}) + place.floor("mirror", 1) +
+                              sphere("lamp", place(flight.at_start() + vec3(0, 0, height)), 4 * film_pixel,
+                                     flight.velocity());
+    return place_check("reflection", "M3", "the mirror image of a lamp that flies by", scene, flight,
+                       centroid_of_light);
 }
 
 }  // namespace

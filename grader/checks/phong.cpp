@@ -1,7 +1,5 @@
-#include "checks/kit/draw.h"
-#include "checks/kit/formula.h"
 #include "checks/fragment_checks.h"
-#include "checks/kit/probe_check.h"
+#include "checks/kit/kit.h"
 #include "checks/kit/reflection_model.h"
 #include "checks/kit/shadow_scene.h"
 
@@ -11,18 +9,17 @@ namespace {
 
 using rt::Color, rt::Material, rt::vec3;
 
-RowFunction modelled(Model model) {
-    return of<Material, Color, Color, vec3, vec3, vec3>([=](const Material& m, Color ambient, Color irradiance, vec3 n,
-                                                            vec3 d, vec3 c) {
-        return Color((model.ambient || (model.ambient_below && rt::dot(n, d) <= 0) ? m.ambient * ambient : Color(0)) +
-                     irradiance * reflected(m, n, d, c, model));
-    });
+auto modelled(Model model) {
+    return [=](const Material& m, Color ambient, Color irradiance, vec3 n, vec3 d, vec3 c) {
+        const bool ambient_counts = model.ambient || (model.ambient_below && rt::dot(n, d) <= 0);
+        return Color((ambient_counts ? m.ambient * ambient : Color(0)) + irradiance * reflected(m, n, d, c, model));
+    };
 }
 
 }  // namespace
 
 Checks check_phong(Generator& random) {
-    const auto inputs = rows_of(96, [](Generator& draw) {
+    const auto any_surface = [](Generator& draw) {
         Material m;
         m.ambient = box(draw, 0.1, 0.5), m.albedo = box(draw, 0.1, 0.9), m.specular = box(draw, 0.1, 0.9);
         m.shininess = log_between(draw, 2, 60);
@@ -31,12 +28,24 @@ Checks check_phong(Generator& random) {
         // the viewer near the mirrored light, or anywhere above the surface
         const vec3 c = viewer(draw, n, d);
         return row(m, ambient, irradiance, n, d, c);
-    });
-    std::vector<Suspect> suspects;
-    for (const Mistake& mistake : reflection_mistakes()) suspects.push_back({mistake.words, modelled(mistake.model)});
-    return {
-        probe_check("reflected_radiance", inputs, {formula("P4", "radiance, off by", modelled({}), 1e-4, suspects)}),
-        shadow_check(random, "lit_floor", any_shadow(random, std::nullopt))};
+    };
+    const auto highlights = [](Generator& draw) {
+        const auto [m, n, d, c] = extreme_highlight(draw);
+        return row(m, Color(0), box(draw, 1, 5), n, d, c);
+    };
+    const auto inputs = [=](Generator& random) {
+        Rows rows = rows_of(96, any_surface)(random);
+        for (const Row& r : rows_of(64, highlights)(random)) rows.push_back(r);
+        return rows;
+    };
+    Formula<rt::phong> radiance{.id = "P4", .what = "radiance, off by", .tolerance = 1e-4, .right = modelled({})};
+    for (const ModelMistake& mistake : reflection_mistakes)
+        radiance.suspects.push_back({mistake.words, modelled(mistake.model)});
+    // a highlight that nobody sees, or Lambert's law would be taken in place of the fragment
+    ShadowScene polished = any_shadow(random, std::nullopt);
+    polished.specular = 1e-9;
+    return {probe_check("reflected_radiance", inputs, {formula(radiance)}),
+            shadow_check(random, "lit_floor", polished)};
 }
 
 }  // namespace grade

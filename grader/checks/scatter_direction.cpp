@@ -1,10 +1,5 @@
-#include <fmt/format.h>
-
 #include "checks/fragment_checks.h"
-#include "checks/kit/draw.h"
-#include "checks/kit/formula.h"
-#include "checks/kit/probe_check.h"
-#include "checks/kit/render_check.h"
+#include "checks/kit/warp.h"
 #include "checks/kit/white_medium.h"
 
 namespace grade {
@@ -21,53 +16,34 @@ double cosine_distribution(double c, double g) {
     return (1 - g * g) / (2 * g) * (1 / std::sqrt(1 + g * g - 2 * g * c) - 1 / (1 + g));
 }
 
-double cosine(const Row& in, const Row& out) {
-    return rt::dot(from_row<DirectionSample>(out).direction, argument<0, vec3, double, vec2>(in));
-}
-
 /// The returned density against a function of the returned direction's cosine and of g.
-double density_error(const Row& in, const Row& out, double (*expected)(double, double)) {
-    const double due = expected(cosine(in, out), argument<1, vec3, double, vec2>(in));
-    return std::abs(from_row<DirectionSample>(out).density / due - 1);
+template <class Density>
+RowNumber density_error(Density expected) {
+    return of_call<rt::scatter_direction>([=](const DirectionSample& s, vec3 d, double g, vec2) {
+        return std::abs(s.density / expected(rt::dot(s.direction, d), g) - 1);
+    });
 }
 
 Statistic density() {
-    struct Mistake {
-        const char* words;
-        double (*density)(double c, double g);
-    };
-    static constexpr Mistake mistakes[] = {
-        {"is 4 pi times too large: expected the density per solid angle",
-         [](double c, double g) { return 4 * rt::pi * phase(c, g); }},
-        {"is 2 pi times too large: expected the density per solid angle, not that of the cosine",
-         [](double c, double g) { return 2 * rt::pi * phase(c, g); }},
-        {"has g with the wrong sign", [](double c, double g) { return phase(-c, g); }},
-        {"is that of isotropic scattering, 1/(4 pi)", [](double, double) { return 1 / (4 * rt::pi); }},
-        {"lacks the factor 1 - g^2", [](double c, double g) { return phase(c, g) / (1 - g * g); }},
-        {"has the exponent 1/2; expected 3/2",
-         [](double c, double g) { return phase(c, g) * (1 + g * g - 2 * g * c); }},
-        {"has the exponent 1; expected 3/2",
-         [](double c, double g) { return phase(c, g) * std::sqrt(1 + g * g - 2 * g * c); }}};
-    Statistic s = property("V3", "returned density over that of the returned direction, off 1 by",
-                           [](const Row& in, const Row& out) { return density_error(in, out, phase); }, 1e-3,
-                           "the density is not that of the returned direction");
-    s.cause = [](const Observation& seen) -> std::string {
-        for (const Mistake& mistake : mistakes) {
-            bool all = true;
-            for (std::size_t k = 0; all && k < seen.inputs.size(); ++k)
-                all = density_error(seen.inputs[k], seen.outputs[k], mistake.density) < 1e-3;
-            if (all) return fmt::format("the density {}", mistake.words);
-        }
-        return "";
-    };
-    return s;
-}
-
-Statistic length_of_direction() {
     return property(
-        "V3", "length of the direction, off 1 by",
-        [](const Row&, const Row& out) { return std::abs(glm::length(from_row<DirectionSample>(out).direction) - 1); },
-        1e-4, "the direction is no unit vector");
+        {.id = "V3", .what = "returned density over that of the returned direction, off 1 by",
+         .violation = density_error(phase),
+         .tolerance = 1e-3,
+         .says = "the density is not that of the returned direction",
+         .mistakes = {
+             {"the density is 4 pi times too large: expected the density per solid angle",
+              density_error([](double c, double g) { return 4 * rt::pi * phase(c, g); })},
+             {"the density is 2 pi times too large: expected the density per solid angle, not that of the cosine",
+              density_error([](double c, double g) { return 2 * rt::pi * phase(c, g); })},
+             {"the density has g with the wrong sign", density_error([](double c, double g) { return phase(-c, g); })},
+             {"the density is that of isotropic scattering, 1/(4 pi)",
+              density_error([](double, double) { return 1 / (4 * rt::pi); })},
+             {"the density lacks the factor 1 - g^2",
+              density_error([](double c, double g) { return phase(c, g) / (1 - g * g); })},
+             {"the density has the exponent 1/2; expected 3/2",
+              density_error([](double c, double g) { return phase(c, g) * (1 + g * g - 2 * g * c); })},
+             {"the density has the exponent 1; expected 3/2",
+              density_error([](double c, double g) { return phase(c, g) * std::sqrt(1 + g * g - 2 * g * c); })}}});
 }
 
 Check directions(const std::string& name, double g) {
@@ -75,24 +51,25 @@ Check directions(const std::string& name, double g) {
         const vec3 d = direction(random);
         return row(d, g, square(random));
     });
-    Statistic mean =
-        mean_of("B1", "mean cosine of the scattering angle", cosine, g, 1,
-                by_value("the mean cosine of the scattering angle",
-                         {{-g, "is it measured from d, the direction of travel, or from where the light came from?"},
-                          {0, "is g used, and is the direction turned from its own frame into that about d?"}},
-                         0.05));
-    Statistic spread = uniform_in_square(
-        "V3", "chi squared of the directions per degree of freedom",
-        [=](const Row& in, const Row& out) {
-            const vec3 d = argument<0, vec3, double, vec2>(in), w = from_row<DirectionSample>(out).direction;
-            const rt::Frame frame = rt::frame_about(d);
-            const double turn = std::atan2(rt::dot(w, frame.y), rt::dot(w, frame.x)) / (2 * rt::pi);
-            return vec2(cosine_distribution(rt::dot(w, d), g), turn < 0 ? turn + 1 : turn);
-        },
-        8, 8,
-        always("the directions are not spread as the phase function says: the cosine depends on one coordinate of u, "
-               "the angle about d on the other"));
-    return probe_check(name, inputs, {mean, spread, density(), length_of_direction()});
+    const Statistic mean = mean_of(
+        {.id = "B1", .what = "mean cosine of the scattering angle",
+         .number = of_call<rt::scatter_direction>(
+             [](const DirectionSample& s, vec3 d, double, vec2) { return rt::dot(s.direction, d); }),
+         .truth = g, .unit = 1,
+         .hint = by_value("the mean cosine of the scattering angle",
+                          {{-g, "is it measured from d, the direction of travel, or from where the light came from?"},
+                           {0, "is g used, and is the direction turned from its own frame into that about d?"}},
+                          0.05)});
+    const Statistic spread = uniform_in_square(
+        {.id = "V3", .what = "chi squared of the directions per degree of freedom",
+         .point = of_call<rt::scatter_direction>([=](const DirectionSample& s, vec3 d, double, vec2) {
+             const rt::Frame frame = rt::frame_about(d);
+             const vec3 w = s.direction;
+             return vec2(cosine_distribution(rt::dot(w, d), g), turn(rt::dot(w, frame.x), rt::dot(w, frame.y)));
+         }),
+         .hint = always("the directions are not spread as the phase function says: the cosine depends on one "
+                        "coordinate of u, the angle about d on the other")});
+    return probe_check(name, inputs, {mean, spread, density(), unit_direction<rt::scatter_direction>("V3")});
 }
 
 /// Light scattered once into the half space ahead (sign 1) or behind (sign -1) on the way through the middle of a ball
@@ -124,35 +101,34 @@ Check ahead_and_behind(Generator& random) {
     const Place place = any_place(random);
     const double g = (chance(random, 0.5) ? 1 : -1) * between(random, 0.3, 0.5), extinction = between(random, 0.4, 0.7);
     constexpr double albedo = 0.002;
-    const View view{place({0, 0, 1.5}), place({0, 0, 0}), place.turned({0, 1, 0}), 4, {24, 24}};
-    const std::string scene =
-        toml(view) +
-        fmt::format(
-            "[materials.mist]\ntransmittance = 1\nmedium = {{ extinction = {}, albedo = [{}, {}, 0], g = {} }}\n\n",
-            toml(extinction), albedo, albedo, toml(g)) +
-        "[materials.ahead]\nemission = [1, 0, 1]\nsampled = false\n\n[materials.behind]\nemission = [0, 1, 0]\nsampled "
-        "= false\n\n" +
-        sphere("mist", place({0, 0, 0}), 1) + disc("ahead", place({0, 0, -1.1}), place.turned({0, 0, 1}), 1000) +
-        disc("behind", place({0, 0, 1.6}), place.turned({0, 0, -1}), 1000);
+    const std::string scene = toml(place.from_above(1.5, 4, {24, 24})) +
+                              milk("mist", extinction, {albedo, albedo, 0}, g) +
+                              unsampled_lamp("ahead", vec3(1, 0, 1)) + unsampled_lamp("behind", vec3(0, 1, 0)) +
+                              sphere("mist", place({0, 0, 0}), 1) +
+                              disc("ahead", place({0, 0, -1.1}), place.turned({0, 0, 1}), 1000) +
+                              disc("behind", place({0, 0, 1.6}), place.turned({0, 0, -1}), 1000);
 
     const auto parts = [](const rt::Image& image) {
         const rt::Color mean = region_mean(image, whole(image));
         return vec2((mean.r - mean.b) / albedo, mean.g / albedo);
     };
     const double all = scattered_once(extinction, g, 1) + scattered_once(extinction, g, -1);
-    Statistic share = of_picture(
-        "B1", "share of the scattered light that goes on ahead",
-        [=](const rt::Image& image) { return parts(image).x / (parts(image).x + parts(image).y); },
-        share_ahead(extinction, g), 0.04,
-        by_value("the share of the scattered light that goes on ahead",
-                 {{share_ahead(extinction, -g), "is g taken with the wrong sign, or from where the light came from?"},
-                  {share_ahead(extinction, 0), "is g used?"}},
-                 0.04));
-    Statistic sum = of_picture(
-        "B1", "light scattered once, over what must be",
-        [=](const rt::Image& image) { return (parts(image).x + parts(image).y) / all; }, 1, 0.06,
-        by_ratio("the light that is scattered once", {{4 * rt::pi, "is the density 4 pi times too small?"},
-                                                      {1 / (4 * rt::pi), "is the density 4 pi times too large?"}}));
+    const Statistic share = of_picture(
+        {.id = "B1", .what = "share of the scattered light that goes on ahead",
+         .number = [=](const rt::Image& image) { return parts(image).x / (parts(image).x + parts(image).y); },
+         .truth = share_ahead(extinction, g), .delta = 0.04,
+         .hint = by_value(
+             "the share of the scattered light that goes on ahead",
+             {{share_ahead(extinction, -g), "is g taken with the wrong sign, or from where the light came from?"},
+              {share_ahead(extinction, 0), "is g used?"}},
+             0.04)});
+    const Statistic sum =
+        of_picture({.id = "B1", .what = "light scattered once, over what must be",
+                    .number = [=](const rt::Image& image) { return (parts(image).x + parts(image).y) / all; },
+                    .delta = 0.06,
+                    .hint = by_ratio("the light that is scattered once",
+                                     {{4 * rt::pi, "is the density 4 pi times too small?"},
+                                      {1 / (4 * rt::pi), "is the density 4 pi times too large?"}})});
     return render_check("ahead_and_behind", {scene, 16, "sobol"}, {share, sum});
 }
 
@@ -167,8 +143,14 @@ Checks check_scatter_direction(Generator& random) {
         const double g = values[whole_between(draw, 0, 4)];
         return row(d, g, square(draw));
     });
+    const auto row_with = [](Generator& draw, vec2 u) {
+        const vec3 d = exact_direction(draw);
+        const double g = between(draw, -0.9, 0.9);
+        return row(d, g, u);
+    };
     return {directions("forward", forward), directions("backward", backward),
-            probe_check("any_g", extremes, {length_of_direction(), density()}), white_medium(random), ahead_and_behind(random)};
+            probe_check("any_g", extremes, {unit_direction<rt::scatter_direction>("V3"), density()}),
+            neighbours(3, row_with), ends_of_square(row_with), white_medium(random), ahead_and_behind(random)};
 }
 
 }  // namespace grade

@@ -1,13 +1,9 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "checks/fragment_checks.h"
-#include "checks/kit/draw.h"
-#include "checks/kit/formula.h"
+#include "checks/kit/film_view.h"
+#include "checks/kit/kit.h"
 #include "checks/kit/own_numbers.h"
-#include "checks/kit/probe_check.h"
-#include "checks/kit/render_check.h"
 #include "statistics/sharing.h"
 
 namespace grade {
@@ -16,72 +12,108 @@ namespace {
 
 using rt::Shutter, rt::vec2, rt::vec3;
 
-Shutter shutter_of(const Row& in) { return argument<0, Shutter, double>(in); }
-
 /// How much of the time that the shutter is open has passed.
-double share_of_exposure(const Row& in, const Row& out) {
-    return (out[0] - shutter_of(in).open) / (shutter_of(in).close - shutter_of(in).open);
+double share_of_exposure(double time, const Shutter& shutter, double) {
+    return (time - shutter.open) / (shutter.close - shutter.open);
 }
 
-Row shutter_row(double open, double close, double u) { return {open, close, u}; }
+/// What a wrong time may be, all of it.
+std::string range_of_times(const Observation& seen, double open, double length) {
+    const auto all_within = [&](double low, double high) {
+        return std::ranges::all_of(seen.outputs,
+                                   [&](const Row& out) { return out[0] >= low - 1e-6 && out[0] <= high + 1e-6; });
+    };
+    if (all_within(0, length)) return "times start at 0; expected open + a share of (close - open)";
+    if (all_within(std::min(0.0, open + length), std::max(0.0, open + length)))
+        return "times are a share of close; expected open + a share of (close - open)";
+    if (all_within(open, open + 1))
+        return "up to a second is added to open, whatever close is; expected a share of (close - open)";
+    return "";
+}
+
+std::string few_times(const Observation& seen) {
+    double at_ends = 0, as_first = 0;
+    for (std::size_t k = 0; k < seen.inputs.size(); ++k) {
+        const double s = of_call<rt::shutter_time>(share_of_exposure)(seen.inputs[k], seen.outputs[k]);
+        at_ends += std::abs(s) < 1e-6 || std::abs(s - 1) < 1e-6;
+        as_first += seen.outputs[k] == seen.outputs[0];
+    }
+    const double rows = double(seen.inputs.size());
+    if (as_first == rows)
+        return "there is one time for all samples, the same for every u: each sample has a time of its own";
+    if (at_ends > 0.95 * rows)
+        return "only the two end times occur, open and close: expected every time between them";
+    return "";
+}
 
 Check times(Generator& random) {
     const double open = between(random, 0.5, 2) * (chance(random, 0.5) ? 1 : -1), length = between(random, 0.2, 0.4);
     const auto inputs =
-        rows_of(1024, [=](Generator& draw) { return shutter_row(open, open + length, between(draw, 0, 1)); });
-    Statistic mean = mean_of("M1", "mean time, as a share of the exposure", share_of_exposure, 0.5, 1,
-                             by_value("the mean time, as a share of the exposure,",
-                                      {{0, "does the shutter close as soon as it opens?"},
-                                       {1, "does the shutter open only when it closes?"}},
-                                      0.05, "expected times that are uniform between opening and closing"));
-    Statistic spread = uniform_in_square("V3", "chi squared of the times per degree of freedom",
-        [](const Row& in, const Row& out) { return vec2(share_of_exposure(in, out), 0.5); }, 64, 1,
-        by_ratio("the chi squared of the times", {}, "they must be uniform between opening and closing"));
-    Statistic inside = property(
-        "M1", "times outside the exposure",
-        [](const Row& in, const Row& out) { return share_of_exposure(in, out) >= -1e-5 && share_of_exposure(in, out) <= 1 + 1e-5 ? 0.0 : 1.0; },
-        0, "a time is before the shutter opens or after it closes");
+        rows_of(1024, [=](Generator& draw) { return row(Shutter{open, open + length}, between(draw, 0, 1)); });
+    Statistic inside = property({.id = "M1", .what = "times outside the exposure",
+                                 .violation = of_call<rt::shutter_time>([](double time, const Shutter& s, double u) {
+                                     const double share = share_of_exposure(time, s, u);
+                                     return share >= -1e-5 && share <= 1 + 1e-5 ? 0.0 : 1.0;
+                                 })});
     inside.hint =
         always("a time is before the shutter opens or after it closes: expected open + a share of (close - open)");
-    inside.cause = [=](const Observation& seen) -> std::string {
-        const auto all_within = [&](double low, double high) {
-            return std::ranges::all_of(seen.outputs,
-                                       [&](const Row& out) { return out[0] >= low - 1e-6 && out[0] <= high + 1e-6; });
-        };
-        if (all_within(0, length)) return "times start at 0; expected open + a share of (close - open)";
-        if (all_within(std::min(0.0, open + length), std::max(0.0, open + length)))
-            return "times are a share of close; expected open + a share of (close - open)";
-        if (all_within(open, open + 1))
-            return "up to a second is added to open, whatever close is; expected a share of (close - open)";
-        return "";
-    };
-    mean.cause = spread.cause = [](const Observation& seen) -> std::string {
-        double at_ends = 0, as_first = 0;
-        for (std::size_t k = 0; k < seen.inputs.size(); ++k) {
-            const double s = share_of_exposure(seen.inputs[k], seen.outputs[k]);
-            at_ends += std::abs(s) < 1e-6 || std::abs(s - 1) < 1e-6;
-            as_first += seen.outputs[k] == seen.outputs[0];
-        }
-        const double rows = double(seen.inputs.size());
-        if (as_first == rows)
-            return "there is one time for all samples, the same for every u: each sample has a time of its own";
-        if (at_ends > 0.95 * rows)
-            return "only the two end times occur, open and close: expected every time between them";
-        return "";
-    };
+    inside.cause = [=](const Observation& seen) { return range_of_times(seen, open, length); };
+    const Statistic mean = mean_of({.id = "M1", .what = "mean time, as a share of the exposure",
+                                    .number = of_call<rt::shutter_time>(share_of_exposure),
+                                    .truth = 0.5, .unit = 1,
+                                    .hint = by_value("the mean time, as a share of the exposure,",
+                                                     {{0, "does the shutter close as soon as it opens?"},
+                                                      {1, "does the shutter open only when it closes?"}},
+                                                     0.05,
+                                                     "expected times that are uniform between opening and closing"),
+                                    .cause = few_times});
+    const Statistic spread = uniform_in_square(
+        {.id = "V3", .what = "chi squared of the times per degree of freedom",
+         .point = of_call<rt::shutter_time>(
+             [](double time, const Shutter& s, double u) { return vec2(share_of_exposure(time, s, u), 0.5); }),
+         .columns = 64, .rows = 1,
+         .hint = by_ratio("the chi squared of the times", {}, "they must be uniform between opening and closing"),
+         .cause = few_times});
     return probe_check("times", inputs, {inside, mean, spread});
 }
 
 Check instant() {
     const auto inputs = rows_of(16, [](Generator& random) {
         const double open = between(random, -2, 2);
-        return shutter_row(open, open, between(random, 0, 1));
+        return row(Shutter{open, open}, between(random, 0, 1));
     });
     return probe_check("instant", inputs,
-                       {property(
-                           "M1", "time from the instant [s]",
-                           [](const Row& in, const Row& out) { return std::abs(out[0] - shutter_of(in).open); }, 1e-5,
-                           "a shutter that closes as it opens leaves one time")});
+                       {property({.id = "M1", .what = "time from the instant [s]",
+                                  .violation = of_call<rt::shutter_time>([](double time, const Shutter& s, double) {
+                                      return std::abs(time - s.open);
+                                  }),
+                                  .tolerance = 1e-5,
+                                  .says = "a shutter that closes as it opens leaves one time"})});
+}
+
+struct Along {
+    double mean = 0, variance = 0, kurtosis = 0;
+};
+
+/// Moments of a streak along its way, without those of the lamp's own disc and of the pixel.
+Along along_way(const rt::Image& image, vec2 center, vec2 along, double radius) {
+    double mass = 0, first = 0, second = 0, fourth = 0;
+    const auto over_pixels = [&](auto f) {
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x)
+                f((x + 0.5 - 20 - center.x) * along.x + (20 - y - 0.5 - center.y) * along.y,
+                  brightness(image.at(x, y)));
+    };
+    over_pixels([&](double s, double light) { mass += light, first += light * s; });
+    over_pixels([&](double s, double light) {
+        const double square = rt::sqr(s - first / mass);
+        second += light * square / mass, fourth += light * square * square / mass;
+    });
+    // cumulants add up: those of the disc and of the pixel are known
+    const double variance = second - radius * radius / 4 - 1.0 / 12;
+    const double cumulant = fourth - 3 * second * second + std::pow(radius, 4) / 16 +
+                            (std::pow(along.x, 4) + std::pow(along.y, 4)) / 120;
+    return {first / mass, variance, 3 + cumulant / rt::sqr(variance)};
 }
 
 /// A lamp that flies by while the shutter is open: a streak. Along it, the lamp's own disc and the pixel are taken from
@@ -90,68 +122,43 @@ Check streak(Generator& random) {
     const Place place = any_place(random);
     const double open = between(random, 0.4, 0.8), close = open + between(random, 0.5, 1),
                  turn = between(random, 0, 2 * rt::pi);
-    constexpr double pixel = 0.01, radius = 2;  // [m] of a pixel, across the plane of the lamp; [pixel]
+    constexpr double pixel = film_pixel, radius = 2;  // [m], [pixel]
     const double length = between(random, 20, 24), middle = (open + close) / 2;
     const vec2 along(std::cos(turn), std::sin(turn)), step = length / (close - open) * along,
                                                       center(between(random, -2, 2), between(random, -2, 2));
     const vec2 start = center - middle * step;  // y up
-    const View view{place({0, 0, 5}),
-                    place({0, 0, 0}),
-                    place.turned({0, 1, 0}),
-                    2 * std::atan(20 * pixel / 5) * 180 / rt::pi,
-                    {40, 40}};
     const std::string scene =
-        fmt::format("{}[shutter]\nopen = {}\nclose = {}\n\n[materials.lamp]\nemission = 4\nsampled = false\n\n",
-                    toml(view), toml(open), toml(close)) +
+        toml(film_view(place, {40, 40})) + shutter(open, close) + unsampled_lamp("lamp", 4) +
         disc("lamp", place(pixel * vec3(start.x, start.y, 0)), place.axes.z, radius * pixel,
              place.turned(pixel * vec3(step.x, step.y, 0)));
 
-    struct Along {
-        double mean = 0, variance = 0, kurtosis = 0;
-    };
-    const auto measured = [=](const rt::Image& image) {
-        double mass = 0, first = 0, second = 0, fourth = 0;
-        const auto over_pixels = [&](auto f) {
-            for (int y = 0; y < image.height; ++y)
-                for (int x = 0; x < image.width; ++x)
-                    f((x + 0.5 - 20 - center.x) * along.x + (20 - y - 0.5 - center.y) * along.y,
-                      brightness(image.at(x, y)));
-        };
-        over_pixels([&](double s, double light) { mass += light, first += light * s; });
-        over_pixels([&](double s, double light) {
-            const double square = rt::sqr(s - first / mass);
-            second += light * square / mass, fourth += light * square * square / mass;
-        });
-        // cumulants add up: those of the disc and of the pixel are known
-        const double variance = second - radius * radius / 4 - 1.0 / 12;
-        const double cumulant = fourth - 3 * second * second + std::pow(radius, 4) / 16 +
-                                (std::pow(along.x, 4) + std::pow(along.y, 4)) / 120;
-        return Along{first / mass, variance, 3 + cumulant / rt::sqr(variance)};
-    };
+    const auto measured = [=](const rt::Image& image) { return along_way(image, center, along, radius); };
     const double due = length * length / 12;
     return render_check(
         "streak", {scene, 64, "sobol"},
-        {of_picture(
-             "M1", "middle of the streak, from where it must be [pixel]",
-             [=](const rt::Image& i) { return measured(i).mean; }, 0, 0.8,
-             by_value("the middle of the streak, from where it must be [pixel],",
-                      {{-length * open / (close - open), "does time start at 0? It starts when the shutter opens"},
-                       {-length / 2, "is the lamp seen when the shutter opens alone?"},
-                       {length / 2, "is the lamp seen when the shutter closes alone?"}},
-                      1)),
-         of_picture(
-             "M1", "variance along the streak, over length^2/12",
-             [=](const rt::Image& i) { return measured(i).variance / due; }, 1, 0.08,
-             by_ratio("the variance along the streak",
-                      {{3, "is the lamp seen at the two ends alone?"},
-                       {0, "there is one time for the whole picture: is u used?"},
-                       {0.25, "is half of the exposure used?"},
-                       {4, "is twice the exposure used?"}},
-                      "times must be uniform between opening and closing")),
-         of_picture(
-             "M1", "kurtosis along the streak", [=](const rt::Image& i) { return measured(i).kurtosis; }, 1.8, 0.15,
-             by_value("the kurtosis along the streak, 1.8 for uniform times,",
-                      {{1, "is the lamp seen at the two ends alone?"}}, 0.1))});
+        {of_picture({.id = "M1", .what = "middle of the streak, from where it must be [pixel]",
+                     .number = [=](const rt::Image& i) { return measured(i).mean; },
+                     .truth = 0, .delta = 0.8,
+                     .hint = by_value("the middle of the streak, from where it must be [pixel],",
+                                      {{-length * open / (close - open),
+                                        "does time start at 0? It starts when the shutter opens"},
+                                       {-length / 2, "is the lamp seen when the shutter opens alone?"},
+                                       {length / 2, "is the lamp seen when the shutter closes alone?"}},
+                                      1)}),
+         of_picture({.id = "M1", .what = "variance along the streak, over length^2/12",
+                     .number = [=](const rt::Image& i) { return measured(i).variance / due; },
+                     .delta = 0.08,
+                     .hint = by_ratio("the variance along the streak",
+                                      {{3, "is the lamp seen at the two ends alone?"},
+                                       {0, "there is one time for the whole picture: is u used?"},
+                                       {0.25, "is half of the exposure used?"},
+                                       {4, "is twice the exposure used?"}},
+                                      "times must be uniform between opening and closing")}),
+         of_picture({.id = "M1", .what = "kurtosis along the streak",
+                     .number = [=](const rt::Image& i) { return measured(i).kurtosis; },
+                     .truth = 1.8, .delta = 0.15,
+                     .hint = by_value("the kurtosis along the streak, 1.8 for uniform times,",
+                                      {{1, "is the lamp seen at the two ends alone?"}}, 0.1)})});
 }
 
 /// A train of three cars, red, green and blue, passes while the shutter is open, so fast that the whole view sees one
@@ -160,36 +167,32 @@ Check passing_train(Generator& random) {
     const Place place = any_place(random);
     const double open = between(random, 0.4, 0.8), close = open + between(random, 0.5, 1);
     const double turn = between(random, 0, 2 * rt::pi);
-    constexpr double pixel = 0.01, view_size = 16, car = 40 * view_size * pixel;  // [m], [pixel], [m]
+    constexpr int view_size = 16;                              // [pixel]
+    constexpr double car = 40 * view_size * film_pixel;        // [m]
     const vec3 along = place.turned({std::cos(turn), std::sin(turn), 0});
     const vec3 side = place.turned({-std::sin(turn), std::cos(turn), 0});
     const vec3 velocity = -3 * car / (close - open) * along;
-    const View view{place({0, 0, 5}),
-                    place({0, 0, 0}),
-                    place.axes.y,
-                    2 * std::atan(view_size / 2 * pixel / 5) * 180 / rt::pi,
-                    {int(view_size), int(view_size)}};
-    std::string scene = toml(view) + fmt::format("[shutter]\nopen = {}\nclose = {}\n\n", toml(open), toml(close));
+    std::string scene = toml(film_view(place, {view_size, view_size})) + shutter(open, close);
     const char* colors[] = {"[1, 0, 0]", "[0, 1, 0]", "[0, 0, 1]"};
     for (int c = 0; c < 3; ++c) {
         const double from = c == 0 ? -0.5 : c, to = c == 2 ? 3.5 : c + 1;  // along the train, at the opening [car]
         const vec3 at_opening = place({0, 0, 0}) + (from + to) / 2 * car * along;
-        scene +=
-            fmt::format("[materials.car{}]\nemission = {}\nsampled = false\n\n", c, colors[c]) +
-            quad(fmt::format("car{}", c), at_opening - open * velocity, (to - from) / 2 * car * along, side, velocity);
+        const std::string name = fmt::format("car{}", c);
+        scene += unsampled_lamp(name, colors[c]) +
+                 quad(name, at_opening - open * velocity, (to - from) / 2 * car * along, side, velocity);
     }
     constexpr int samples = 4;
-    const Region region{0, 0, int(view_size), int(view_size)};
-    Statistic noise = of_picture(
-        "M2", "variance of the times within a picture, over that of independent ones",
-        [=](const rt::Image& image) { return within_variance(image, region, samples); }, 1, 0.35,
-        [](double value, double) {
-            const bool none = value < 0.1;
-            return fmt::format("times within one picture vary {:.3g} times as much as independent ones: {}", value,
-                               none
-                                   ? "is there one time for all samples of a picture? Each sample has a time of its own"
-                                   : "does each sample have a time of its own, drawn from its u?");
-        });
+    const Region region{0, 0, view_size, view_size};
+    const Statistic noise = of_picture(
+        {.id = "M2", .what = "variance of the times within a picture, over that of independent ones",
+         .number = [=](const rt::Image& image) { return within_variance(image, region, samples); },
+         .delta = 0.35,
+         .hint = [](double value, double) {
+             return fmt::format("times within one picture vary {:.3g} times as much as independent ones: {}", value,
+                                value < 0.1 ? "is there one time for all samples of a picture? Each sample has a time "
+                                              "of its own"
+                                            : "does each sample have a time of its own, drawn from its u?");
+         }});
     return render_check("passing_train", {scene, samples, "random"},
                         {own_numbers(region, samples, "time", "the same"), noise});
 }

@@ -1,8 +1,6 @@
 #include "checks/fragment_checks.h"
-#include "checks/kit/draw.h"
-#include "checks/kit/formula.h"
 #include "checks/kit/glass.h"
-#include "checks/kit/probe_check.h"
+#include "checks/kit/kit.h"
 
 namespace grade {
 
@@ -10,15 +8,74 @@ namespace {
 
 using rt::Color, rt::Material, rt::Outgoing;
 
-RowFunction weights(std::function<Outgoing(const Material&, double fresnel, bool glass)> f) {
-    return of<Material, double>(
-        [=](const Material& m, double fresnel) { return f(m, fresnel, m.transmittance != Color(0)); });
+bool is_glass(const Material& m) { return m.transmittance != Color(0); }
+
+/// glass  whether it counts as such
+Outgoing weights(const Material& m, double fresnel, bool glass) {
+    return glass ? Outgoing{Color(1), fresnel * m.reflectance, (1 - fresnel) * m.transmittance}
+                 : Outgoing{Color(1), m.reflectance, Color(0)};
+}
+
+/// The right weights, changed for glass or for opaque surfaces, or for both.
+template <class Change>
+auto where(bool for_glass, bool for_opaque, Change change) {
+    return [=](Outgoing right, const Material& m, double fresnel) {
+        if (is_glass(m) ? for_glass : for_opaque) change(right, m, fresnel);
+        return right;
+    };
+}
+template <class Change>
+auto of_glass(Change change) {
+    return where(true, false, change);
+}
+template <class Change>
+auto of_opaque(Change change) {
+    return where(false, true, change);
+}
+
+Statistic all_weights() {
+    return formula<rt::whitted>(
+        {.id = "W3", .what = "weights, off by", .tolerance = 1e-4,
+         .right = [](const Material& m, double fresnel) { return weights(m, fresnel, is_glass(m)); },
+         .suspects = {
+             {"the mirrored ray of an opaque surface has weight 1: it must be attenuated by the reflectance",
+              of_opaque([](Outgoing& o, const Material&, double) { o.mirror = Color(1); })},
+             {"the mirrored ray has weight 1 where anything is reflected: it must be attenuated by the reflectance",
+              of_opaque([](Outgoing& o, const Material&, double) {
+                  if (o.mirror != Color(0)) o.mirror = Color(1);
+              })},
+             {"the mirrored ray has weight 1: it must be attenuated by the reflectance",
+              where(true, true,
+                    [](Outgoing& o, const Material& m, double f) { o.mirror = Color(is_glass(m) ? f : 1); })},
+             {"the reflectance is missing from the mirrored ray of glass",
+              of_glass([](Outgoing& o, const Material&, double f) { o.mirror = Color(f); })},
+             {"Fresnel's share is missing from the mirrored ray of glass: R + T is not 1",
+              of_glass([](Outgoing& o, const Material& m, double) { o.mirror = m.reflectance; })},
+             {"the refracted ray carries the whole transmittance; expected the share 1 - fresnel: R + T is not 1",
+              of_glass([](Outgoing& o, const Material& m, double) { o.glass = m.transmittance; })},
+             {"Fresnel's share is not used", of_glass([](Outgoing& o, const Material& m, double) {
+                  o.mirror = m.reflectance, o.glass = m.transmittance;
+              })},
+             {"fresnel and 1 - fresnel are exchanged",
+              [](const Material& m, double f) { return weights(m, is_glass(m) ? 1 - f : f, is_glass(m)); }},
+             {"an opaque mirror is attenuated by fresnel: that is for glass alone",
+              of_opaque([](Outgoing& o, const Material&, double f) { o.mirror *= f; })},
+             {"glass is told by one channel of its transmittance alone; expected any of them",
+              [](const Material& m, double f) { return weights(m, f, m.transmittance.x > 0); }},
+             {"the local light of glass is missing",
+              of_glass([](Outgoing& o, const Material&, double) { o.local = Color(0); })},
+             {"the local light is attenuated by what the mirror reflects; expected weight 1",
+              of_opaque([](Outgoing& o, const Material& m, double) { o.local = Color(1) - m.reflectance; })},
+             {"there is no mirrored ray",
+              where(true, true, [](Outgoing& o, const Material&, double) { o.mirror = Color(0); })},
+             {"there is no refracted ray",
+              where(true, true, [](Outgoing& o, const Material&, double) { o.glass = Color(0); })}}});
 }
 
 }  // namespace
 
 Checks check_whitted(Generator& random) {
-    const auto inputs = rows_of(64, [](Generator& draw) {
+    const auto any_weights = [](Generator& draw) {
         Material m;
         m.albedo = box(draw, 0, 1);
         m.ior = between(draw, 1.1, 2);
@@ -30,77 +87,16 @@ Checks check_whitted(Generator& random) {
             if (chance(draw, 0.4)) m.transmittance[(one + 1) % 3] = m.transmittance[(one + 2) % 3] = 0;
         }
         return row(m, between(draw, 0.05, 0.95));
-    });
-    const auto right = weights([](const Material& m, double fresnel, bool glass) {
-        return glass ? Outgoing{Color(1), fresnel * m.reflectance, (1 - fresnel) * m.transmittance}
-                     : Outgoing{Color(1), m.reflectance, Color(0)};
-    });
-    const std::vector<Suspect> suspects = {
-        {"the mirrored ray of an opaque surface has weight 1: it must be attenuated by the reflectance",
-         weights([](const Material& m, double f, bool glass) {
-             return glass ? Outgoing{Color(1), f * m.reflectance, (1 - f) * m.transmittance}
-                          : Outgoing{Color(1), Color(1), Color(0)};
-         })},
-        {"the mirrored ray has weight 1 where anything is reflected: it must be attenuated by the reflectance",
-         weights([](const Material& m, double f, bool glass) {
-             return glass ? Outgoing{Color(1), f * m.reflectance, (1 - f) * m.transmittance}
-                          : Outgoing{Color(1), m.reflectance == Color(0) ? Color(0) : Color(1), Color(0)};
-         })},
-        {"the mirrored ray has weight 1: it must be attenuated by the reflectance",
-         weights([](const Material& m, double f, bool glass) {
-             return glass ? Outgoing{Color(1), Color(f), (1 - f) * m.transmittance}
-                          : Outgoing{Color(1), Color(1), Color(0)};
-         })},
-        {"the reflectance is missing from the mirrored ray of glass",
-         weights([](const Material& m, double f, bool glass) {
-             return glass ? Outgoing{Color(1), Color(f), (1 - f) * m.transmittance}
-                          : Outgoing{Color(1), m.reflectance, Color(0)};
-         })},
-        {"Fresnel's share is missing from the mirrored ray of glass: R + T is not 1",
-         weights([](const Material& m, double f, bool glass) {
-             return glass ? Outgoing{Color(1), m.reflectance, (1 - f) * m.transmittance}
-                          : Outgoing{Color(1), m.reflectance, Color(0)};
-         })},
-        {"the refracted ray carries the whole transmittance; expected the share 1 - fresnel: R + T is not 1",
-         weights([](const Material& m, double f, bool glass) {
-             return glass ? Outgoing{Color(1), f * m.reflectance, m.transmittance}
-                          : Outgoing{Color(1), m.reflectance, Color(0)};
-         })},
-        {"Fresnel's share is not used", weights([](const Material& m, double, bool glass) {
-             return glass ? Outgoing{Color(1), m.reflectance, m.transmittance}
-                          : Outgoing{Color(1), m.reflectance, Color(0)};
-         })},
-        {"fresnel and 1 - fresnel are exchanged", weights([](const Material& m, double f, bool glass) {
-             return glass ? Outgoing{Color(1), (1 - f) * m.reflectance, f * m.transmittance}
-                          : Outgoing{Color(1), m.reflectance, Color(0)};
-         })},
-        {"an opaque mirror is attenuated by fresnel: that is for glass alone",
-         weights([](const Material& m, double f, bool glass) {
-             return glass ? Outgoing{Color(1), f * m.reflectance, (1 - f) * m.transmittance}
-                          : Outgoing{Color(1), f * m.reflectance, Color(0)};
-         })},
-        {"glass is told by one channel of its transmittance alone; expected any of them",
-         weights([](const Material& m, double f, bool) {
-             return m.transmittance.x > 0 ? Outgoing{Color(1), f * m.reflectance, (1 - f) * m.transmittance}
-                                          : Outgoing{Color(1), m.reflectance, Color(0)};
-         })},
-        {"the local light of glass is missing", weights([](const Material& m, double f, bool glass) {
-             return glass ? Outgoing{Color(0), f * m.reflectance, (1 - f) * m.transmittance}
-                          : Outgoing{Color(1), m.reflectance, Color(0)};
-         })},
-        {"the local light is attenuated by what the mirror reflects; expected weight 1",
-         weights([](const Material& m, double f, bool glass) {
-             return glass ? Outgoing{Color(1), f * m.reflectance, (1 - f) * m.transmittance}
-                          : Outgoing{Color(1) - m.reflectance, m.reflectance, Color(0)};
-         })},
-        {"there is no mirrored ray", weights([](const Material& m, double f, bool glass) {
-             return Outgoing{Color(1), Color(0), glass ? (1 - f) * m.transmittance : Color(0)};
-         })},
-        {"there is no refracted ray", weights([](const Material& m, double f, bool glass) {
-             return Outgoing{Color(1), (glass ? f : 1) * m.reflectance, Color(0)};
-         })}};
-    return {probe_check("weights", inputs, {formula("W3", "weights, off by", right, 1e-4, suspects)}),
-            invisible_glass(random)};
+    };
+    // total reflection, none, and glass that hardly lets anything through
+    const auto ends = [](Generator& draw) {
+        Material m;
+        m.ior = between(draw, 1.1, 2);
+        m.reflectance = box(draw, 0.2, 0.9);
+        m.transmittance[whole_between(draw, 0, 2)] = log_between(draw, 1e-4, 1);
+        return row(m, chance(draw, 0.4) ? 1 : chance(draw, 0.3) ? 0 : between(draw, 0.05, 0.95));
+    };
+    return {probe_check("weights", rows_of_kinds(64, any_weights, ends), {all_weights()}), invisible_glass(random)};
 }
 
 }  // namespace grade

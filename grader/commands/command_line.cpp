@@ -13,6 +13,7 @@
 #include "studies/studies.h"
 #include "commands/words.h"
 #include "report/describe.h"
+#include "rt/files/scene_reader.h"
 
 namespace grade {
 
@@ -27,14 +28,14 @@ int describe(const std::string& handout, const std::string& toolchain) {
         return graded;
     }
     const auto text = read_text(handout);
-    if (!text) throw UsageError(fmt::format("--update {}: cannot be read; expected the handout", handout));
+    if (!text) throw rt::InputError(fmt::format("--update {}: cannot be read; expected the handout", handout));
     write_text(handout, with_new_tables(*text, assignment, handout));
     return graded;
 }
 
 int run_hand_out(const std::string& folder, const std::vector<std::string>& others, const std::string& toolchain) {
     const Toolchain chain = read_toolchain(toolchain);
-    if (chain.is_kit) throw UsageError("a kit is handed out by the project that it comes from: it has no sources of the solution");
+    if (chain.is_kit) throw rt::InputError("a kit is handed out by the project that it comes from: it has no sources of the solution");
     const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
     hand_out(chain.source, assignment, fs::path(toolchain).parent_path() / "kit.toml", folder, {others.begin(), others.end()});
     fmt::print("{}\n", folder);

@@ -3,11 +3,8 @@
 #include <fmt/format.h>
 
 #include <exception>
-#include <stdexcept>
 
 #include "files/interrupt.h"
-#include "submission/submission.h"
-#include "commands/words.h"
 #include "rt/files/scene_reader.h"
 
 namespace grade {
@@ -17,15 +14,6 @@ int exit_code_of(const std::function<int()>& command) {
         return command();
     } catch (const Interrupted&) {
         return stopped;
-    } catch (const UsageError& error) {
-        fmt::print(stderr, "{}\n", error.what());
-        return usage;
-    } catch (const std::invalid_argument& error) {
-        fmt::print(stderr, "{}\n", error.what());
-        return usage;
-    } catch (const SubmissionError& error) {
-        fmt::print(stderr, "{}\n", error.what());
-        return usage;
     } catch (const rt::InputError& error) {
         fmt::print(stderr, "{}\n", error.what());
         return usage;

@@ -48,7 +48,7 @@ rt::Image minus(const rt::Image& a, const rt::Image& b) {
 void check_names(const std::vector<std::string>& mine, const Toolchain& chain, const Assignment& assignment) {
     for (const std::string& name : mine)
         if (choose({name}, chain, assignment).fragments.empty())
-            throw UsageError(fmt::format("--mine {}: no fragment has this name", name));
+            throw rt::InputError(fmt::format("--mine {}: no fragment has this name", name));
 }
 
 /// The program with the fragments that are asked for, and what stands in for the others.
@@ -108,7 +108,7 @@ int run_picture(const PictureArguments& arguments, const std::string& toolchain)
     rt::read_scene(arguments.scene);  // says what is wrong with it, before all the work
     const fs::path out = arguments.out.empty() ? fs::path(arguments.scene).stem().string() + ".png" : arguments.out;
     require_folder_of(out.string(), "--out");
-    if (out.extension() != ".png") throw UsageError(out.string() + ": unknown kind of image; expected --out NAME.png");
+    if (out.extension() != ".png") throw rt::InputError(out.string() + ": unknown kind of image; expected --out NAME.png");
 
     ProgressLine line;
     Progress progress([&](int done, int all, const std::string& doing) { line.show(done, all, doing); });

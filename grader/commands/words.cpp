@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "rt/files/toml_table.h"
+#include "rt/files/scene_reader.h"
 
 namespace grade {
 
@@ -16,16 +17,16 @@ Chosen choose(const std::vector<std::string>& words, const Toolchain& chain, con
         if (std::ranges::count(names, word) > 0) {
             chosen.fragments.insert(word);
         } else if (word.ends_with(".cpp") && std::ranges::count(names, fs::path(word).stem().string()) > 0) {
-            throw UsageError(fmt::format("{}: a file of one fragment; expected its name: {}", word,
+            throw rt::InputError(fmt::format("{}: a file of one fragment; expected its name: {}", word,
                                          fs::path(word).stem().string()));
         } else if (fs::exists(word, error) || word.find_first_of("/.") != word.npos) {
             if (!chosen.submission.empty())
-                throw UsageError(fmt::format("{}: one submission too many, after {}; expected one, and names of "
+                throw rt::InputError(fmt::format("{}: one submission too many, after {}; expected one, and names of "
                                              "fragments", word, chosen.submission));
             chosen.submission = word;
         } else {
             const auto nearest = rt::nearest_word(word, names);
-            throw UsageError(fmt::format("{}: no fragment has this name, and there is no such folder; expected {}", word,
+            throw rt::InputError(fmt::format("{}: no fragment has this name, and there is no such folder; expected {}", word,
                                          nearest ? *nearest + "?" : "a name that assignment.toml lists"));
         }
     }
@@ -39,7 +40,7 @@ Chosen choose(const std::vector<std::string>& words, const Toolchain& chain, con
 void require_folder_of(const std::string& file, const char* option) {
     const fs::path folder = fs::path(file).parent_path();
     if (!folder.empty() && !fs::is_directory(folder))
-        throw UsageError(fmt::format("{} {}: there is no folder {}", option, file, folder.string()));
+        throw rt::InputError(fmt::format("{} {}: there is no folder {}", option, file, folder.string()));
 }
 
 }  // namespace grade

@@ -9,11 +9,6 @@
 
 namespace grade {
 
-/// What is wrong with a command line beyond what its parser sees: exit code 2.
-struct UsageError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
 /// What the words of a command line mean.
 struct Chosen {
     std::string submission;           // a folder or an archive
@@ -21,11 +16,11 @@ struct Chosen {
     std::set<std::string> fragments;  // empty: all
 };
 
-/// Names of fragments, and at most one submission; without one, the starter. Throws UsageError with the nearest name for
+/// Names of fragments, and at most one submission; without one, the starter. Throws rt::InputError with the nearest name for
 /// a word that is neither.
 Chosen choose(const std::vector<std::string>& words, const Toolchain& chain, const Assignment& assignment);
 
-/// Throws UsageError for a file whose folder is not there.
+/// Throws rt::InputError for a file whose folder is not there.
 void require_folder_of(const std::string& file, const char* option);
 
 }  // namespace grade

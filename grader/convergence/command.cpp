@@ -16,7 +16,7 @@
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
 
-namespace grade {
+namespace grade::convergence {
 
 namespace {
 
@@ -39,7 +39,7 @@ std::string submission_of(const std::vector<std::string>& words, const fs::path&
     for (const std::string& word : words)
         if (!word.ends_with(".toml")) others.push_back(word);
     if (others.size() > 1)
-        throw std::invalid_argument(fmt::format(
+        throw rt::InputError(fmt::format(
             "{}: one submission too many; expected a submission, then scenes whose names end in .toml", others[1]));
     return others.empty() ? (source / "starter").string() : others[0];
 }
@@ -47,7 +47,7 @@ std::string submission_of(const std::vector<std::string>& words, const fs::path&
 void check_amounts(const Amounts& amounts) {
     for (std::size_t i = 1; i < amounts.samples.size(); ++i)
         if (amounts.samples[i] <= amounts.samples[i - 1])
-            throw std::invalid_argument(fmt::format("--samples {}: {} is not above {}; expected ascending numbers",
+            throw rt::InputError(fmt::format("--samples {}: {} is not above {}; expected ascending numbers",
                                                     fmt::join(amounts.samples, ","), amounts.samples[i],
                                                     amounts.samples[i - 1]));
 }
@@ -59,8 +59,8 @@ std::string stamp_of_solution(const Toolchain& chain) {
     return Stamp().add(chain.description).add_files(chain.source, files).text();
 }
 
-/// The solution's program, and the submission's where it has fragments of its own. The note says what stands in for what
-/// is missing.
+/// The solution's program, and the submission's where it has fragments of its own. The note says what stands in for
+/// what is missing.
 void add_programs(Bench& bench, Programs& programs, const Assignment& assignment, const Toolchain& chain,
                   std::string& note) {
     std::vector<std::string> missing, broken;
@@ -149,7 +149,7 @@ int converge(const ConvergeArguments& arguments, const std::string& toolchain, c
     check_amounts(arguments.amounts);
     for (const std::string& file : {arguments.json, arguments.csv})
         if (const fs::path folder = fs::path(file).parent_path(); !folder.empty() && !fs::is_directory(folder))
-            throw std::invalid_argument(fmt::format("{}: there is no folder {}", file, folder.string()));
+            throw rt::InputError(fmt::format("{}: there is no folder {}", file, folder.string()));
     const auto scenes = scenes_of(arguments.words, chain.source);
     const Submission submission = read_submission(submission_of(arguments.words, chain.source), assignment.names());
 
@@ -191,4 +191,4 @@ int converge(const ConvergeArguments& arguments, const std::string& toolchain, c
     return arguments.require && (broken || record.is_biased()) ? 1 : 0;
 }
 
-}  // namespace grade
+}  // namespace grade::convergence

@@ -9,7 +9,7 @@ namespace CLI {
 class App;
 }
 
-namespace grade {
+namespace grade::convergence {
 
 struct ConvergeArguments {
     std::vector<std::string> words;  // a submission, scenes
@@ -28,4 +28,4 @@ CLI::App* add_converge_command(CLI::App& app, ConvergeArguments& arguments);
 /// commands do.
 int converge(const ConvergeArguments& arguments, const std::string& toolchain, const std::string& command);
 
-}  // namespace grade
+}  // namespace grade::convergence

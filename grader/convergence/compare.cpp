@@ -6,7 +6,7 @@
 #include "statistics/distributions.h"
 #include "statistics/moments.h"
 
-namespace grade {
+namespace grade::convergence {
 
 namespace {
 
@@ -59,4 +59,4 @@ std::optional<Ratio> geometric_mean(std::span<const double> values) {
     return Ratio{std::exp(logs.mean), std::exp(logs.mean - reach), std::exp(logs.mean + reach)};
 }
 
-}  // namespace grade
+}  // namespace grade::convergence

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace grade {
+namespace grade::convergence {
 
 /// Where a curve of error against time passes: one level of one replicate.
 struct Waypoint {
@@ -28,4 +28,4 @@ std::optional<double> seconds_for(std::span<const Waypoint> path, double mse);
 /// The geometric mean of measurements, with Student's interval of their logarithms. None of none.
 std::optional<Ratio> geometric_mean(std::span<const double> values);
 
-}  // namespace grade
+}  // namespace grade::convergence

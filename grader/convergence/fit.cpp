@@ -7,7 +7,7 @@
 #include "statistics/distributions.h"
 #include "statistics/moments.h"
 
-namespace grade {
+namespace grade::convergence {
 
 namespace {
 
@@ -112,13 +112,6 @@ double relative_scatter(const std::vector<LevelErrors>& levels, double& degrees)
 
 }  // namespace
 
-double Fit::mse(double samples) const { return plateau + v * std::pow(samples, 2 * order); }
-
-std::optional<double> Fit::samples_for(double mse) const {
-    if (!good || !(mse > plateau) || !(order < 0)) return std::nullopt;
-    return std::pow((mse - plateau) / v, 1 / (2 * order));
-}
-
 Fit fit_errors(const std::vector<LevelErrors>& levels, std::optional<Estimate> bias) {
     Problem problem;
     for (const LevelErrors& level : levels)
@@ -160,4 +153,4 @@ Fit fit_errors(const std::vector<LevelErrors>& levels, std::optional<Estimate> b
     return fit;
 }
 
-}  // namespace grade
+}  // namespace grade::convergence

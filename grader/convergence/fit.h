@@ -5,7 +5,7 @@
 
 #include "statistics/error.h"
 
-namespace grade {
+namespace grade::convergence {
 
 /// The errors of all pictures of one number of samples.
 struct LevelErrors {
@@ -22,11 +22,6 @@ struct Fit {
     double v = 0;
     double plateau = 0;      // b^2; 0 where none is shown
     bool good = false;       // false: too few levels with an error above 0
-
-    double mse(double samples) const;
-
-    /// Samples for an error as small as that; none where the plateau is above it.
-    std::optional<double> samples_for(double mse) const;
 };
 
 /// By Gauss and Newton's method on logarithmic deviations, all levels alike, since an MSE over a picture scatters by a
@@ -37,4 +32,4 @@ struct Fit {
 ///       else b = 0. None: b is a free number, where there are levels enough
 Fit fit_errors(const std::vector<LevelErrors>& levels, std::optional<Estimate> bias);
 
-}  // namespace grade
+}  // namespace grade::convergence

@@ -5,7 +5,7 @@
 
 #include "convergence/record.h"
 
-namespace grade {
+namespace grade::convergence {
 
 namespace {
 
@@ -109,4 +109,4 @@ std::string to_csv(const ConvergenceRecord& record) {
     return text;
 }
 
-}  // namespace grade
+}  // namespace grade::convergence

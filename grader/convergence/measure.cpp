@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <memory>
 
+#include "convergence/measured.h"
+#include "convergence/reference.h"
 #include "files/files.h"
 #include "files/stamp.h"
-#include "convergence/reference.h"
-#include "convergence/gathered.h"
 #include "rt/files/scene_reader.h"
 
-namespace grade {
+namespace grade::convergence {
 
 namespace {
 
@@ -29,16 +29,15 @@ public:
     }
 
     SceneRecord run() {
-        const auto halves = reference_of(file_, bench_, amounts_, budget_, record_);
-        if (!halves) return record_;
-        halves_ = *halves;
+        halves_ = reference_of(file_, bench_, amounts_, budget_, record_);
         begin();
         for (const int samples : amounts_.samples)
             if (!run_level(samples)) break;
-        for (Gathered& gathered : gathered_) {
-            Curve curve{gathered.who, gathered.sampler, std::move(gathered.levels), {}, {}};
-            if (!gathered.means[0].pixels.empty() && !gathered.means[1].pixels.empty())
-                curve.bias = squared_bias(gathered.means[0], gathered.means[1], halves_);
+        for (Series& series : series_) {
+            Measured& measured = series.measured;
+            Curve curve{series.who, series.sampler, std::move(measured.levels), {}, {}};
+            if (!measured.means[0].pixels.empty() && !measured.means[1].pixels.empty())
+                curve.bias = picture_bias(measured.means[0], measured.means[1], halves_);
             record_.curves.push_back(std::move(curve));
         }
         analyse(record_);
@@ -46,6 +45,14 @@ public:
     }
 
 private:
+    /// One sampler of one program.
+    struct Series {
+        Who who;
+        std::string sampler;
+        fs::path file;  // where what is measured is kept
+        Measured measured{};
+    };
+
     void begin() {
         const std::string size = fmt::format("{}x{}", record_.size.x, record_.size.y);
         const std::string levels = fmt::format("{}", fmt::join(amounts_.samples, " "));
@@ -59,10 +66,11 @@ private:
                 const fs::path& program = who == Who::submission ? bench_.submission : bench_.solution;
                 if (program.empty()) continue;
                 const char* suffix = who == Who::submission ? "submission" : "solution";
-                files_.push_back(bench_.results / fmt::format("{}-{}", record_.name, name) /
-                                 fmt::format("{}-{}", sampler, suffix));
-                gathered_.push_back({who, sampler, {}, {}, {}});
-                if (const auto kept = read_kept(files_.back()); kept && !bench_.fresh) take(gathered_.back(), *kept);
+                Series series{who, sampler,
+                              bench_.results / fmt::format("{}-{}", record_.name, name) /
+                                  fmt::format("{}-{}", sampler, suffix)};
+                if (!bench_.fresh) series.measured = read_kept(series.file, measured_of).value_or(Measured{});
+                series_.push_back(std::move(series));
             }
         for (const fs::path* program : {&bench_.submission, &bench_.solution})
             if (!program->empty())
@@ -84,13 +92,12 @@ private:
         double seconds = 0;
         for (int replicate = 0; replicate < replicates; ++replicate)
             // A B, then B A: what changes with time is the same for both
-            for (std::size_t k = 0; k < gathered_.size(); ++k) {
-                const std::size_t place = replicate % 2 == 0 ? k : gathered_.size() - 1 - k;
-                Gathered& gathered = gathered_[place];
+            for (std::size_t k = 0; k < series_.size(); ++k) {
+                Series& series = series_[replicate % 2 == 0 ? k : series_.size() - 1 - k];
                 // a pattern without randomness gives the same picture again
-                if (gathered.sampler == "uniform" && replicate > 0) continue;
-                if (!run_one(gathered, files_[place], samples, replicate)) return false;
-                const double one = gathered.find(samples, replicate)->cpu_seconds;
+                if (series.sampler == "uniform" && replicate > 0) continue;
+                if (!run_one(series, samples, replicate)) return false;
+                const double one = series.measured.find(samples, replicate)->cpu_seconds;
                 seconds += one, spent_ += one;
             }
         if (replicates > 0) last_samples_ = samples, last_seconds_ = seconds / replicates;
@@ -98,24 +105,24 @@ private:
     }
 
     /// false: the submission's program has broken down.
-    bool run_one(Gathered& gathered, const fs::path& file, int samples, int replicate) {
-        if (gathered.find(samples, replicate)) return true;
-        const bool solution = gathered.who == Who::solution;
+    bool run_one(Series& series, int samples, int replicate) {
+        if (series.measured.find(samples, replicate)) return true;
+        const bool solution = series.who == Who::solution;
         if (bench_.progress)
             bench_.progress(std::min(spent_ / budget_, 1.0),
-                            fmt::format("{}: {}, {} samples", record_.name, gathered.sampler, samples));
+                            fmt::format("{}: {}, {} samples", record_.name, series.sampler, samples));
         Runner& runner = *runners_[solution];
-        auto outcome = picture(runner, {text_, samples, gathered.sampler, record_.size}, seed_of(samples, replicate));
+        auto outcome = picture(runner, {text_, samples, series.sampler, record_.size}, seed_of(samples, replicate));
         if (const Fault* fault = std::get_if<Fault>(&outcome)) {
-            record_.fault = fmt::format("{}, {} samples: {}", gathered.sampler, samples, fault->message);
+            record_.fault = fmt::format("{}, {} samples: {}", series.sampler, samples, fault->message);
             if (solution)
                 throw std::runtime_error(fmt::format("{}: the solution itself: {}", file_.string(), record_.fault));
             return false;
         }
         const rt::Image& image = std::get<rt::Image>(outcome);
         const SquaredError error = squared_error(image, halves_);
-        gathered.add(samples, replicate, {error.mse, error.relative, runner.seconds(), runner.rays()}, image);
-        write_kept(file, to_kept(gathered));
+        series.measured.add(samples, replicate, {error.mse, error.relative, runner.seconds(), runner.rays()}, image);
+        write_kept(series.file, to_kept(series.measured));
         return true;
     }
 
@@ -126,8 +133,7 @@ private:
     std::string text_;
     SceneRecord record_;
     Halves halves_;
-    std::vector<Gathered> gathered_;
-    std::vector<fs::path> files_;  // of what is gathered
+    std::vector<Series> series_;
     std::array<std::unique_ptr<Runner>, 2> runners_;  // of the submission, of the solution
     int last_samples_ = 0;
     double last_seconds_ = 0;  // of one replicate of the last level, all samplers and programs
@@ -139,4 +145,4 @@ SceneRecord measure(const fs::path& scene, const Bench& bench, const Amounts& am
     return Measurement(scene, bench, amounts, budget).run();
 }
 
-}  // namespace grade
+}  // namespace grade::convergence

@@ -6,7 +6,7 @@
 #include "convergence/record.h"
 #include "rt/scene.h"
 
-namespace grade {
+namespace grade::convergence {
 
 /// Of a level that the budget cuts short.
 constexpr int least_replicates = 4;
@@ -37,4 +37,4 @@ struct Bench {
 /// left. Throws rt::InputError for a scene that is none, std::runtime_error where the solution breaks down.
 SceneRecord measure(const fs::path& scene, const Bench& bench, const Amounts& amounts, double budget);
 
-}  // namespace grade
+}  // namespace grade::convergence

@@ -8,7 +8,7 @@
 #include "statistics/distributions.h"
 #include "statistics/moments.h"
 
-namespace grade {
+namespace grade::convergence {
 
 namespace {
 
@@ -105,7 +105,7 @@ std::vector<Waypoint> Curve::path(std::size_t replicate) const {
 std::optional<Ratio> Curve::seconds_for(double mse) const {
     std::vector<double> all;
     for (std::size_t replicate = 0; !levels.empty() && replicate < levels.back().runs.size(); ++replicate)
-        if (const auto seconds = grade::seconds_for(path(replicate), mse)) all.push_back(*seconds);
+        if (const auto seconds = convergence::seconds_for(path(replicate), mse)) all.push_back(*seconds);
     // an error that half of the replicates do not reach is not reached
     if (levels.empty() || 2 * all.size() < levels.back().runs.size()) return std::nullopt;
     return geometric_mean(all);
@@ -125,10 +125,6 @@ const Curve* SceneRecord::biased() const {
             (!worst || curve.bias->value > worst->bias->value))
             worst = &curve;
     return worst;
-}
-
-bool ConvergenceRecord::compares() const {
-    return std::ranges::any_of(scenes, [](const SceneRecord& scene) { return !scene.comparisons.empty(); });
 }
 
 bool ConvergenceRecord::is_biased() const {
@@ -164,4 +160,4 @@ std::string expected_order(const std::string& sampler) {
     return "any";
 }
 
-}  // namespace grade
+}  // namespace grade::convergence

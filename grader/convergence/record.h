@@ -10,7 +10,7 @@
 #include "rt/math.h"
 
 /// What `grade converge` has measured: the one source of its table, plots, JSON and CSV.
-namespace grade {
+namespace grade::convergence {
 
 /// One picture.
 struct Run {
@@ -82,10 +82,8 @@ constexpr std::array<int, 2> independent_samples{64, 1024};
 
 struct ConvergenceRecord {
     std::string submission, note, toolchain, version, command, sandbox;
-    int replicates = 0;
     std::vector<SceneRecord> scenes;
 
-    bool compares() const;  // whether there are curves of submission and solution
     bool is_biased() const;
 };
 
@@ -112,4 +110,4 @@ std::string to_json(const ConvergenceRecord& record);
 /// One line for each level of each curve.
 std::string to_csv(const ConvergenceRecord& record);
 
-}  // namespace grade
+}  // namespace grade::convergence

@@ -1,12 +1,10 @@
 #pragma once
 
-#include <optional>
-
-#include "programs/runner.h"
 #include "convergence/measure.h"
+#include "programs/runner.h"
 #include "rt/scene.h"
 
-namespace grade {
+namespace grade::convergence {
 
 /// The size at which a scene is measured.
 rt::ivec2 size_of(const rt::Scene& scene, int side);
@@ -25,9 +23,8 @@ int last_level(const Amounts& amounts, double budget, double seconds, int series
 
 /// The two halves of a scene's reference, or what is kept of them. Each has four times the samples of the last level
 /// that the budget allows, as a small picture foretells: its noise then makes the errors of that level uncertain by a
-/// few percent at most, and biases none. None: the submission's program, which must make them where there is no
-/// solution, breaks down; record.fault says how. Throws std::runtime_error where the solution does.
-std::optional<Halves> reference_of(const fs::path& scene, const Bench& bench, const Amounts& amounts, double budget,
-                                   SceneRecord& record);
+/// few percent at most, and biases none. Throws std::runtime_error where the solution breaks down.
+Halves reference_of(const fs::path& scene, const Bench& bench, const Amounts& amounts, double budget,
+                    SceneRecord& record);
 
-}  // namespace grade
+}  // namespace grade::convergence

@@ -8,7 +8,7 @@
 
 #include "report/escape.h"
 
-namespace grade {
+namespace grade::convergence {
 
 namespace {
 
@@ -86,8 +86,8 @@ std::string warning(const SceneRecord& scene) {
 }
 
 std::string about_reference(const SceneRecord& scene) {
-    return fmt::format("{} x {} pixels; reference by the solution: 2 x {} samples, RMSE {:.2g}", scene.size.x, scene.size.y,
-                       scene.reference_samples, scene.reference_noise);
+    return fmt::format("{} x {} pixels; reference by the solution: 2 x {} samples, RMSE {:.2g}", scene.size.x,
+                       scene.size.y, scene.reference_samples, scene.reference_noise);
 }
 
 std::string aligned(const Cells& rows) {
@@ -196,4 +196,4 @@ std::string plot_file(const SceneRecord& scene, Against against) {
     return fmt::format("{}-{}.svg", scene.name, against == Against::seconds ? "seconds" : "rays");
 }
 
-}  // namespace grade
+}  // namespace grade::convergence

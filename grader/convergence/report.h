@@ -3,7 +3,7 @@
 #include "convergence/record.h"
 #include "report/plot.h"
 
-namespace grade {
+namespace grade::convergence {
 
 /// The result for a terminal: for each scene its curves, what a bias does to them, and the comparison.
 std::string table(const ConvergenceRecord& record, bool color);
@@ -20,4 +20,4 @@ Plot error_plot(const SceneRecord& scene, Against against);
 /// The file of such a plot: "soft_shadow-seconds.svg".
 std::string plot_file(const SceneRecord& scene, Against against);
 
-}  // namespace grade
+}  // namespace grade::convergence

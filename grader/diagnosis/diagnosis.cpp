@@ -48,9 +48,7 @@ std::string section_of(const std::string& fragment, Verdict verdict, const std::
     }
 }
 
-}  // namespace
-
-Subject subject_of(std::string_view id) {
+std::optional<Subject> known_subject(std::string_view id) {
     static const std::map<std::string_view, Subject> subjects = {
         {"G1", Subject::sharing},    {"M2", Subject::sharing},    {"V0", Subject::no_image},
         {"G4", Subject::tone},       {"A1", Subject::geometry},   {"A2", Subject::geometry},
@@ -65,7 +63,14 @@ Subject subject_of(std::string_view id) {
         {"V1", Subject::variance},   {"V3", Subject::variance},   {"D4", Subject::variance},
         {"M4", Subject::variance}};
     const auto found = subjects.find(id);
-    return found == subjects.end() ? Subject::radiometry : found->second;  // a course's own
+    return found == subjects.end() ? std::nullopt : std::optional(found->second);
+}
+
+}  // namespace
+
+Subject subject_of(std::string_view id) {
+    if (const auto subject = known_subject(id)) return *subject;
+    throw std::out_of_range(fmt::format("{}: no statistic has this id", id));
 }
 
 std::string section_of(const CheckRecord& check, const StatisticRecord* statistic) {
@@ -93,7 +98,7 @@ Diagnosis diagnose(const FragmentRecord& fragment) {
         tell(rank_of(check.verdict, check, Subject::no_image), check.message, section_of(check, nullptr));
         for (const StatisticRecord& statistic : check.statistics)
             if (statistic.verdict != Verdict::passed)
-                tell(rank_of(statistic.verdict, check, subject_of(statistic.id)), statistic.hint,
+                tell(rank_of(statistic.verdict, check, known_subject(statistic.id).value_or(Subject::radiometry)), statistic.hint,
                      section_of(check, &statistic));
     }
     return first;

@@ -12,6 +12,7 @@
 #include "programs/process.h"
 #include "assignment/strip.h"
 #include "programs/toolchain.h"
+#include "rt/files/scene_reader.h"
 
 namespace grade {
 
@@ -199,7 +200,7 @@ void write_machine(const Toolchain& built, const fs::path& program, const fs::pa
 void add_machines(const fs::path& kit, const fs::path& folder) {
     for (const char* file : {"assignment.toml", "grade"})
         if (read_text(kit / file) != read_text(folder / file))
-            throw std::invalid_argument(
+            throw rt::InputError(
                 fmt::format("{}: its {} is another one; expected a hand-out of this very project", kit.string(), file));
     for (const auto& entry : fs::directory_iterator(kit / "grader")) {
         const fs::path target = folder / "grader" / entry.path().filename();
@@ -221,7 +222,7 @@ std::string kind_of_machine() {
 void hand_out(const fs::path& project, const Assignment& assignment, const fs::path& built_toolchain,
               const fs::path& folder, const std::vector<fs::path>& others) {
     if (fs::exists(folder) && !fs::is_empty(folder))
-        throw std::invalid_argument(fmt::format("{}: is not empty; expected a new folder", folder.string()));
+        throw rt::InputError(fmt::format("{}: is not empty; expected a new folder", folder.string()));
     const Toolchain built = read_toolchain(built_toolchain);
     const fs::path program = built.archives.front().parent_path() / "grade_kit";
     if (!fs::exists(program)) throw std::runtime_error(fmt::format("{}: not built yet", program.string()));

@@ -11,7 +11,7 @@ namespace grade {
 /// headers, and in grader/MACHINE/ the grader, built: program, framework, reference fragments as objects without names
 /// or debug information, and the libraries that a plain system lacks, with their licences.
 ///
-/// Throws std::invalid_argument where the folder is not empty, or another hand-out is of another assignment;
+/// Throws rt::InputError where the folder is not empty, or another hand-out is of another assignment;
 /// std::runtime_error where a part is not built or cannot be written; rt::InputError where the solution has no proper
 /// markers.
 ///

@@ -10,7 +10,7 @@
 #include "programs/programs.h"
 #include "lesson/lesson.h"
 
-namespace grade {
+namespace grade::lesson {
 
 CLI::App* add_lesson_command(CLI::App& app, LessonArguments& arguments) {
     CLI::App* lesson = app.add_subcommand("lesson", purpose_of("lesson"));
@@ -21,7 +21,7 @@ CLI::App* add_lesson_command(CLI::App& app, LessonArguments& arguments) {
     return lesson;
 }
 
-void lesson(const LessonArguments& arguments, const std::string& toolchain) {
+void run_lesson(const LessonArguments& arguments, const std::string& toolchain) {
     constexpr double time_limit = 10;  // CPU seconds of one answer
     const Toolchain chain = read_toolchain(toolchain);
     const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
@@ -60,4 +60,4 @@ void lesson(const LessonArguments& arguments, const std::string& toolchain) {
     }
 }
 
-}  // namespace grade
+}  // namespace grade::lesson

@@ -12,7 +12,7 @@
 #include "statistics/moments.h"
 #include "statistics/regression.h"
 
-namespace grade {
+namespace grade::lesson {
 
 namespace {
 
@@ -119,4 +119,4 @@ Plot lesson_plot(const LessonIntegrand& integrand, const std::vector<LessonCurve
     return plot;
 }
 
-}  // namespace grade
+}  // namespace grade::lesson

@@ -11,7 +11,7 @@
 
 /// The lesson of part 1: how the error of an integral in one dimension falls with the number of points, by the way the
 /// points are chosen.
-namespace grade {
+namespace grade::lesson {
 
 /// A function on [0, 1] whose integral is known, and a density that is high where the function is.
 struct LessonIntegrand {
@@ -55,4 +55,4 @@ LessonCurve lesson_curve(const LessonIntegrand& integrand, Method method, Runner
 
 Plot lesson_plot(const LessonIntegrand& integrand, const std::vector<LessonCurve>& curves);
 
-}  // namespace grade
+}  // namespace grade::lesson

@@ -16,17 +16,14 @@ Blob blob_moments(const rt::Image& image, const Region& region) {
     });
     b.centroid /= b.mass;
 
-    rt::vec2 fourth(0);
     double radial_fourth = 0;
     over_pixels([&](rt::vec2 p, double light) {
         const double share = light / b.mass;
         const rt::vec2 d = p - b.centroid, square = d * d;
         b.variance += share * square;
         b.covariance += share * d.x * d.y;
-        fourth += share * square * square;
         radial_fourth += share * rt::sqr(square.x + square.y);
     });
-    b.kurtosis = fourth / (b.variance * b.variance);
     b.radial_square = b.variance.x + b.variance.y;
     b.radial_kurtosis = radial_fourth / rt::sqr(b.radial_square);
     return b;

@@ -12,7 +12,6 @@ struct Blob {
     rt::vec2 centroid{0};        // from the image's top left corner
     rt::vec2 variance{0};
     double covariance = 0;
-    rt::vec2 kurtosis{0};        // of the marginals: uniform disc 2, square 1.8, disc without square root 2.7
     double radial_square = 0;    // mean square of the distance from the centroid
     double radial_kurtosis = 0;  // mean fourth power over the square of that: uniform disc 4/3
 };

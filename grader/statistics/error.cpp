@@ -25,7 +25,7 @@ SquaredError squared_error(const rt::Image& a, const Halves& halves) {
     return {plain.value() / count, relative.value() / count};
 }
 
-Estimate squared_bias(const rt::Image& a1, const rt::Image& a2, const Halves& halves) {
+Estimate picture_bias(const rt::Image& a1, const rt::Image& a2, const Halves& halves) {
     rt::Sum products, variances, squares;
     for (std::size_t i = 0; i < a1.pixels.size(); ++i) {
         const rt::Color r1 = halves.first.pixels[i], r2 = halves.second.pixels[i];

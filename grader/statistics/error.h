@@ -39,7 +39,7 @@ struct Estimate {
 /// noise alone, of which each pixel must have its own: with V the variance of A1 - R1, known from A1 - A2 and R1 - R2,
 /// that of a product is V^2 + 2 V b^2. Noise with long tails makes it too large, never too small; so does noise that
 /// channels do not share.
-Estimate squared_bias(const rt::Image& a1, const rt::Image& a2, const Halves& halves);
+Estimate picture_bias(const rt::Image& a1, const rt::Image& a2, const Halves& halves);
 
 /// Root mean square error of the mean of the two halves, from their difference.
 double noise_of(const Halves& halves);

@@ -12,7 +12,4 @@ inline double furnace_radiance(double emission, double albedo, int bounces) {
     return albedo == 1 ? emission * (bounces + 1) : emission * (1 - std::pow(albedo, bounces + 1)) / (1 - albedo);
 }
 
-/// Share of the light that crosses a length of medium without being scattered or absorbed: exp(-extinction length).
-inline double transmitted(double extinction, double length) { return std::exp(-extinction * length); }
-
 }  // namespace grade

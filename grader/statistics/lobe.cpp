@@ -7,14 +7,6 @@
 
 namespace grade {
 
-double lobe_mean_cosine(double exponent) { return (exponent + 1) / (exponent + 2); }
-
-double lobe_mean_square_sine(double exponent) { return 2 / (exponent + 3); }
-
-double lobe_cosine_distribution(double exponent, double c) {
-    return c <= 0 ? 0 : c >= 1 ? 1 : std::pow(c, exponent + 1);
-}
-
 double phong_albedo(double exponent, double angle) { return phong_moment(exponent, angle, 0); }
 
 /// In polar coordinates (a, f) about the axis, the cosine at the surface is cos t cos a - sin t sin a cos f, t the

@@ -4,15 +4,6 @@ namespace grade {
 
 /// Closed forms of Phong's lobe of exponent n, of density (n + 1) / 2 pi cos^n a about its axis, a the angle from it.
 
-/// E cos a = (n + 1) / (n + 2).
-double lobe_mean_cosine(double exponent);
-
-/// E sin^2 a = 2 / (n + 3).
-double lobe_mean_square_sine(double exponent);
-
-/// P(cos a <= c) = c^(n + 1).
-double lobe_cosine_distribution(double exponent, double c);
-
 /// Reflectance of the BRDF (n + 2) / 2 pi cos^n a, about the mirror direction of light at the given angle from the
 /// normal, over k_s: the integral of BRDF x cosine over the directions above the surface. 1 at angle 0.
 double phong_albedo(double exponent, double angle);

@@ -16,11 +16,4 @@ std::vector<double> column_profile(const rt::Image& image, const Region& region)
     return profile;
 }
 
-std::vector<double> row_profile(const rt::Image& image, const Region& region) {
-    std::vector<double> profile;
-    for (int y = 0; y < region.height; ++y)
-        profile.push_back(brightness(region_mean(image, {region.x, region.y + y, region.width, 1})));
-    return profile;
-}
-
 }  // namespace grade

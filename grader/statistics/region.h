@@ -22,7 +22,4 @@ rt::Color region_mean(const rt::Image& image, const Region& region);
 /// Brightness of each column, averaged over its rows: a profile from left to right.
 std::vector<double> column_profile(const rt::Image& image, const Region& region);
 
-/// Brightness of each row, averaged over its columns: a profile from top to bottom.
-std::vector<double> row_profile(const rt::Image& image, const Region& region);
-
 }  // namespace grade

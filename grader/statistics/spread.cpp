@@ -5,27 +5,17 @@
 
 namespace grade {
 
-Spread light_spread(std::span<const double> profile) {
+Spread edge_spread(std::span<const double> profile) {
+    std::vector<double> step;
+    for (std::size_t k = 1; k < profile.size(); ++k) step.push_back(profile[k] - profile[k - 1]);
     Spread s;
-    for (std::size_t k = 0; k < profile.size(); ++k) {
-        s.mass += profile[k];
-        s.mean += profile[k] * (double(k) + 0.5);
+    for (std::size_t k = 0; k < step.size(); ++k) {
+        s.mass += step[k];
+        s.mean += step[k] * (double(k) + 0.5);
     }
     s.mean /= s.mass;
-    double fourth = 0;
-    for (std::size_t k = 0; k < profile.size(); ++k) {
-        const double square = rt::sqr(double(k) + 0.5 - s.mean);
-        s.variance += profile[k] * square / s.mass;
-        fourth += profile[k] * square * square / s.mass;
-    }
-    s.kurtosis = fourth / rt::sqr(s.variance);
-    return s;
-}
-
-Spread edge_spread(std::span<const double> profile) {
-    std::vector<double> derivative;
-    for (std::size_t k = 1; k < profile.size(); ++k) derivative.push_back(profile[k] - profile[k - 1]);
-    Spread s = light_spread(derivative);
+    for (std::size_t k = 0; k < step.size(); ++k)
+        s.variance += step[k] * rt::sqr(double(k) + 0.5 - s.mean) / s.mass;
     s.mean += 0.5;  // the first difference lies between pixels 0 and 1
     return s;
 }

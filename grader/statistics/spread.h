@@ -12,11 +12,7 @@ struct Spread {
     double mass = 0;
     double mean = 0;      // pixel k spans k to k + 1
     double variance = 0;
-    double kurtosis = 0;  // 3: normal, 1.8: uniform
 };
-
-/// Moments of a profile of light: a streak, a line. The pixels' own width adds 1/12 to the variance.
-Spread light_spread(std::span<const double> profile);
 
 /// Moments of the line-spread function of an edge: of the derivative of its profile, rising or falling. The profile
 /// must be flat at both ends. The pixels add 1/6 to the variance where the edge falls anywhere in a pixel: 1/12 by

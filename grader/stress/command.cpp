@@ -11,34 +11,23 @@
 #include "studies/studies.h"
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
-#include "stress/page.h"
+#include "stress/report.h"
 #include "stress/run.h"
-#include "stress/table.h"
 
-namespace grade {
+namespace grade::stress {
 
 namespace {
 
-StressSettings settings_of(const StressArguments& arguments) {
-    StressSettings settings;
-    for (const std::string& name : arguments.only) {
-        const auto known = [&](const Family& family) {
-            return family.name == name || family.fragments.front() == name;
-        };
-        if (std::ranges::none_of(all_families(), known))
+/// Throws rt::InputError.
+void check(const StressArguments& arguments) {
+    for (const std::string& name : arguments.settings.only)
+        if (std::ranges::none_of(all_families(), [&](const Family& family) { return is_named(family, name); }))
             throw rt::InputError(fmt::format(
                 "--only {}: no family and no fragment of a family has this name; expected one that --list prints",
                 name));
-        settings.only.insert(name);
-    }
     const fs::path folder = fs::path(arguments.json).parent_path();
     if (!folder.empty() && !fs::is_directory(folder))
         throw rt::InputError(fmt::format("--json {}: there is no folder {}", arguments.json, folder.string()));
-    settings.trusted = arguments.trusted;
-    settings.jobs = arguments.jobs;
-    settings.time_limit = arguments.time_limit;
-    settings.rays = arguments.many ? arguments.rays : 0;
-    return settings;
 }
 
 void print_list() {
@@ -51,15 +40,15 @@ void print_list() {
 CLI::App* add_stress_command(CLI::App& app, StressArguments& arguments) {
     CLI::App* stress = app.add_subcommand("stress", purpose_of("stress"));
     stress->add_option("SUBMISSION", arguments.submission, "a folder, a .zip or a .tar.gz; default: starter");
-    stress->add_option("--only", arguments.only, "only these families, or those of these fragments")
+    stress->add_option("--only", arguments.settings.only, "only these families, or those of these fragments")
         ->delimiter(',')
         ->allow_extra_args(false)
         ->type_name("NAME");
     stress->add_option("--json", arguments.json, "write the record")->type_name("FILE");
     stress->add_option("--html", arguments.html, "write a page with plots into this folder")->type_name("DIR");
-    stress->add_option("--jobs", arguments.jobs, "how many programs run at a time; default: one for each core")
+    stress->add_option("--jobs", arguments.settings.jobs, "how many programs run at a time; default: one for each core")
         ->check(CLI::Range(1, 1024));
-    stress->add_option("--time-limit", arguments.time_limit, "CPU seconds for one answer")
+    stress->add_option("--time-limit", arguments.settings.time_limit, "CPU seconds for one answer")
         ->capture_default_str()
         ->check(CLI::Range(1.0, 600.0));
     stress->add_flag("--long", arguments.many,
@@ -67,7 +56,7 @@ CLI::App* add_stress_command(CLI::App& app, StressArguments& arguments) {
     stress->add_option("--rays", arguments.rays, "of --long against meshes; twice as many leave surfaces")
         ->type_name("N")
         ->check(CLI::Range(1.0, 1e12));
-    stress->add_flag("--trusted", arguments.trusted, "the code is your own: limits, but no sandbox");
+    stress->add_flag("--trusted", arguments.settings.trusted, "the code is your own: limits, but no sandbox");
     stress->add_flag("--list", arguments.list, "print the families and leave");
     stress->add_flag("--require", arguments.require, "exit with 1 unless the scored tier is full");
     stress->fallthrough();
@@ -78,11 +67,13 @@ int run_stress(const StressArguments& arguments, const std::string& toolchain, c
     if (arguments.list) return print_list(), 0;
     const Toolchain chain = read_toolchain(toolchain);
     const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
-    StressSettings settings = settings_of(arguments);
+    check(arguments);
     const std::string path = arguments.submission.empty() ? (chain.source / "starter").string() : arguments.submission;
     const Submission submission = read_submission(path, assignment.names());
 
     ProgressLine line;
+    StressSettings settings = arguments.settings;
+    if (arguments.many) settings.rays = arguments.rays;
     settings.progress = [&](int done, int all, const std::string& doing) { line.show(done, all, doing); };
     StressRecord record = stress_submission(submission, assignment, chain, settings);
     record.command = command;
@@ -98,4 +89,4 @@ int run_stress(const StressArguments& arguments, const std::string& toolchain, c
     return arguments.require && record.scored() < record.most_scored() ? 1 : 0;
 }
 
-}  // namespace grade
+}  // namespace grade::stress

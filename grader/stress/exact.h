@@ -6,7 +6,7 @@
 
 /// Arithmetic with 80 decimal digits, in which the textbook's formulas are right as they stand: for the truths of
 /// families.
-namespace grade {
+namespace grade::stress {
 
 using Exact = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<80>, boost::multiprecision::et_off>;
 
@@ -31,4 +31,4 @@ inline Exact3 unit(const Exact3& a) { return (1 / length(a)) * a; }
 inline double apart(const Exact3& a, rt::vec3 b) { return double(length(a - Exact3(b))); }
 inline double apart(const Exact& a, double b) { return std::isfinite(b) ? double(abs(a - b)) : rt::inf; }
 
-}  // namespace grade
+}  // namespace grade::stress

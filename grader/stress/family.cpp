@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace grade {
+namespace grade::stress {
 
 int Family::mildest() const {
     int best = decades.front();
@@ -48,4 +48,4 @@ const std::vector<Family>& all_families() {
     return all;
 }
 
-}  // namespace grade
+}  // namespace grade::stress

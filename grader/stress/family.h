@@ -5,13 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "checks/kit/draw.h"
-#include "protocol/rows.h"
-#include "rt/files/image.h"
+#include "checks/kit/call.h"
+#include "checks/kit/probe_check.h"
 
 /// Families of extreme cases, as data. A family is one quantity that is swept over decades, and one error that is
 /// measured in what fragments answer.
-namespace grade {
+namespace grade::stress {
 
 /// What a family asks of a submission. Both throw Broken where no answer comes back.
 struct Asker {
@@ -53,13 +52,21 @@ std::vector<int> sweep(int low, int high, int step = 1, std::vector<int> more = 
 /// The greater of two errors; a nan, which is never right, counts as inf.
 double worse_error(double a, double b);
 
-/// The greatest error of single calls.
+/// The greatest error of single calls: error(i, outputs).
 template <class Error>
-double worst_of(const Asker& ask, const std::string& fragment, const Rows& inputs, Error error) {
+double worst_of_rows(const Asker& ask, const std::string& fragment, const Rows& inputs, Error error) {
     const Rows outputs = ask.probe(fragment, inputs);
     double worst = 0;
     for (std::size_t i = 0; i < inputs.size(); ++i) worst = worse_error(worst, error(i, outputs[i]));
     return worst;
+}
+
+/// The same in the types of the fragment's declaration: error(result) or error(result, arguments...).
+template <auto fragment, class Error>
+double worst_of(const Asker& ask, const std::string& name, const Rows& inputs, Error error) {
+    return worst_of_rows(ask, name, inputs, [&](std::size_t i, const Row& outputs) -> double {
+        return of_call<fragment>(error)(inputs[i], outputs);
+    });
 }
 
 /// The largest random number below 1 that a sampler can draw, and then some: 1 - 2^-53.
@@ -84,4 +91,4 @@ std::vector<Family> medium_families();
 std::vector<Family> sum_families();
 std::vector<Family> picture_families();
 
-}  // namespace grade
+}  // namespace grade::stress

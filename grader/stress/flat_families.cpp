@@ -1,7 +1,7 @@
 #include "stress/exact.h"
 #include "stress/family.h"
 
-namespace grade {
+namespace grade::stress {
 
 namespace {
 
@@ -74,7 +74,7 @@ double error_of_patches(bool is_quad, const Aim& aim, double forgiven, Generator
         patches.push_back(p), rays.push_back(ray);
         rows.push_back(is_quad ? row(p.quad(), ray) : row(p.triangle(), ray));
     }
-    return worst_of(ask, fragment, rows, [&](std::size_t i, const Row& out) {
+    return worst_of_rows(ask, fragment, rows, [&](std::size_t i, const Row& out) {
         const Truth truth = truth_of(patches[i], is_quad, rays[i]);
         const bool hit = depth_in(truth, is_quad) > 0;
         if (std::isnan(out.at(0)) || std::isfinite(out[0]) != hit) return rt::inf;
@@ -82,82 +82,44 @@ double error_of_patches(bool is_quad, const Aim& aim, double forgiven, Generator
     });
 }
 
-auto scale(bool is_quad) {
-    return [=](double x, Generator& random, const Asker& ask) { return error_of_patches(is_quad, {.size = x}, 1, random, ask); };
-}
-auto length(bool is_quad) {
-    return
-        [=](double x, Generator& random, const Asker& ask) { return error_of_patches(is_quad, {.length = x}, 1, random, ask); };
-}
-auto grazing(bool is_quad) {
-    return [=](double x, Generator& random, const Asker& ask) {
-        return error_of_patches(is_quad, {.angle = x}, 1 / x, random, ask);
-    };
-}
-auto far_patches(bool is_quad) {
-    return [=](double x, Generator& random, const Asker& ask) {
-        return error_of_patches(is_quad, {.shift = x * vec3(0.7, -0.2, 0.5)}, 1, random, ask);
-    };
-}
-auto needle(bool is_quad) {
-    return
-        [=](double x, Generator& random, const Asker& ask) { return error_of_patches(is_quad, {.aspect = x}, x, random, ask); };
-}
+/// A family of both flat shapes.
+struct FlatFamily {
+    std::string suffix, swept, error;
+    std::vector<int> decades;
+    Decades scored;
+    Aim (*aim)(double x);
+    double (*forgiven)(double x) = [](double) { return 1.0; };
+};
 
 }  // namespace
 
 std::vector<Family> flat_families() {
-    constexpr double u = rt::roundoff;
     std::vector<Family> all;
     for (const bool quad : {true, false}) {
         const std::string shape = quad ? "quad" : "triangle", hit = "hit_" + shape;
-        all.push_back({shape + "_scale",
-                       {hit},
-                       "size of " + shape + " and ray [m]",
-                       "error of the hit / size",
-                       1e-7,
-                       64 * u,
-                       sweep(-60, 60, 3),
-                       {-3, 3},
-                       scale(quad)});
-        all.push_back({shape + "_direction",
-                       {hit},
-                       "length of the direction",
-                       "error of the hit",
-                       1e-7,
-                       64 * u,
-                       sweep(-12, 12),
-                       {-3, 3},
-                       length(quad)});
-        all.push_back({shape + "_grazing",
-                       {hit},
-                       "angle between ray and " + shape,
-                       "error of the hit x angle",
-                       1e-7,
-                       64 * u,
-                       sweep(-12, -1),
-                       {-3, -1},
-                       grazing(quad)});
-        all.push_back({shape + "_far",
-                       {hit},
-                       "distance from the world's origin [m]",
-                       "error of the hit",
-                       1e-7,
-                       64 * u,
-                       sweep(0, 12),
-                       {0, 3},
-                       far_patches(quad)});
-        all.push_back({shape + "_needle",
-                       {hit},
-                       "length / width of the " + shape,
-                       "error of the hit / aspect",
-                       1e-7,
-                       64 * u,
-                       sweep(0, 12),
-                       {0, 3},
-                       needle(quad)});
+        const FlatFamily both[] = {
+            {.suffix = "_scale", .swept = "size of " + shape + " and ray [m]", .error = "error of the hit / size",
+             .decades = sweep(-60, 60, 3), .scored = {-3, 3}, .aim = [](double x) { return Aim{.size = x}; }},
+            {.suffix = "_direction", .swept = "length of the direction", .error = "error of the hit",
+             .decades = sweep(-12, 12), .scored = {-3, 3}, .aim = [](double x) { return Aim{.length = x}; }},
+            {.suffix = "_grazing", .swept = "angle between ray and " + shape, .error = "error of the hit x angle",
+             .decades = sweep(-12, -1), .scored = {-3, -1}, .aim = [](double x) { return Aim{.angle = x}; },
+             .forgiven = [](double x) { return 1 / x; }},
+            {.suffix = "_far", .swept = "distance from the world's origin [m]", .error = "error of the hit",
+             .decades = sweep(0, 12), .scored = {0, 3},
+             .aim = [](double x) { return Aim{.shift = x * vec3(0.7, -0.2, 0.5)}; }},
+            {.suffix = "_needle", .swept = "length / width of the " + shape, .error = "error of the hit / aspect",
+             .decades = sweep(0, 12), .scored = {0, 3}, .aim = [](double x) { return Aim{.aspect = x}; },
+             .forgiven = [](double x) { return x; }}};
+        for (const FlatFamily& f : both)
+            all.push_back({.name = shape + f.suffix, .fragments = {hit}, .swept = f.swept, .error = f.error,
+                           .tolerance = 1e-7, .bound = 64 * rt::roundoff, .decades = f.decades, .scored = f.scored,
+                           .measure = [=, aim = f.aim, forgiven = f.forgiven](double x, Generator& random,
+                                                                              const Asker& ask) {
+                               return error_of_patches(quad, aim(x), forgiven(x), random, ask);
+                           }});
     }
     return all;
 }
 
-}  // namespace grade
+}  // namespace grade::stress

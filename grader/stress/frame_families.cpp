@@ -1,6 +1,6 @@
 #include "stress/family.h"
 
-namespace grade {
+namespace grade::stress {
 
 namespace {
 
@@ -49,7 +49,7 @@ auto poles(const Turning& turning) {
         double turned = 0;
         for (std::size_t i = 0; i < rows.size(); ++i)
             turned = worse_error(turned, std::abs(cosine(base[i], one) - cosine(other[i], two)));
-        return worst_of(ask, turning.fragment, rows, [&](std::size_t i, const Row& out) {
+        return worst_of_rows(ask, turning.fragment, rows, [&](std::size_t i, const Row& out) {
             const vec3 d{out.at(0), out.at(1), out.at(2)};
             return worse_error(std::abs(glm::length(d) - 1),
                                turned < 1e-9 ? std::abs(dot(d, about[i]) - cosine(base[i], one)) : 0);
@@ -64,16 +64,11 @@ std::vector<Family> frame_families() {
     for (const Turning& turning : {Turning{"color_bleeding", bounce_row}, Turning{"glossy_reflection", glossy_row},
                                    Turning{"translucency", translucent_row}, Turning{"light_sample", light_row},
                                    Turning{"scatter_direction", scatter_row}})
-        all.push_back({"poles_" + turning.fragment,
-                       {turning.fragment},
-                       "angle of the axis from a pole",
-                       "error of length and angle",
-                       1e-5,
-                       32 * rt::roundoff,
-                       sweep(-16, -1),
-                       {-3, -1},
-                       poles(turning)});
+        all.push_back(
+            {.name = "poles_" + turning.fragment, .fragments = {turning.fragment},
+             .swept = "angle of the axis from a pole", .error = "error of length and angle", .tolerance = 1e-5,
+             .bound = 32 * rt::roundoff, .decades = sweep(-16, -1), .scored = {-3, -1}, .measure = poles(turning)});
     return all;
 }
 
-}  // namespace grade
+}  // namespace grade::stress

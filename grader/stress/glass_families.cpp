@@ -1,7 +1,7 @@
 #include "stress/exact.h"
 #include "stress/family.h"
 
-namespace grade {
+namespace grade::stress {
 
 namespace {
 
@@ -25,22 +25,16 @@ Exact reflectance(double cosine, double from, double to) {
     return s * s / 2 + p * p / 2;
 }
 
-/// Errors of refracted_direction, times a factor that takes out how ill-conditioned the case is.
-struct Bend {
-    vec3 d, n;
-    double from, to;
-};
-
-double error_of_bends(const std::vector<Bend>& bends, double factor, const Asker& ask) {
-    Rows rows;
-    for (const Bend& b : bends) rows.push_back(row(b.d, b.n, b.from, b.to));
-    return worst_of(ask, "refracted_direction", rows, [&](std::size_t i, const Row& out) {
-        const Exact3 truth = refracted(bends[i].d, bends[i].n, bends[i].from, bends[i].to);
-        const vec3 got = from_row<vec3>(out);
+/// Errors of refracted_direction, times a factor that takes out how ill-conditioned the case is; draw(random) is a row.
+template <class Draw>
+double error_of_bends(double factor, Generator& random, const Asker& ask, Draw draw) {
+    const auto error = [=](vec3 got, vec3 d, vec3 n, double from, double to) {
+        const Exact3 truth = refracted(d, n, from, to);
         const bool total = truth.x == 0 && truth.y == 0 && truth.z == 0;
         if (total != (got == vec3(0))) return rt::inf;
         return total ? 0 : apart(truth, got) * factor;
-    });
+    };
+    return worst_of<rt::refracted_direction>(ask, "refracted_direction", rows_of(200, draw)(random), error);
 }
 
 /// A sine that is the share x below or above that of the critical angle.
@@ -49,109 +43,92 @@ double near_critical(Generator& random, double x, double from, double to) {
 }
 
 double refracted_critical(double x, Generator& random, const Asker& ask) {
-    std::vector<Bend> bends;
-    for (int i = 0; i < 200; ++i) {
-        const vec3 n = direction(random);
-        const double from = between(random, 1.3, 2.4);
-        bends.push_back({-tilted(random, n, std::asin(near_critical(random, x, from, 1))), n, from, 1});
-    }
-    return error_of_bends(bends, std::sqrt(x), ask);
-}
-
-double refracted_grazing(double x, Generator& random, const Asker& ask) {
-    std::vector<Bend> bends;
-    for (int i = 0; i < 200; ++i) {
-        const vec3 n = direction(random);
-        bends.push_back({rt::unit(tilted(random, n, rt::pi / 2) - x * n), n, 1, between(random, 1.2, 2.4)});
-    }
-    return error_of_bends(bends, 1, ask);
-}
-
-double refracted_normal(double x, Generator& random, const Asker& ask) {
-    std::vector<Bend> bends;
-    for (int i = 0; i < 200; ++i) {
-        const vec3 n = direction(random);
-        bends.push_back(
-            {i < 20 && x < 1e-3 ? -n : -tilted(random, n, x), n, between(random, 1, 1.5), between(random, 1, 1.5)});
-    }
-    return error_of_bends(bends, 1, ask);
-}
-
-double refracted_even(double x, Generator& random, const Asker& ask) {
-    std::vector<Bend> bends;
-    for (int i = 0; i < 200; ++i) {
-        const vec3 n = direction(random);
-        bends.push_back({-tilted(random, n, between(random, 0, 1.1)), n, 1, chance(random, 0.5) ? 1 + x : 1 - x});
-    }
-    return error_of_bends(bends, 1, ask);
-}
-
-struct Boundary {
-    double cosine, from, to;
-};
-
-double error_of_boundaries(const std::vector<Boundary>& boundaries, double factor, const Asker& ask) {
-    Rows rows;
-    for (const Boundary& b : boundaries) rows.push_back(row(b.cosine, b.from, b.to));
-    return worst_of(ask, "fresnel_dielectric", rows, [&](std::size_t i, const Row& out) {
-        const auto [cosine, from, to] = boundaries[i];
-        return out.at(0) < 0 ? rt::inf : apart(reflectance(cosine, from, to), out[0]) * factor;
+    return error_of_bends(std::sqrt(x), random, ask, [=](Generator& draw) {
+        const vec3 n = direction(draw);
+        const double from = between(draw, 1.3, 2.4);
+        return row(-tilted(draw, n, std::asin(near_critical(draw, x, from, 1))), n, from, 1.0);
     });
 }
 
+double refracted_grazing(double x, Generator& random, const Asker& ask) {
+    return error_of_bends(1, random, ask, [=](Generator& draw) {
+        const vec3 n = direction(draw), d = rt::unit(tilted(draw, n, rt::pi / 2) - x * n);
+        return row(d, n, 1.0, between(draw, 1.2, 2.4));
+    });
+}
+
+double refracted_normal(double x, Generator& random, const Asker& ask) {
+    int i = 0;
+    return error_of_bends(1, random, ask, [&, x](Generator& draw) {
+        const vec3 n = direction(draw), d = i++ < 20 && x < 1e-3 ? -n : -tilted(draw, n, x);
+        const double from = between(draw, 1, 1.5), to = between(draw, 1, 1.5);
+        return row(d, n, from, to);
+    });
+}
+
+double refracted_even(double x, Generator& random, const Asker& ask) {
+    return error_of_bends(1, random, ask, [=](Generator& draw) {
+        const vec3 n = direction(draw), d = -tilted(draw, n, between(draw, 0, 1.1));
+        return row(d, n, 1.0, chance(draw, 0.5) ? 1 + x : 1 - x);
+    });
+}
+
+double error_of_reflectance(const Rows& rows, double factor, const Asker& ask) {
+    return worst_of<rt::fresnel_dielectric>(
+        ask, "fresnel_dielectric", rows, [=](double got, double cosine, double from, double to) {
+            return got < 0 ? rt::inf : apart(reflectance(cosine, from, to), got) * factor;
+        });
+}
+
 double fresnel_critical(double x, Generator& random, const Asker& ask) {
-    std::vector<Boundary> boundaries;
-    for (int i = 0; i < 200; ++i) {
-        const double from = between(random, 1.3, 2.4), sine = near_critical(random, x, from, 1);
-        boundaries.push_back({std::sqrt((1 - sine) * (1 + sine)), from, 1});
-    }
-    return error_of_boundaries(boundaries, std::sqrt(x), ask);
+    const auto boundary = [=](Generator& draw) {
+        const double from = between(draw, 1.3, 2.4), sine = near_critical(draw, x, from, 1);
+        return row(std::sqrt((1 - sine) * (1 + sine)), from, 1.0);
+    };
+    return error_of_reflectance(rows_of(200, boundary)(random), std::sqrt(x), ask);
 }
 
 double fresnel_grazing(double x, Generator& random, const Asker& ask) {
-    std::vector<Boundary> boundaries;
-    for (int i = 0; i < 200; ++i) boundaries.push_back({x * between(random, 0.5, 1), 1, between(random, 1.2, 2.4)});
-    return error_of_boundaries(boundaries, 1, ask);
+    const auto boundary = [=](Generator& draw) {
+        const double cosine = x * between(draw, 0.5, 1);
+        return row(cosine, 1.0, between(draw, 1.2, 2.4));
+    };
+    return error_of_reflectance(rows_of(200, boundary)(random), 1, ask);
 }
 
 /// Indices that differ by x, and beyond ordinary scenes also rays along the surface.
 double fresnel_even(double x, Generator& random, const Asker& ask) {
-    std::vector<Boundary> boundaries;
-    for (int i = 0; i < 200; ++i)
-        boundaries.push_back({between(random, 0.3, 1), 1, chance(random, 0.5) ? 1 + x : 1 - x});
-    for (const double other : {1.0, 1.5, 1 + x}) boundaries.push_back({1, 1, other});
+    Rows rows = rows_of(200, [=](Generator& draw) {
+        const double cosine = between(draw, 0.3, 1);
+        return row(cosine, 1.0, chance(draw, 0.5) ? 1 + x : 1 - x);
+    })(random);
+    for (const double other : {1.0, 1.5, 1 + x}) rows.push_back(row(1.0, 1.0, other));
     if (x < 1e-3)
         for (const double even : {1.0, 1.5})
-            boundaries.push_back({0, even, even}), boundaries.push_back({1e-200, even, even});
-    return error_of_boundaries(boundaries, 1, ask);
+            rows.push_back(row(0.0, even, even)), rows.push_back(row(1e-200, even, even));
+    return error_of_reflectance(rows, 1, ask);
 }
 
 double mirror_length(double x, Generator& random, const Asker& ask) {
-    std::vector<std::pair<vec3, vec3>> pairs;
-    Rows rows;
-    for (int i = 0; i < 200; ++i) {
-        pairs.push_back({x * direction(random), direction(random)});
-        rows.push_back(row(pairs.back().first, pairs.back().second));
-    }
-    return worst_of(ask, "mirror_direction", rows, [&](std::size_t i, const Row& out) {
-        const Exact3 d(pairs[i].first), n(pairs[i].second);
-        return apart(d - 2 * dot(d, n) * n, from_row<vec3>(out)) / x;
+    const Rows rows = rows_of(200, [=](Generator& draw) {
+        const vec3 d = x * direction(draw);
+        return row(d, direction(draw));
+    })(random);
+    return worst_of<rt::mirror_direction>(ask, "mirror_direction", rows, [=](vec3 got, vec3 from, vec3 normal) {
+        const Exact3 d(from), n(normal);
+        return apart(d - 2 * dot(d, n) * n, got) / x;
     });
 }
 
 /// Glass and mirrors that let so little through.
 double faint(double x, Generator& random, const Asker& ask) {
-    std::vector<std::pair<Material, double>> cases;
     Rows rows;
     for (int i = 0; i < 30; ++i) {
         Material m;
         m.reflectance = Color(chance(random, 0.5) ? x : 1), m.transmittance = Color(x, i % 2 ? 0 : x, 0);
-        cases.push_back({m, between(random, 0, 1)});
-        rows.push_back(row(m, cases.back().second));
+        rows.push_back(row(m, between(random, 0, 1)));
     }
-    return worst_of(ask, "whitted", rows, [&](std::size_t i, const Row& out) {
-        const auto& [m, fresnel] = cases[i];
-        const Outgoing got = from_row<Outgoing>(out);
+    return worst_of<rt::whitted>(ask, "whitted", rows, [](const Outgoing& got, const Material& m, double fresnel) {
         const Color mirror = fresnel * m.reflectance, glass = (1 - fresnel) * m.transmittance;
         return worse_error(rt::largest(got.mirror - mirror) / rt::largest(mirror),
                            rt::largest(got.glass - glass) / rt::largest(glass));
@@ -163,88 +140,33 @@ double faint(double x, Generator& random, const Asker& ask) {
 std::vector<Family> glass_families() {
     constexpr double u = rt::roundoff;
     return {
-        {"mirror_length",
-         {"mirror_direction"},
-         "length of the direction",
-         "error / length",
-         1e-5,
-         16 * u,
-         sweep(-60, 60, 3),
-         {-3, 3},
-         mirror_length},
-        {"refracted_critical",
-         {"refracted_direction"},
-         "distance from the critical angle",
-         "error x root of x",
-         1e-5,
-         32 * u,
-         sweep(-13, -1),
-         {-3, -1},
-         refracted_critical},
-        {"refracted_grazing",
-         {"refracted_direction"},
-         "cosine of the incoming ray",
-         "error",
-         1e-5,
-         16 * u,
-         sweep(-15, -1),
-         {-3, -1},
-         refracted_grazing},
-        {"refracted_normal",
-         {"refracted_direction"},
-         "angle between ray and normal",
-         "error",
-         1e-5,
-         16 * u,
-         sweep(-16, -1),
-         {-3, -1},
-         refracted_normal},
-        {"refracted_even",
-         {"refracted_direction"},
-         "difference of the indices",
-         "error",
-         1e-5,
-         16 * u,
-         sweep(-17, -1),
-         {-3, -1},
-         refracted_even},
-        {"fresnel_critical",
-         {"fresnel_dielectric"},
-         "distance from the critical angle",
-         "error x root of x",
-         1e-5,
-         64 * u,
-         sweep(-13, -1),
-         {-3, -1},
-         fresnel_critical},
-        {"fresnel_grazing",
-         {"fresnel_dielectric"},
-         "cosine of the incoming ray",
-         "error",
-         1e-5,
-         16 * u,
-         sweep(-15, -1),
-         {-3, -1},
-         fresnel_grazing},
-        {"fresnel_even",
-         {"fresnel_dielectric"},
-         "difference of the indices",
-         "error",
-         1e-5,
-         16 * u,
-         sweep(-17, -1),
-         {-3, -1},
-         fresnel_even},
-        {"whitted_faint",
-         {"whitted"},
-         "transmittance",
-         "relative error",
-         1e-5,
-         8 * u,
-         sweep(-60, 0, 3),
-         {-3, 0},
-         faint},
+        {.name = "mirror_length", .fragments = {"mirror_direction"}, .swept = "length of the direction",
+         .error = "error / length", .tolerance = 1e-5, .bound = 16 * u, .decades = sweep(-60, 60, 3),
+         .scored = {-3, 3}, .measure = mirror_length},
+        {.name = "refracted_critical", .fragments = {"refracted_direction"},
+         .swept = "distance from the critical angle", .error = "error x root of x", .tolerance = 1e-5,
+         .bound = 32 * u, .decades = sweep(-13, -1), .scored = {-3, -1}, .measure = refracted_critical},
+        {.name = "refracted_grazing", .fragments = {"refracted_direction"}, .swept = "cosine of the incoming ray",
+         .error = "error", .tolerance = 1e-5, .bound = 16 * u, .decades = sweep(-15, -1), .scored = {-3, -1},
+         .measure = refracted_grazing},
+        {.name = "refracted_normal", .fragments = {"refracted_direction"}, .swept = "angle between ray and normal",
+         .error = "error", .tolerance = 1e-5, .bound = 16 * u, .decades = sweep(-16, -1), .scored = {-3, -1},
+         .measure = refracted_normal},
+        {.name = "refracted_even", .fragments = {"refracted_direction"}, .swept = "difference of the indices",
+         .error = "error", .tolerance = 1e-5, .bound = 16 * u, .decades = sweep(-17, -1), .scored = {-3, -1},
+         .measure = refracted_even},
+        {.name = "fresnel_critical", .fragments = {"fresnel_dielectric"},
+         .swept = "distance from the critical angle", .error = "error x root of x", .tolerance = 1e-5,
+         .bound = 64 * u, .decades = sweep(-13, -1), .scored = {-3, -1}, .measure = fresnel_critical},
+        {.name = "fresnel_grazing", .fragments = {"fresnel_dielectric"}, .swept = "cosine of the incoming ray",
+         .error = "error", .tolerance = 1e-5, .bound = 16 * u, .decades = sweep(-15, -1), .scored = {-3, -1},
+         .measure = fresnel_grazing},
+        {.name = "fresnel_even", .fragments = {"fresnel_dielectric"}, .swept = "difference of the indices",
+         .error = "error", .tolerance = 1e-5, .bound = 16 * u, .decades = sweep(-17, -1), .scored = {-3, -1},
+         .measure = fresnel_even},
+        {.name = "whitted_faint", .fragments = {"whitted"}, .swept = "transmittance", .error = "relative error",
+         .tolerance = 1e-5, .bound = 8 * u, .decades = sweep(-60, 0, 3), .scored = {-3, 0}, .measure = faint},
     };
 }
 
-}  // namespace grade
+}  // namespace grade::stress

@@ -1,6 +1,6 @@
 #include "stress/family.h"
 
-namespace grade {
+namespace grade::stress {
 
 namespace {
 
@@ -80,21 +80,14 @@ double self_hits(Surface kind, double size, Generator& random, const Asker& ask)
     return double(caught) / double(who.size());
 }
 
-auto self_hit(Surface kind) {
-    return [=](double x, Generator& random, const Asker& ask) { return self_hits(kind, x, random, ask); };
-}
-
 /// How far a shadow ray starts from its surface, over the size of the scene.
 double shadow_offset(double x, Generator& random, const Asker& ask) {
-    std::vector<Hit> hits;
-    Rows rows;
-    for (int i = 0; i < 200; ++i) {
-        hits.push_back({x * box(random, -2, 2), direction(random), 64 * rt::roundoff * x});
-        rows.push_back(row(hits.back(), tilted(random, hits.back().normal, between(random, 0, 1.5)), 5 * x));
-    }
-    return worst_of(ask, "shadow_ray", rows, [&](std::size_t i, const Row& out) {
-        const Ray ray = from_row<Ray>(out);
-        return rt::largest(ray.origin + ray.near * ray.direction - hits[i].point) / x;
+    const Rows rows = rows_of(200, [=](Generator& draw) {
+        const vec3 point = x * box(draw, -2, 2), n = direction(draw);
+        return row(Hit{point, n, 64 * rt::roundoff * x}, tilted(draw, n, between(draw, 0, 1.5)), 5 * x);
+    })(random);
+    return worst_of<rt::shadow_ray>(ask, "shadow_ray", rows, [=](const Ray& ray, const Hit& hit, vec3, double) {
+        return rt::largest(ray.origin + ray.near * ray.direction - hit.point) / x;
     });
 }
 
@@ -106,62 +99,32 @@ double shadow_end(double x, Generator& random, const Asker& ask) {
         rows.push_back(row(Hit{x * box(random, -1, 1), n, 64 * rt::roundoff * x},
                            tilted(random, n, between(random, 0, 1.5)), x * between(random, 1, 5)));
     }
-    return worst_of(ask, "shadow_ray", rows, [&](std::size_t i, const Row& out) {
-        const double distance = rows[i].back(), end = from_row<Ray>(out).far;
-        return end < distance * (1 - 8 * rt::roundoff) && end > 0 ? (distance - end) / distance : rt::inf;
+    return worst_of<rt::shadow_ray>(ask, "shadow_ray", rows, [](const Ray& ray, const Hit&, vec3, double distance) {
+        return ray.far < distance * (1 - 8 * rt::roundoff) && ray.far > 0 ? (distance - ray.far) / distance : rt::inf;
     });
 }
 
 }  // namespace
 
 std::vector<Family> leaving_families() {
-    return {
-        {"self_hit_sphere",
-         {"shadow_ray", "hit_sphere"},
-         "size of the scene [m]",
-         "share of rays that meet the surface they leave",
-         0.01,
-         0,
-         sweep(-60, 60, 3),
-         {-3, 3},
-         self_hit(Surface::sphere)},
-        {"self_hit_quad",
-         {"shadow_ray", "hit_quad"},
-         "size of the scene [m]",
-         "share of rays that meet the surface they leave",
-         0.01,
-         0,
-         sweep(-60, 60, 3),
-         {-3, 3},
-         self_hit(Surface::quad)},
-        {"self_hit_triangle",
-         {"shadow_ray", "hit_triangle"},
-         "size of the scene [m]",
-         "share of rays that meet the surface they leave",
-         0.01,
-         0,
-         sweep(-60, 60, 3),
-         {-3, 3},
-         self_hit(Surface::triangle)},
-        {"shadow_offset",
-         {"shadow_ray"},
-         "size of the scene [m]",
-         "gap between surface and ray / size",
-         5e-3,
-         1e-9,
-         sweep(-60, 60, 3),
-         {-3, 3},
-         shadow_offset},
-        {"shadow_end",
-         {"shadow_ray"},
-         "distance of the light [m]",
-         "gap between ray and light / distance",
-         5e-3,
-         1e-6,
-         sweep(-60, 60, 3),
-         {-3, 3},
-         shadow_end},
-    };
+    std::vector<Family> all;
+    for (const Surface kind : {Surface::sphere, Surface::quad, Surface::triangle}) {
+        const std::string hit = fragment_of(kind);
+        all.push_back({.name = "self_" + hit, .fragments = {"shadow_ray", hit}, .swept = "size of the scene [m]",
+                       .error = "share of rays that meet the surface they leave", .tolerance = 0.01,
+                       .decades = sweep(-60, 60, 3), .scored = {-3, 3},
+                       .measure = [=](double x, Generator& random, const Asker& ask) {
+                           return self_hits(kind, x, random, ask);
+                       }});
+    }
+    all.insert(all.end(), {
+        {.name = "shadow_offset", .fragments = {"shadow_ray"}, .swept = "size of the scene [m]",
+         .error = "gap between surface and ray / size", .tolerance = 5e-3, .bound = 1e-9,
+         .decades = sweep(-60, 60, 3), .scored = {-3, 3}, .measure = shadow_offset},
+        {.name = "shadow_end", .fragments = {"shadow_ray"}, .swept = "distance of the light [m]",
+         .error = "gap between ray and light / distance", .tolerance = 5e-3, .bound = 1e-6,
+         .decades = sweep(-60, 60, 3), .scored = {-3, 3}, .measure = shadow_end}});
+    return all;
 }
 
-}  // namespace grade
+}  // namespace grade::stress

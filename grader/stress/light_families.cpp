@@ -1,6 +1,6 @@
 #include "stress/family.h"
 
-namespace grade {
+namespace grade::stress {
 
 namespace {
 
@@ -17,9 +17,9 @@ Emitter light_of(Emitter::Kind kind, double size, vec3 center, vec3 towards) {
     return light;
 }
 
-/// The mean over the unit square of 1/density, which is the solid angle of the light, times `of` each sample.
-template <class Of>
-double mean_over_density(const Emitter& light, vec3 p, int n, const Asker& ask, Of of) {
+/// The mean over the unit square of 1/density, which is the solid angle of the light, times the value of each sample.
+template <class Value>
+double mean_over_density(const Emitter& light, vec3 p, int n, const Asker& ask, Value value) {
     Rows rows;
     for (const vec2 u : grid(n)) rows.push_back(row(light, p, u));
     double sum = 0;
@@ -27,7 +27,7 @@ double mean_over_density(const Emitter& light, vec3 p, int n, const Asker& ask, 
         const LightSample sample = from_row<LightSample>(out);
         if (std::isnan(sample.density) || std::isnan(sample.distance) || std::isnan(dot(sample.direction, vec3(1))))
             return rt::inf;
-        if (sample.density > 0) sum += of(sample) / sample.density;
+        if (sample.density > 0) sum += value(sample) / sample.density;
     }
     return sum / (n * n);
 }
@@ -53,23 +53,20 @@ double sphere_gap(double x, Generator& random, const Asker& ask) {
 
 /// Samples of spheres from x radii away: on the sphere, in proportion to the distance.
 double sphere_point(double x, Generator& random, const Asker& ask) {
-    std::vector<std::pair<Emitter, vec3>> lights;
-    Rows rows;
-    for (int i = 0; i < 200; ++i) {
-        const double radius = log_between(random, 0.5, 2);
-        const vec3 p = box(random, -1, 1), to = direction(random);
-        lights.push_back({light_of(Emitter::Kind::sphere, radius, p + radius * (1 + x) * to, -to), p});
-        rows.push_back(row(lights.back().first, p, square(random)));
-    }
-    return worst_of(ask, "light_sample", rows, [&](std::size_t i, const Row& out) {
-        const LightSample sample = from_row<LightSample>(out);
-        if (sample.density == 0) return 0.0;
-        using Long = glm::vec<3, long double>;
-        const auto& [light, p] = lights[i];
-        const Long off = Long(p) + (long double)sample.distance * Long(sample.direction) - Long(light.sphere.center);
-        const double distance = light.sphere.radius * (1 + x);
-        return double(std::abs(glm::length(off) - light.sphere.radius)) / distance;
-    });
+    const Rows rows = rows_of(200, [=](Generator& draw) {
+        const double radius = log_between(draw, 0.5, 2);
+        const vec3 p = box(draw, -1, 1), to = direction(draw);
+        return row(light_of(Emitter::Kind::sphere, radius, p + radius * (1 + x) * to, -to), p, square(draw));
+    })(random);
+    return worst_of<rt::light_sample>(
+        ask, "light_sample", rows, [=](const LightSample& sample, const Emitter& light, vec3 p, vec2) {
+            if (sample.density == 0) return 0.0;
+            using Long = glm::vec<3, long double>;
+            const Long from_center = Long(p) - Long(light.sphere.center);
+            const Long off = from_center + (long double)sample.distance * Long(sample.direction);
+            const double distance = light.sphere.radius * (1 + x);
+            return double(std::abs(glm::length(off) - light.sphere.radius)) / distance;
+        });
 }
 
 /// A flat light at x times its size, head on: the irradiance by it.
@@ -98,7 +95,7 @@ double light_size(double x, Generator& random, const Asker& ask) {
         many.push_back(row(light_of(kind, x * size, x * center, towards), x * p, u));
     }
     const Rows base = ask.probe("light_sample", one);
-    return worst_of(ask, "light_sample", many, [&](std::size_t i, const Row& out) {
+    return worst_of_rows(ask, "light_sample", many, [&](std::size_t i, const Row& out) {
         const LightSample a = from_row<LightSample>(base[i]), b = from_row<LightSample>(out);
         const double density = a.density > 0 ? std::abs(b.density / a.density - 1) : std::abs(b.density);
         return worse_error(
@@ -111,61 +108,25 @@ double light_size(double x, Generator& random, const Asker& ask) {
 std::vector<Family> light_families() {
     constexpr double u = rt::roundoff;
     return {
-        {"sphere_light_far",
-         {"light_sample"},
-         "distance of a sphere light / its radius",
-         "error of its solid angle",
-         0.05,
-         0.05,
-         sweep(0, 14),
-         {0, 3},
-         sphere_gap},
-        {"sphere_light_near",
-         {"light_sample"},
-         "gap to a sphere light / its radius",
-         "error of its solid angle",
-         0.05,
-         0.05,
-         sweep(-13, 0),
-         {0, 0},
-         sphere_gap},
-        {"sphere_light_point",
-         {"light_sample"},
-         "gap to a sphere light / its radius",
-         "distance of a sample from the light / distance",
-         1e-5,
-         1e-9,
-         sweep(-13, 14),
-         {0, 3},
-         sphere_point},
-        {"quad_light_far",
-         {"light_sample"},
-         "distance of a quad light / its size",
-         "error of its irradiance",
-         0.05,
-         0.05,
-         sweep(1, 20),
-         {1, 3},
-         flat_gap(Emitter::Kind::quad)},
-        {"disc_light_far",
-         {"light_sample"},
-         "distance of a disc light / its radius",
-         "error of its irradiance",
-         0.05,
-         0.05,
-         sweep(0, 20),
-         {0, 3},
-         flat_gap(Emitter::Kind::disc)},
-        {"light_size",
-         {"light_sample"},
-         "size of light and scene [m]",
-         "error against that at 1 m",
-         1e-5,
-         256 * u,
-         sweep(-60, 60, 3),
-         {-3, 3},
-         light_size},
+        {.name = "sphere_light_far", .fragments = {"light_sample"},
+         .swept = "distance of a sphere light / its radius", .error = "error of its solid angle", .tolerance = 0.05,
+         .bound = 0.05, .decades = sweep(0, 14), .scored = {0, 3}, .measure = sphere_gap},
+        {.name = "sphere_light_near", .fragments = {"light_sample"}, .swept = "gap to a sphere light / its radius",
+         .error = "error of its solid angle", .tolerance = 0.05, .bound = 0.05, .decades = sweep(-13, 0),
+         .scored = {0, 0}, .measure = sphere_gap},
+        {.name = "sphere_light_point", .fragments = {"light_sample"}, .swept = "gap to a sphere light / its radius",
+         .error = "distance of a sample from the light / distance", .tolerance = 1e-5, .bound = 1e-9,
+         .decades = sweep(-13, 14), .scored = {0, 3}, .measure = sphere_point},
+        {.name = "quad_light_far", .fragments = {"light_sample"}, .swept = "distance of a quad light / its size",
+         .error = "error of its irradiance", .tolerance = 0.05, .bound = 0.05, .decades = sweep(1, 20),
+         .scored = {1, 3}, .measure = flat_gap(Emitter::Kind::quad)},
+        {.name = "disc_light_far", .fragments = {"light_sample"}, .swept = "distance of a disc light / its radius",
+         .error = "error of its irradiance", .tolerance = 0.05, .bound = 0.05, .decades = sweep(0, 20),
+         .scored = {0, 3}, .measure = flat_gap(Emitter::Kind::disc)},
+        {.name = "light_size", .fragments = {"light_sample"}, .swept = "size of light and scene [m]",
+         .error = "error against that at 1 m", .tolerance = 1e-5, .bound = 256 * u, .decades = sweep(-60, 60, 3),
+         .scored = {-3, 3}, .measure = light_size},
     };
 }
 
-}  // namespace grade
+}  // namespace grade::stress

@@ -1,6 +1,6 @@
 #include "stress/family.h"
 
-namespace grade {
+namespace grade::stress {
 
 namespace {
 
@@ -75,43 +75,19 @@ auto narrow(bool mirror) {
 std::vector<Family> lobe_families() {
     constexpr double u = rt::roundoff;
     return {
-        {"lobe_exponent",
-         {"phong_lobe"},
-         "exponent of a lobe",
-         "error of density or length",
-         1e-3,
-         1e-12,
-         sweep(0, 20),
-         {0, 4},
-         lobe_exponent},
-        {"cone_angle",
-         {"sphere_cone"},
-         "distance of a sphere / its radius",
-         "error of density or length",
-         1e-5,
-         32 * u,
-         sweep(0, 20),
-         {0, 3},
-         cone_angle},
-        {"glossy_exponent",
-         {"glossy_reflection"},
-         "exponent of a lobe",
-         "error of the lobe's width",
-         0.05,
-         0.05,
-         sweep(2, 26),
-         {2, 4},
-         narrow(true)},
-        {"translucent_exponent",
-         {"translucency"},
-         "exponent of a lobe",
-         "error of the lobe's width",
-         0.05,
-         0.05,
-         sweep(2, 26),
-         {2, 4},
-         narrow(false)},
+        {.name = "lobe_exponent", .fragments = {"phong_lobe"}, .swept = "exponent of a lobe",
+         .error = "error of density or length", .tolerance = 1e-3, .bound = 1e-12, .decades = sweep(0, 20),
+         .scored = {0, 4}, .measure = lobe_exponent},
+        {.name = "cone_angle", .fragments = {"sphere_cone"}, .swept = "distance of a sphere / its radius",
+         .error = "error of density or length", .tolerance = 1e-5, .bound = 32 * u, .decades = sweep(0, 20),
+         .scored = {0, 3}, .measure = cone_angle},
+        {.name = "glossy_exponent", .fragments = {"glossy_reflection"}, .swept = "exponent of a lobe",
+         .error = "error of the lobe's width", .tolerance = 0.05, .bound = 0.05, .decades = sweep(2, 26),
+         .scored = {2, 4}, .measure = narrow(true)},
+        {.name = "translucent_exponent", .fragments = {"translucency"}, .swept = "exponent of a lobe",
+         .error = "error of the lobe's width", .tolerance = 0.05, .bound = 0.05, .decades = sweep(2, 26),
+         .scored = {2, 4}, .measure = narrow(false)},
     };
 }
 
-}  // namespace grade
+}  // namespace grade::stress

@@ -1,7 +1,7 @@
 #include "stress/exact.h"
 #include "stress/family.h"
 
-namespace grade {
+namespace grade::stress {
 
 namespace {
 
@@ -29,9 +29,9 @@ double short_flight(double x, Generator& random, const Asker& ask) {
         const double u = x * between(random, 0.5, 1);
         rows.push_back(row(2.0, i % 2 ? u : std::min(1 - u, almost_one)));
     }
-    return worst_of(ask, "free_flight", rows, [&](std::size_t i, const Row& out) {
-        const Exact u = rows[i].back(), t = Exact(out.at(0)) * 2;
-        if (!(out[0] >= 0 && out[0] < rt::inf)) return rt::inf;
+    return worst_of<rt::free_flight>(ask, "free_flight", rows, [](double flight, double, double number) {
+        const Exact u = number, t = Exact(flight) * 2;
+        if (!(flight >= 0 && flight < rt::inf)) return rt::inf;
         const Exact one = -log(1 - u), other = -log(u);
         return double(std::min(Exact(abs(t - one) / one), Exact(abs(t - other) / other)));
     });
@@ -43,8 +43,8 @@ double forward(double x, Generator& random, const Asker& ask) {
     const double g = 1 - x;
     for (int i = 0; i < 300; ++i) rows.push_back(row(vec3(0, 0, 1), g, square(random)));
     const long double rest = 1 - (long double)g;  // as g is rounded
-    return worst_of(ask, "scatter_direction", rows, [&](std::size_t, const Row& out) {
-        const auto [d, density] = from_row<DirectionSample>(out);
+    return worst_of<rt::scatter_direction>(ask, "scatter_direction", rows, [=](const DirectionSample& sample) {
+        const auto [d, density] = sample;
         const long double s2 = (long double)d.x * d.x + (long double)d.y * d.y;
         const long double off =
             d.z > 0 ? s2 / (1 + std::sqrt(std::max(0.0L, 1 - s2))) : 1 - (long double)d.z;  // 1 - cos
@@ -110,52 +110,22 @@ double forward_width(double x, Generator& random, const Asker& ask) {
 std::vector<Family> medium_families() {
     constexpr double u = rt::roundoff;
     return {
-        {"extinction",
-         {"free_flight"},
-         "extinction [1/m]",
-         "error of the mean distance",
-         1e-2,
-         1e-2,
-         sweep(-60, 60, 3),
-         {-3, 3},
-         extinction},
-        {"short_flight",
-         {"free_flight"},
-         "random number, from 0 and from 1",
-         "relative error",
-         1e-5,
-         16 * u,
-         sweep(-16, -1),
-         {-3, -1},
-         short_flight},
-        {"even_scattering",
-         {"scatter_direction"},
-         "g",
-         "error of density or length",
-         1e-5,
-         32 * u,
-         sweep(-17, -1),
-         {-3, -1},
-         even},
-        {"forward_density",
-         {"scatter_direction"},
-         "1 - g",
-         "relative error of the density",
-         1e-4,
-         1e-8,
-         sweep(-15, -1),
-         {-2, -1},
-         forward},
-        {"forward_width",
-         {"scatter_direction"},
-         "1 - g",
-         "relative error of the mean angle",
-         0.05,
-         0.05,
-         sweep(-15, -1),
-         {-2, -1},
-         forward_width},
+        {.name = "extinction", .fragments = {"free_flight"}, .swept = "extinction [1/m]",
+         .error = "error of the mean distance", .tolerance = 1e-2, .bound = 1e-2, .decades = sweep(-60, 60, 3),
+         .scored = {-3, 3}, .measure = extinction},
+        {.name = "short_flight", .fragments = {"free_flight"}, .swept = "random number, from 0 and from 1",
+         .error = "relative error", .tolerance = 1e-5, .bound = 16 * u, .decades = sweep(-16, -1),
+         .scored = {-3, -1}, .measure = short_flight},
+        {.name = "even_scattering", .fragments = {"scatter_direction"}, .swept = "g",
+         .error = "error of density or length", .tolerance = 1e-5, .bound = 32 * u, .decades = sweep(-17, -1),
+         .scored = {-3, -1}, .measure = even},
+        {.name = "forward_density", .fragments = {"scatter_direction"}, .swept = "1 - g",
+         .error = "relative error of the density", .tolerance = 1e-4, .bound = 1e-8, .decades = sweep(-15, -1),
+         .scored = {-2, -1}, .measure = forward},
+        {.name = "forward_width", .fragments = {"scatter_direction"}, .swept = "1 - g",
+         .error = "relative error of the mean angle", .tolerance = 0.05, .bound = 0.05, .decades = sweep(-15, -1),
+         .scored = {-2, -1}, .measure = forward_width},
     };
 }
 
-}  // namespace grade
+}  // namespace grade::stress

@@ -2,7 +2,7 @@
 
 #include "stress/family.h"
 
-namespace grade {
+namespace grade::stress {
 
 namespace {
 
@@ -64,43 +64,17 @@ double far_edges(double x, Generator& random, const Asker& ask) {
 
 std::vector<Family> mesh_families() {
     return {
-        {"mesh_scale",
-         {"hit_triangle"},
-         "size of a closed mesh [m]",
-         "share of rays that get out",
-         0,
-         0,
-         sweep(-60, 60, 3),
-         {-3, 3},
-         closed},
-        {"mesh_edges",
-         {"hit_triangle"},
-         "size of a closed mesh [m]",
-         "share of rays at edges that get out",
-         0,
-         0,
-         sweep(-12, 12),
-         {},
-         edges},
-        {"mesh_far",
-         {"hit_triangle"},
-         "distance of a mesh from the world's origin [m]",
-         "share of rays that get out",
-         0,
-         0,
-         sweep(0, 12),
-         {0, 3},
-         far_mesh},
-        {"mesh_far_edges",
-         {"hit_triangle"},
-         "distance of a mesh from the world's origin [m]",
-         "share of rays at edges that get out",
-         0,
-         0,
-         sweep(0, 12),
-         {},
-         far_edges},
+        {.name = "mesh_scale", .fragments = {"hit_triangle"}, .swept = "size of a closed mesh [m]",
+         .error = "share of rays that get out", .decades = sweep(-60, 60, 3), .scored = {-3, 3}, .measure = closed},
+        {.name = "mesh_edges", .fragments = {"hit_triangle"}, .swept = "size of a closed mesh [m]",
+         .error = "share of rays at edges that get out", .decades = sweep(-12, 12), .measure = edges},
+        {.name = "mesh_far", .fragments = {"hit_triangle"},
+         .swept = "distance of a mesh from the world's origin [m]", .error = "share of rays that get out",
+         .decades = sweep(0, 12), .scored = {0, 3}, .measure = far_mesh},
+        {.name = "mesh_far_edges", .fragments = {"hit_triangle"},
+         .swept = "distance of a mesh from the world's origin [m]", .error = "share of rays at edges that get out",
+         .decades = sweep(0, 12), .measure = far_edges},
     };
 }
 
-}  // namespace grade
+}  // namespace grade::stress

@@ -1,12 +1,11 @@
-#include "stress/page.h"
+#include "stress/report.h"
 
 #include <fmt/format.h>
 
 #include "report/escape.h"
 #include "report/style.h"
-#include "stress/plot.h"
 
-namespace grade {
+namespace grade::stress {
 
 namespace {
 
@@ -110,4 +109,4 @@ std::string page(const StressRecord& record, const std::string& title) {
                       html(record.command), html(record.toolchain), html(record.version), html(record.sandbox));
 }
 
-}  // namespace grade
+}  // namespace grade::stress

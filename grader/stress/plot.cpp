@@ -1,4 +1,4 @@
-#include "stress/plot.h"
+#include "stress/report.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 #include "report/escape.h"
 
-namespace grade {
+namespace grade::stress {
 
 namespace {
 
@@ -91,4 +91,4 @@ std::string error_plot(const FamilyRecord& f) {
     return svg + "</svg>";
 }
 
-}  // namespace grade
+}  // namespace grade::stress

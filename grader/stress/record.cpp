@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace grade {
+namespace grade::stress {
 
 namespace {
 
@@ -106,4 +106,4 @@ std::string to_json(const StressRecord& record) {
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace grade
+}  // namespace grade::stress

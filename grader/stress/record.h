@@ -6,7 +6,7 @@
 #include "stress/family.h"
 
 /// What a stress run found: the one source of its table, its page and its JSON.
-namespace grade {
+namespace grade::stress {
 
 struct DecadeRecord {
     int decade = 0;
@@ -65,4 +65,4 @@ std::string in_words(const Reach& reach);
 /// penumbra/stress/v1. What depends on time and load is in keys that end in _seconds, nowhere else.
 std::string to_json(const StressRecord& record);
 
-}  // namespace grade
+}  // namespace grade::stress

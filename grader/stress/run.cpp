@@ -13,7 +13,7 @@
 #include "programs/programs.h"
 #include "stress/count.h"
 
-namespace grade {
+namespace grade::stress {
 
 namespace {
 
@@ -31,8 +31,8 @@ Value value_of(Outcome<Value> outcome) {
     return std::move(std::get<Value>(outcome));
 }
 
-/// The decades of a family on one program. A decade without an answer fails, and the next one starts a new process; after one that did
-/// not end, those beyond it are not tried.
+/// The decades of a family on one program. A decade without an answer fails, and the next one starts a new process;
+/// after one that did not end, those beyond it are not tried.
 std::vector<DecadeRecord> sweep_family(const Family& family, const Programs& programs, const fs::path& program,
                                        const std::string& name, const fs::path& meshes, double time_limit,
                                        double& cpu_seconds) {
@@ -81,7 +81,46 @@ std::vector<DecadeRecord> sweep_family(const Family& family, const Programs& pro
     return decades;
 }
 
+/// The families that are asked for, in the order of the assignment.
+std::vector<FamilyRecord> chosen_families(const StressSettings& settings, const Assignment& assignment) {
+    std::vector<FamilyRecord> chosen;
+    for (const Family& family : all_families()) {
+        const auto asked = [&](const std::string& name) { return is_named(family, name); };
+        if (!settings.only.empty() && std::ranges::none_of(settings.only, asked)) continue;
+        chosen.emplace_back().family = &family;
+    }
+    std::ranges::stable_sort(chosen, {},
+                             [&](const FamilyRecord& one) { return assignment.place(one.family->fragments.front()); });
+    return chosen;
+}
+
+/// Returns the CPU time of the submission's program.
+double run_family(FamilyRecord& one, Programs& programs, const fs::path& meshes, double time_limit) {
+    const auto& needed = one.family->fragments;
+    const auto& [program, errors] = programs.with({needed.begin(), needed.end()});
+    one.message = programs.complaint(needed.front());
+    if (one.message.empty() && !errors.empty()) one.message = "did not build: " + errors;
+    one.started = one.message.empty();
+    const auto sweep = [&](const fs::path& of, const std::string& name, double& spent) {
+        return sweep_family(*one.family, programs, of, name, meshes, time_limit, spent);
+    };
+    double seconds = 0, of_solution = 0;
+    if (one.started) {
+        one.decades = sweep(program, one.family->name, seconds);
+        one.reach = reach_of(*one.family, one.decades);
+    }
+    const fs::path solution = programs.with({}).program;
+    one.solution = one.started && program == solution
+                       ? one.reach
+                       : reach_of(*one.family, sweep(solution, one.family->name + "-solution", of_solution));
+    return seconds;
+}
+
 }  // namespace
+
+bool is_named(const Family& family, const std::string& name) {
+    return family.name == name || family.fragments.front() == name;
+}
 
 StressRecord stress_submission(const Submission& submission, const Assignment& assignment, const Toolchain& chain,
                                const StressSettings& settings) {
@@ -90,55 +129,34 @@ StressRecord stress_submission(const Submission& submission, const Assignment& a
     BuildSettings build;
     build.jobs = settings.jobs, build.trusted = settings.trusted, build.only_changed = true;
     Programs programs(submission, chain, build, silent);
-    StressRecord record;
-    record.submission = submission.name;
-    record.toolchain = chain.description;
-    record.version = PENUMBRA_VERSION;
-    record.sandbox = programs.sandbox().description;
+    StressRecord record{.submission = submission.name,
+                        .toolchain = chain.description,
+                        .version = PENUMBRA_VERSION,
+                        .sandbox = programs.sandbox().description,
+                        .families = chosen_families(settings, assignment)};
 
     std::set<std::string> fragments;
-    for (const Family& family : all_families()) {
-        const std::string& about = family.fragments.front();
-        if (!settings.only.empty() && !settings.only.contains(family.name) && !settings.only.contains(about)) continue;
-        FamilyRecord one;
-        one.family = &family;
-        record.families.push_back(std::move(one));
-        fragments.insert(family.fragments.begin(), family.fragments.end());
-    }
+    for (const FamilyRecord& one : record.families)
+        fragments.insert(one.family->fragments.begin(), one.family->fragments.end());
     if (settings.rays > 0) fragments.insert({"shadow_ray", "hit_sphere", "hit_quad", "hit_triangle"});
-    std::ranges::stable_sort(record.families, {},
-                             [&](const FamilyRecord& one) { return assignment.place(one.family->fragments.front()); });
-    if (settings.progress) settings.progress(0, int(record.families.size()), "compiling");
+    const int all = int(record.families.size());
+    const auto tell = [&](int done, const std::string& what) {
+        if (settings.progress) settings.progress(done, all, what);
+    };
+    tell(0, "compiling");
     programs.compile(fragments);
 
     if (settings.rays > 0) record.counts = big_counts(programs, meshes, settings);
     std::mutex lock;
     int done = 0;
-    in_parallel(int(record.families.size()), settings.jobs, [&](int i) {
+    in_parallel(all, settings.jobs, [&](int i) {
         FamilyRecord& one = record.families[std::size_t(i)];
-        const auto& needed = one.family->fragments;
-        double seconds = 0;
-        one.message = programs.complaint(needed.front());
-        const auto& [program, errors] = programs.with({needed.begin(), needed.end()});
-        if (one.message.empty() && !errors.empty()) one.message = "did not build: " + errors;
-        one.started = one.message.empty();
-        const auto sweep = [&](const fs::path& of, const std::string& name, double& spent) {
-            return sweep_family(*one.family, programs, of, name, meshes, settings.time_limit, spent);
-        };
-        if (one.started) {
-            one.decades = sweep(program, one.family->name, seconds);
-            one.reach = reach_of(*one.family, one.decades);
-        }
-        double of_solution = 0;
-        const fs::path solution = programs.with({}).program;
-        one.solution = one.started && program == solution
-                           ? one.reach
-                           : reach_of(*one.family, sweep(solution, one.family->name + "-solution", of_solution));
+        const double seconds = run_family(one, programs, meshes, settings.time_limit);
         const std::scoped_lock guard(lock);
         record.cpu_seconds += seconds;
-        if (settings.progress) settings.progress(++done, int(record.families.size()), one.family->name);
+        tell(++done, one.family->name);
     });
     return record;
 }
 
-}  // namespace grade
+}  // namespace grade::stress

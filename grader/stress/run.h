@@ -1,21 +1,24 @@
 #pragma once
 
 #include <functional>
-#include <set>
+#include <vector>
 
 #include "assignment/assignment.h"
 #include "submission/submission.h"
 #include "programs/toolchain.h"
 #include "stress/record.h"
 
-namespace grade {
+namespace grade::stress {
+
+/// Whether a family has this name, or is of the fragment that has it.
+bool is_named(const Family& family, const std::string& name);
 
 struct StressSettings {
-    std::set<std::string> only;  // families, or fragments with all of theirs; empty: all
+    std::vector<std::string> only;  // families, or fragments with all of theirs; empty: all
     bool trusted = false;
-    int jobs = 0;                // at a time; 0: one for each core
-    double time_limit = 10;      // CPU time of one answer [s]
-    double rays = 0;             // of the big counts on meshes; twice as many that leave surfaces; 0: none
+    int jobs = 0;            // at a time; 0: one for each core
+    double time_limit = 10;  // CPU time of one answer [s]
+    double rays = 0;         // of the big counts on meshes; twice as many that leave surfaces; 0: none
     std::function<void(int done, int all, const std::string& doing)> progress;  // never called twice at a time
 };
 
@@ -24,4 +27,4 @@ struct StressSettings {
 StressRecord stress_submission(const Submission& submission, const Assignment& assignment, const Toolchain& chain,
                                const StressSettings& settings);
 
-}  // namespace grade
+}  // namespace grade::stress

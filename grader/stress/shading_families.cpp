@@ -1,32 +1,30 @@
 #include "stress/exact.h"
 #include "stress/family.h"
 
-namespace grade {
+namespace grade::stress {
 
 namespace {
 
 using rt::Color, rt::LightSample, rt::Material, rt::PointLight, rt::vec3;
 
 /// The greatest relative error of a colour's channels.
-double relative(const Row& out, const Exact& truth) {
+double relative(Color got, const Exact& truth) {
     double worst = 0;
-    for (std::size_t k = 0; k < 3; ++k) worst = worse_error(worst, apart(truth, out.at(k)) / double(abs(truth)));
+    for (int k = 0; k < 3; ++k) worst = worse_error(worst, apart(truth, got[k]) / double(abs(truth)));
     return worst;
 }
 
 /// Point light and surface at a distance of about x; the intensity grows with its square.
 double light_distance(double x, Generator& random, const Asker& ask) {
-    Rows rows;
-    std::vector<Exact> truths;
-    for (int i = 0; i < 200; ++i) {
-        const vec3 n = direction(random), p = x * box(random, -1, 1), to = tilted(random, n, between(random, 0, 1.3));
-        const PointLight light{p + x * between(random, 1, 3) * to, Color(x * x)};
-        rows.push_back(row(light, p, n));
-        const Exact3 way = Exact3(light.position) - Exact3(p);
-        truths.push_back(Exact(light.intensity.x) * dot(way, Exact3(n)) / (dot(way, way) * length(way)));
-    }
-    return worst_of(ask, "point_irradiance", rows,
-                    [&](std::size_t i, const Row& out) { return relative(out, truths[i]); });
+    const Rows rows = rows_of(200, [=](Generator& draw) {
+        const vec3 n = direction(draw), p = x * box(draw, -1, 1), to = tilted(draw, n, between(draw, 0, 1.3));
+        return row(PointLight{p + x * between(draw, 1, 3) * to, Color(x * x)}, p, n);
+    })(random);
+    return worst_of<rt::point_irradiance>(
+        ask, "point_irradiance", rows, [](Color got, const PointLight& light, vec3 p, vec3 n) {
+            const Exact3 way = Exact3(light.position) - Exact3(p);
+            return relative(got, Exact(light.intensity.x) * dot(way, Exact3(n)) / (dot(way, way) * length(way)));
+        });
 }
 
 /// n, the direction to the light, and the viewer at an angle from the mirrored one.
@@ -57,8 +55,9 @@ auto exponent(bool direct) {
             const Exact3 n = unit(Exact3(s.n)), d = unit(Exact3(s.to_light)), c = unit(Exact3(s.to_viewer));
             truths.push_back(pow(dot(2 * dot(n, d) * n - d, c), Exact(x)));
         }
-        return worst_of(ask, direct ? "direct_light" : "phong", rows,
-                        [&](std::size_t i, const Row& out) { return relative(out, truths[i]); });
+        return worst_of_rows(ask, direct ? "direct_light" : "phong", rows, [&](std::size_t i, const Row& out) {
+            return relative(from_row<Color>(out), truths[i]);
+        });
     };
 }
 
@@ -66,14 +65,14 @@ auto exponent(bool direct) {
 double density_of_light(double x, Generator& random, const Asker& ask) {
     Material m;
     m.albedo = Color(0.5);
-    Rows rows;
-    std::vector<Exact> truths;
-    for (int i = 0; i < 60; ++i) {
-        const Sight s = sight(random, 0.3);
-        rows.push_back(row(m, Color(1), LightSample{s.to_light, 1, x}, s.n, s.to_viewer));
-        truths.push_back(Exact(0.5) / rt::pi * dot(Exact3(s.n), Exact3(s.to_light)) / x);
-    }
-    return worst_of(ask, "direct_light", rows, [&](std::size_t i, const Row& out) { return relative(out, truths[i]); });
+    const Rows rows = rows_of(60, [=](Generator& draw) {
+        const Sight s = sight(draw, 0.3);
+        return row(m, Color(1), LightSample{s.to_light, 1, x}, s.n, s.to_viewer);
+    })(random);
+    return worst_of<rt::direct_light>(
+        ask, "direct_light", rows, [](Color got, const Material&, Color, const LightSample& s, vec3 n, vec3) {
+            return relative(got, Exact(0.5) / rt::pi * dot(Exact3(n), Exact3(s.direction)) / s.density);
+        });
 }
 
 /// Light x times as strong gives x times as much; against what light 1 gives.
@@ -92,8 +91,9 @@ auto intensity(const std::string& fragment) {
             }
         }
         const Rows base = ask.probe(fragment, one);
-        return worst_of(ask, fragment, many,
-                        [&](std::size_t i, const Row& out) { return relative(out, Exact(base[i].at(0)) * x); });
+        return worst_of_rows(ask, fragment, many, [&](std::size_t i, const Row& out) {
+            return relative(from_row<Color>(out), Exact(base[i].at(0)) * x);
+        });
     };
 }
 
@@ -103,62 +103,27 @@ std::vector<Family> shading_families() {
     constexpr double u = rt::roundoff;
     const std::vector<int> wide = sweep(-60, 60, 3);
     return {
-        {"light_distance",
-         {"point_irradiance"},
-         "distance of a point light [m]",
-         "relative error",
-         1e-5,
-         32 * u,
-         wide,
-         {-3, 3},
-         light_distance},
-        {"light_intensity",
-         {"point_irradiance"},
-         "intensity of a point light",
-         "relative error",
-         1e-5,
-         16 * u,
-         wide,
-         {-3, 3},
-         intensity("point_irradiance")},
-        {"phong_exponent",
-         {"phong"},
-         "exponent of a highlight",
-         "relative error",
-         2e-2,
-         1e-10,
-         sweep(0, 14),
-         {0, 4},
-         exponent(false)},
-        {"phong_intensity", {"phong"}, "irradiance", "relative error", 1e-5, 16 * u, wide, {-3, 3}, intensity("phong")},
-        {"direct_exponent",
-         {"direct_light"},
-         "exponent of a highlight",
-         "relative error",
-         2e-2,
-         1e-10,
-         sweep(0, 14),
-         {0, 4},
-         exponent(true)},
-        {"direct_density",
-         {"direct_light"},
-         "density of a light's sample [1/sr]",
-         "relative error",
-         1e-5,
-         32 * u,
-         wide,
-         {-3, 3},
-         density_of_light},
-        {"direct_intensity",
-         {"direct_light"},
-         "radiance of a light",
-         "relative error",
-         1e-5,
-         16 * u,
-         wide,
-         {-3, 3},
-         intensity("direct_light")},
+        {.name = "light_distance", .fragments = {"point_irradiance"}, .swept = "distance of a point light [m]",
+         .error = "relative error", .tolerance = 1e-5, .bound = 32 * u, .decades = wide, .scored = {-3, 3},
+         .measure = light_distance},
+        {.name = "light_intensity", .fragments = {"point_irradiance"}, .swept = "intensity of a point light",
+         .error = "relative error", .tolerance = 1e-5, .bound = 16 * u, .decades = wide, .scored = {-3, 3},
+         .measure = intensity("point_irradiance")},
+        {.name = "phong_exponent", .fragments = {"phong"}, .swept = "exponent of a highlight",
+         .error = "relative error", .tolerance = 2e-2, .bound = 1e-10, .decades = sweep(0, 14), .scored = {0, 4},
+         .measure = exponent(false)},
+        {.name = "phong_intensity", .fragments = {"phong"}, .swept = "irradiance", .error = "relative error",
+         .tolerance = 1e-5, .bound = 16 * u, .decades = wide, .scored = {-3, 3}, .measure = intensity("phong")},
+        {.name = "direct_exponent", .fragments = {"direct_light"}, .swept = "exponent of a highlight",
+         .error = "relative error", .tolerance = 2e-2, .bound = 1e-10, .decades = sweep(0, 14), .scored = {0, 4},
+         .measure = exponent(true)},
+        {.name = "direct_density", .fragments = {"direct_light"}, .swept = "density of a light's sample [1/sr]",
+         .error = "relative error", .tolerance = 1e-5, .bound = 32 * u, .decades = wide, .scored = {-3, 3},
+         .measure = density_of_light},
+        {.name = "direct_intensity", .fragments = {"direct_light"}, .swept = "radiance of a light",
+         .error = "relative error", .tolerance = 1e-5, .bound = 16 * u, .decades = wide, .scored = {-3, 3},
+         .measure = intensity("direct_light")},
     };
 }
 
-}  // namespace grade
+}  // namespace grade::stress

@@ -1,10 +1,10 @@
-#include "stress/table.h"
+#include "stress/report.h"
 
 #include <fmt/format.h>
 
 #include "report/escape.h"
 
-namespace grade {
+namespace grade::stress {
 
 std::string table(const StressRecord& record, bool color) {
     const auto paint = [&](const char* code, const std::string& text) {
@@ -37,4 +37,4 @@ std::string table(const StressRecord& record, bool color) {
     return text + fmt::format("; the solution {}.\n", record.most_bonus());
 }
 
-}  // namespace grade
+}  // namespace grade::stress

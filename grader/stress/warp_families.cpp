@@ -1,6 +1,6 @@
 #include "stress/family.h"
 
-namespace grade {
+namespace grade::stress {
 
 namespace {
 
@@ -42,8 +42,8 @@ double strata_end(double x, Generator&, const Asker& ask) {
         rows.push_back(row(n - 1, n, vec2(u))), rows.push_back(row(n / 2, n, vec2(u))),
             rows.push_back(row(0, n, vec2(u)));
     }
-    return worst_of(ask, "stratified_2d", rows, [&](std::size_t, const Row& out) {
-        return out.at(0) >= 0 && out[0] < 1 && out.at(1) >= 0 && out[1] < 1 ? 0 : rt::inf;
+    return worst_of<rt::stratified_2d>(ask, "stratified_2d", rows, [](vec2 p) {
+        return p.x >= 0 && p.x < 1 && p.y >= 0 && p.y < 1 ? 0 : rt::inf;
     });
 }
 
@@ -82,8 +82,8 @@ std::vector<vec2> borders(double x) {
 double disk_border(double x, Generator&, const Asker& ask) {
     Rows rows;
     for (const vec2 u : borders(x)) rows.push_back(row(u));
-    return worst_of(ask, "uniform_disk", rows, [&](std::size_t, const Row& out) {
-        const auto [p, density] = from_row<DiskSample>(out);
+    return worst_of<rt::uniform_disk>(ask, "uniform_disk", rows, [](const DiskSample& sample) {
+        const auto [p, density] = sample;
         return worse_error(std::max(0.0, glm::length(p) - 1) + 0 * p.x, std::abs(density * rt::pi - 1));
     });
 }
@@ -91,8 +91,8 @@ double disk_border(double x, Generator&, const Asker& ask) {
 double hemisphere_border(double x, Generator&, const Asker& ask) {
     Rows rows;
     for (const vec2 u : borders(x)) rows.push_back(row(u));
-    return worst_of(ask, "cosine_hemisphere", rows, [&](std::size_t, const Row& out) {
-        const auto [d, density] = from_row<DirectionSample>(out);
+    return worst_of<rt::cosine_hemisphere>(ask, "cosine_hemisphere", rows, [](const DirectionSample& sample) {
+        const auto [d, density] = sample;
         if (!(d.z >= 0)) return rt::inf;
         return worse_error(std::abs(glm::length(d) - 1), std::abs(density - d.z / rt::pi));
     });
@@ -103,52 +103,21 @@ double hemisphere_border(double x, Generator&, const Asker& ask) {
 std::vector<Family> warp_families() {
     constexpr double u = rt::roundoff;
     return {
-        {"strata_count",
-         {"stratified_2d"},
-         "number of cells",
-         "relative error of a cell's area",
-         1e-4,
-         1e-9,
-         sweep(0, 9),
-         {0, 4},
-         strata_count},
-        {"strata_end",
-         {"stratified_2d"},
-         "distance of u from 1",
-         "points at 1",
-         0,
-         0,
-         sweep(-16, -1),
-         {-3, -1},
-         strata_end},
-        {"film_position",
-         {"film_sample"},
-         "place of a pixel on the film",
-         "error of a cell's area / place",
-         1e-3,
-         64 * u,
-         sweep(0, 9),
-         {0, 3},
-         film_position},
-        {"disk_border",
-         {"uniform_disk"},
-         "distance of u from a border",
-         "length beyond 1, error of the density",
-         1e-5,
-         8 * u,
-         sweep(-16, -1),
-         {-3, -1},
-         disk_border},
-        {"hemisphere_border",
-         {"cosine_hemisphere"},
-         "distance of u from a border",
-         "error of length and density",
-         1e-5,
-         8 * u,
-         sweep(-16, -1),
-         {-3, -1},
-         hemisphere_border},
+        {.name = "strata_count", .fragments = {"stratified_2d"}, .swept = "number of cells",
+         .error = "relative error of a cell's area", .tolerance = 1e-4, .bound = 1e-9, .decades = sweep(0, 9),
+         .scored = {0, 4}, .measure = strata_count},
+        {.name = "strata_end", .fragments = {"stratified_2d"}, .swept = "distance of u from 1",
+         .error = "points at 1", .decades = sweep(-16, -1), .scored = {-3, -1}, .measure = strata_end},
+        {.name = "film_position", .fragments = {"film_sample"}, .swept = "place of a pixel on the film",
+         .error = "error of a cell's area / place", .tolerance = 1e-3, .bound = 64 * u, .decades = sweep(0, 9),
+         .scored = {0, 3}, .measure = film_position},
+        {.name = "disk_border", .fragments = {"uniform_disk"}, .swept = "distance of u from a border",
+         .error = "length beyond 1, error of the density", .tolerance = 1e-5, .bound = 8 * u,
+         .decades = sweep(-16, -1), .scored = {-3, -1}, .measure = disk_border},
+        {.name = "hemisphere_border", .fragments = {"cosine_hemisphere"}, .swept = "distance of u from a border",
+         .error = "error of length and density", .tolerance = 1e-5, .bound = 8 * u, .decades = sweep(-16, -1),
+         .scored = {-3, -1}, .measure = hemisphere_border},
     };
 }
 
-}  // namespace grade
+}  // namespace grade::stress

@@ -2,9 +2,10 @@
 
 #include <filesystem>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "rt/files/scene_reader.h"
 
 namespace grade {
 
@@ -20,8 +21,8 @@ struct Submission {
 };
 
 /// What is wrong with a submission as a whole.
-struct SubmissionError : std::runtime_error {
-    using std::runtime_error::runtime_error;
+struct SubmissionError : rt::InputError {
+    using InputError::InputError;
 };
 
 /// Largest source file that is taken.

@@ -54,7 +54,6 @@ inline vec3 unit(vec3 v) {
     const Real cosine =
         1 + a2 * (-1.0 / 2 + a2 * (1.0 / 24 + a2 * (-1.0 / 720 + a2 * (1.0 / 40320 + a2 * (-1.0 / 3628800 +
         a2 * (1.0 / 479001600 + a2 * (-1.0 / 87178291200 + a2 * (1.0 / 20922789888000))))))));
-    // `|`, for it has no branch
     const bool left = bool(quarter == 1) | bool(quarter == 2), below = bool(quarter == 2) | bool(quarter == 3);
     const bool swap = left != below;
     const Real x = swap ? sine : cosine, y = swap ? cosine : sine;

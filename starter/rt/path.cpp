@@ -1,7 +1,5 @@
 #include "rt/path.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "rt/trace.h"
@@ -11,6 +9,8 @@ namespace {
 
 /// No path is longer: light that is caught between mirrors or in a white medium for ever is given up.
 constexpr int longest_path = 1 << 20;
+
+bool is_finite(Color c) { return std::isfinite(c.x + c.y + c.z); }
 
 }  // namespace
 
@@ -65,20 +65,12 @@ void Worker::render(const std::vector<PixelWork>& pixels, int n, Sampler sampler
     }
     for (std::size_t k = 0; k < pixels.size(); ++k) {
         means[k] = film_stage(world, &chunk.radiance[k * std::size_t(n)], &chunk.weight[k * std::size_t(n)], n);
-        if (fault.empty() && !std::isfinite(means[k].x + means[k].y + means[k].z)) find_fault(pixels, n, from);
+        if (bad_sample || is_finite(means[k])) continue;
+        bad_sample = BadSample{{pixels[k].x, pixels[k].y}, {}, means[k], {sampler, 0, from, n}};
+        const Color* const samples = &chunk.radiance[k * std::size_t(n)];
+        const Color* const bad = std::find_if_not(samples, samples + n, is_finite);
+        if (bad != samples + n) bad_sample->sample = from + int(bad - samples), bad_sample->radiance = *bad;
     }
-}
-
-void Worker::find_fault(const std::vector<PixelWork>& pixels, int n, int from) {
-    for (std::size_t slot = 0; slot < chunk.radiance.size(); ++slot) {
-        const Color c = chunk.radiance[slot];
-        if (std::isfinite(c.x + c.y + c.z)) continue;
-        const PixelWork& pixel = pixels[slot / std::size_t(n)];
-        fault = fmt::format("pixel {},{}, sample {}: radiance {} {} {}", pixel.x, pixel.y, std::size_t(from) + slot % std::size_t(n), c.x,
-                            c.y, c.z);
-        return;
-    }
-    fault = fmt::format("pixel {},{}: the mean is no finite number, though every sample is", pixels[0].x, pixels[0].y);
 }
 
 }  // namespace rt

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "rt/passes/schedule.h"
 #include "rt/stages/stages.h"
 
 namespace rt {
@@ -26,7 +26,7 @@ struct Trace;
 struct Worker {
     const World& world;
     Chunk chunk;
-    std::string fault;  // the first sample that was no finite number
+    std::optional<BadSample> bad_sample;  // the first there was
     Trace* trace = nullptr;  // where the fragments' answers are told; none: not told
 
     explicit Worker(const World& world) : world(world) {}
@@ -42,7 +42,6 @@ private:
 
     void first_wave(const std::vector<PixelWork>& pixels, Pattern pattern, int from);
     void follow(Batch& batch, Pattern pattern, int wave);
-    void find_fault(const std::vector<PixelWork>& pixels, int n, int from);
 };
 
 }  // namespace rt

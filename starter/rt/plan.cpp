@@ -22,22 +22,61 @@ std::vector<char> materials_in_use(const Scene& scene) {
     return used;
 }
 
-bool is_sampled(const Scene& scene, const Shape& shape) {
-    const Material& m = scene.materials[std::size_t(shape.material)];
-    return m.sampled && m.emission != Color(0) && !std::holds_alternative<Triangle>(shape.geometry) &&
-           shape.velocity == vec3(0);
+std::vector<int> find_lamps(const Scene& scene) {
+    std::vector<int> lamps;
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+        const Shape& shape = scene.shapes[i];
+        if (aim_at(shape, scene.materials[std::size_t(shape.material)]) == Aim::possible) lamps.push_back(int(i));
+    }
+    return lamps;
 }
 
-int emitters(const Scene& scene) {
-    int n = 0;
-    for (const Shape& shape : scene.shapes) n += is_sampled(scene, shape);
-    return n;
-}
-
-bool has_quad_emitter(const Scene& scene) {
-    return std::ranges::any_of(scene.shapes, [&](const Shape& shape) {
-        return std::holds_alternative<Quad>(shape.geometry) && is_sampled(scene, shape);
+bool has_quad_lamp(const RenderPlan& plan, const Scene& scene) {
+    return std::ranges::any_of(plan.lamps, [&](int lamp) {
+        return std::holds_alternative<Quad>(scene.shapes[std::size_t(lamp)].geometry);
     });
+}
+
+/// What surfaces do with light.
+void add_materials(const Scene& scene, RenderPlan& plan) {
+    const std::vector<char> used = materials_in_use(scene);
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        if (!used[i]) continue;
+        const Material& m = scene.materials[i];
+        const bool dielectric = m.transmittance != Color(0), mirror = m.reflectance != Color(0), sharp = m.exponent == inf;
+        plan.diffuse |= m.albedo != Color(0);
+        plan.ambient |= m.ambient != Color(0) && scene.ambient != Color(0);
+        plan.phong |= m.specular != Color(0);
+        plan.emission |= m.emission != Color(0);
+        plan.medium |= dielectric && m.medium.extinction > 0;
+        plan.through |= goes_straight_through(m);
+        plan.lobe |= (dielectric || mirror) && !sharp;
+        plan.specular |= (dielectric || mirror) && sharp;
+        plan.mirrors |= mirror && sharp && scene.depth > 0;
+        plan.glass |= dielectric && sharp && scene.depth > 0;
+        plan.glossy |= mirror && !sharp && scene.depth > 0;
+        plan.translucent |= dielectric && !sharp && scene.depth > 0;
+        plan.choice |= (m.albedo != Color(0) && scene.bounces > 0 && (dielectric || mirror)) || (dielectric && mirror);
+    }
+}
+
+/// What there is to hit.
+void add_shapes(const Scene& scene, RenderPlan& plan) {
+    std::size_t count = scene.shapes.size();
+    for (const Shape& shape : scene.shapes) {
+        plan.time |= shape.velocity != vec3(0);
+        plan.spheres |= std::holds_alternative<Sphere>(shape.geometry);
+        plan.triangles |= std::holds_alternative<Triangle>(shape.geometry);
+        plan.quads |= std::holds_alternative<Quad>(shape.geometry);
+        plan.discs |= std::holds_alternative<Disc>(shape.geometry);
+    }
+    for (const Mesh& mesh : scene.meshes) {
+        plan.time |= mesh.velocity != vec3(0);
+        plan.triangles |= !mesh.triangles.empty();
+        plan.smooth |= !mesh.normals.empty();
+        count += mesh.triangles.size();
+    }
+    plan.bvh = count > shapes_without_tree;
 }
 
 /// Numbers the dimensions that are drawn, without gaps.
@@ -60,128 +99,115 @@ void number_pairs(RenderPlan& plan) {
     plan.pairs_of_wave = next - before;
 }
 
+/// A line of the plan's table: what, whether it is on, and how so or why not.
+std::string row(const char* what, bool on, const std::string& yes, const std::string& no) {
+    return fmt::format("  {:<14} {:<4} {}\n", what, on ? "on" : "-", on ? yes : no);
+}
+
+std::string describe_integrals(const RenderPlan& plan, const Scene& scene) {
+    const Sampling& sampling = plan.sampling;
+    return "integrals\n" +
+           row("pixel", plan.pixel,
+               sampling.passes ? "pass after pass, until a limit" : fmt::format("{} samples a pixel", sampling.samples),
+               "one sample a pixel, through its centre") +
+           row("lens", plan.lens, fmt::format("radius {:g} m", scene.camera.lens_radius), "a pinhole") +
+           row("time", plan.time, fmt::format("{:g} s to {:g} s", scene.shutter.open, scene.shutter.close),
+               "nothing moves while the shutter is open") +
+           row("light", plan.light,
+               fmt::format("{} emitters{}{}", plan.lamps.size(), plan.solid_angle ? ", quads by solid angle" : "",
+                           plan.one_lamp ? ", one of them chosen" : ""),
+               "no emitter that lights a diffuse surface") +
+           row("environment", plan.environment_lit, "lights the diffuse surfaces",
+               "no environment that lights a diffuse surface") +
+           row("weigh", plan.weigh, "lamps against glossy lobes",
+               scene.multiple_importance ? "no glossy lobe, or no emitter" : "not asked for: multiple_importance") +
+           row("lobe", plan.lobe, "glossy or translucent surfaces", "no glossy or translucent surface") +
+           row("bounce", plan.bounce, fmt::format("up to {}", scene.bounces),
+               "no diffuse surface, or no bounces asked for") +
+           row("medium", plan.medium, "random walks", "no medium") +
+           row("through", plan.through, "shadow rays go through boundaries of ior 1",
+               "no such boundary, or no shadow ray");
+}
+
+std::string describe_stages(const RenderPlan& plan, const Scene& scene) {
+    std::size_t triangles = 0;
+    for (const Mesh& mesh : scene.meshes) triangles += mesh.triangles.size();
+    return "stages\n" +
+           row("camera", true, plan.lens ? "through the lens" : "through the pinhole", "") +
+           row("nearest", true,
+               fmt::format("{} shapes, {} triangles in meshes, {}", scene.shapes.size(), triangles,
+                           plan.bvh ? "in a tree" : "one by one"), "") +
+           row("medium", plan.medium, "", "no medium") +
+           row("surface", plan.spheres || plan.triangles || plan.quads || plan.discs, "", "nothing to hit") +
+           row("emission", plan.emission || plan.environment || scene.background != Color(0),
+               plan.counts_twice ? "what shadow rays have gathered counts once"
+                                 : "all that is seen counts: nothing bounces",
+               "nothing shines that a ray can hit") +
+           row("direct", plan.point_lights || plan.light || plan.environment_lit || scene.ambient != Color(0),
+               fmt::format("{} lights without extent, {} with", scene.lights.size(), plan.light ? plan.lamps.size() : 0),
+               "no lights") +
+           row("scatter", plan.specular || plan.lobe || plan.bounce,
+               plan.split    ? "mirror and glass rays are both followed"
+               : plan.choice ? "one way on is chosen at random"
+                             : "one way on",
+               "no ray goes on: a single wave") +
+           row("film", plan.pixel, "the mean of the samples", "the sample is the pixel");
+}
+
+/// The dimensions of one sample that are drawn, and the rays.
+std::string describe_costs(const RenderPlan& plan, const Scene& scene) {
+    const Sampling& sampling = plan.sampling;
+    const int camera = 2 * plan.pixel + 2 * plan.lens + plan.time;
+    const int lamps = plan.light ? plan.one_lamp ? 1 : int(plan.lamps.size()) : 0;
+    const int wave = 2 * lamps + plan.one_lamp + 2 * plan.environment_lit + 2 * (plan.lobe || plan.bounce) +
+                     plan.choice + 3 * plan.medium;
+    const std::string text = fmt::format("dimensions       {} for the camera, {} for each wave\n", camera, wave);
+    const std::size_t shadow = scene.lights.size() + std::size_t(lamps) + plan.environment_lit;
+    const int waves = 1 + (plan.bounce ? scene.bounces : 0);
+    const int samples = sampling.passes ? 1 : sampling.samples;
+    return text + fmt::format("rays per {:<7} {} camera, at most {} shadow where no path meets mirrors, glass or media\n",
+                              sampling.passes ? "sample" : "pixel", samples,
+                              std::size_t(samples) * shadow * std::size_t(waves));
+}
+
 }  // namespace
+
+Aim aim_at(const Shape& shape, const Material& material) {
+    if (material.emission == Color(0) || !material.sampled) return Aim::not_asked;
+    const bool elusive = std::holds_alternative<Triangle>(shape.geometry) || shape.velocity != vec3(0);
+    return elusive ? Aim::impossible : Aim::possible;
+}
 
 RenderPlan make_plan(const Scene& scene, const Sampling& sampling) {
     RenderPlan plan;
-    bool moves = false, straight = false;
-    const std::vector<char> used = materials_in_use(scene);
-    for (std::size_t i = 0; i < used.size(); ++i) {
-        if (!used[i]) continue;
-        const Material& m = scene.materials[i];
-        const bool dielectric = m.transmittance != Color(0), mirror = m.reflectance != Color(0), sharp = m.exponent == inf;
-        plan.diffuse |= m.albedo != Color(0);
-        plan.ambient |= m.ambient != Color(0) && scene.ambient != Color(0);
-        plan.phong |= m.specular != Color(0);
-        plan.emission |= m.emission != Color(0);
-        plan.medium |= dielectric && m.medium.extinction > 0;
-        straight |= goes_straight_through(m);
-        plan.lobe |= (dielectric || mirror) && !sharp;
-        plan.specular |= (dielectric || mirror) && sharp;
-        plan.mirrors |= mirror && sharp && scene.depth > 0;
-        plan.glass |= dielectric && sharp && scene.depth > 0;
-        plan.glossy |= mirror && !sharp && scene.depth > 0;
-        plan.translucent |= dielectric && !sharp && scene.depth > 0;
-        plan.choice |= (m.albedo != Color(0) && scene.bounces > 0 && (dielectric || mirror)) || (dielectric && mirror);
-    }
-    std::size_t count = 0;
-    for (const Shape& shape : scene.shapes) {
-        moves |= shape.velocity != vec3(0);
-        plan.spheres |= std::holds_alternative<Sphere>(shape.geometry);
-        plan.triangles |= std::holds_alternative<Triangle>(shape.geometry);
-        plan.quads |= std::holds_alternative<Quad>(shape.geometry);
-        plan.discs |= std::holds_alternative<Disc>(shape.geometry);
-        ++count;
-    }
-    for (const Mesh& mesh : scene.meshes) {
-        moves |= mesh.velocity != vec3(0);
-        plan.triangles |= !mesh.triangles.empty();
-        plan.smooth |= !mesh.normals.empty();
-        count += mesh.triangles.size();
-    }
-    plan.bvh = count > shapes_without_tree;
+    add_materials(scene, plan);
+    add_shapes(scene, plan);
+    plan.lamps = find_lamps(scene);
     plan.sampling = sampling;
     plan.pixel = sampling.samples > 1 || sampling.passes || sampling.one_of_many;
     plan.lens = scene.camera.lens_radius > 0;
-    plan.time = moves && scene.shutter.close > scene.shutter.open;
+    plan.time = plan.time && scene.shutter.close > scene.shutter.open;
     plan.point_lights = !scene.lights.empty();
-    plan.weigh = scene.multiple_importance && plan.lobe && emitters(scene) > 0;
-    plan.light = (plan.diffuse || plan.phong || plan.weigh) && emitters(scene) > 0;
-    plan.solid_angle = scene.solid_angle && plan.light && has_quad_emitter(scene);
-    plan.one_lamp = scene.one_lamp && plan.light && emitters(scene) > 1;
+    plan.weigh = scene.multiple_importance && plan.lobe && !plan.lamps.empty();
+    plan.light = (plan.diffuse || plan.phong || plan.weigh) && !plan.lamps.empty();
+    plan.solid_angle = scene.solid_angle && plan.light && has_quad_lamp(plan, scene);
+    plan.one_lamp = scene.one_lamp && plan.light && plan.lamps.size() > 1;
     plan.environment = scene.environment != Color(0);
     plan.environment_lit = plan.environment && plan.diffuse;
     plan.bounce = plan.diffuse && scene.bounces > 0;
-    plan.through = straight && (plan.point_lights || plan.light || plan.environment_lit);
+    plan.through = plan.through && (plan.point_lights || plan.light || plan.environment_lit);
     plan.counts_twice = plan.bounce && (plan.emission || plan.environment_lit);
     plan.split = plan.specular && scene.depth <= deepest_split && !plan.lobe && !plan.bounce && !plan.medium &&
                  !plan.light && !plan.environment_lit;
     plan.choice = plan.choice && !plan.split;
     plan.camera_dimensions = camera_dimensions;
-    plan.wave_dimensions = light_dimension + (plan.one_lamp ? 2 : emitters(scene));
+    plan.wave_dimensions = light_dimension + (plan.one_lamp ? 2 : int(plan.lamps.size()));
     number_pairs(plan);
     return plan;
 }
 
 std::string describe(const RenderPlan& plan, const Scene& scene) {
-    std::string text;
-    const auto row = [&](const char* what, bool on, const std::string& yes, const std::string& no) {
-        text += fmt::format("  {:<14} {:<4} {}\n", what, on ? "on" : "-", on ? yes : no);
-    };
-    std::size_t triangles = 0;
-    for (const Mesh& mesh : scene.meshes) triangles += mesh.triangles.size();
-
-    text += fmt::format("integrals\n");
-    const Sampling& sampling = plan.sampling;
-    row("pixel", plan.pixel,
-        sampling.passes ? "pass after pass, until a limit" : fmt::format("{} samples a pixel", sampling.samples),
-        "one sample a pixel, through its centre");
-    row("lens", plan.lens, fmt::format("radius {:g} m", scene.camera.lens_radius), "a pinhole");
-    row("time", plan.time, fmt::format("{:g} s to {:g} s", scene.shutter.open, scene.shutter.close),
-        "nothing moves while the shutter is open");
-    row("light", plan.light,
-        fmt::format("{} emitters{}{}", emitters(scene), plan.solid_angle ? ", quads by solid angle" : "",
-                    plan.one_lamp ? ", one of them chosen" : ""),
-        "no emitter that lights a diffuse surface");
-    row("environment", plan.environment_lit, "lights the diffuse surfaces",
-        "no environment that lights a diffuse surface");
-    row("weigh", plan.weigh, "lamps against glossy lobes",
-        scene.multiple_importance ? "no glossy lobe, or no emitter" : "not asked for: multiple_importance");
-    row("lobe", plan.lobe, "glossy or translucent surfaces", "no glossy or translucent surface");
-    row("bounce", plan.bounce, fmt::format("up to {}", scene.bounces), "no diffuse surface, or no bounces asked for");
-    row("medium", plan.medium, "random walks", "no medium");
-    row("through", plan.through, "shadow rays go through boundaries of ior 1", "no such boundary, or no shadow ray");
-
-    text += "stages\n";
-    row("camera", true, plan.lens ? "through the lens" : "through the pinhole", "");
-    row("nearest", true, fmt::format("{} shapes, {} triangles in meshes, {}", scene.shapes.size(), triangles,
-                                     plan.bvh ? "in a tree" : "one by one"), "");
-    row("medium", plan.medium, "", "no medium");
-    row("surface", plan.spheres || plan.triangles || plan.quads || plan.discs, "", "nothing to hit");
-    row("emission", plan.emission || plan.environment || scene.background != Color(0),
-        plan.counts_twice ? "what shadow rays have gathered counts once" : "all that is seen counts: nothing bounces",
-        "nothing shines that a ray can hit");
-    row("direct", plan.point_lights || plan.light || plan.environment_lit || scene.ambient != Color(0),
-        fmt::format("{} lights without extent, {} with", scene.lights.size(), emitters(scene) * plan.light),
-        "no lights");
-    row("scatter", plan.specular || plan.lobe || plan.bounce,
-        plan.split    ? "mirror and glass rays are both followed"
-        : plan.choice ? "one way on is chosen at random"
-                      : "one way on",
-        "no ray goes on: a single wave");
-    row("film", plan.pixel, "the mean of the samples", "the sample is the pixel");
-
-    // Of one sample: the dimensions that are drawn.
-    const int camera = 2 * plan.pixel + 2 * plan.lens + plan.time;
-    const int lamps = plan.light ? plan.one_lamp ? 1 : emitters(scene) : 0;
-    const int wave = 2 * lamps + plan.one_lamp + 2 * plan.environment_lit + 2 * (plan.lobe || plan.bounce) +
-                     plan.choice + 3 * plan.medium;
-    text += fmt::format("dimensions       {} for the camera, {} for each wave\n", camera, wave);
-    const std::size_t shadow = scene.lights.size() + std::size_t(lamps) + plan.environment_lit;
-    const int waves = 1 + (plan.bounce ? scene.bounces : 0);
-    const int samples = sampling.passes ? 1 : sampling.samples;
-    text += fmt::format("rays per {:<7} {} camera, at most {} shadow where no path meets mirrors, glass or media\n",
-                        sampling.passes ? "sample" : "pixel", samples, std::size_t(samples) * shadow * std::size_t(waves));
+    std::string text = describe_integrals(plan, scene) + describe_stages(plan, scene) + describe_costs(plan, scene);
     text += "fragments that the stages call\n";
     for (const Calls& calls : calls_of(plan))
         if (!calls.fragments.empty()) text += fmt::format("  {:<14} {}\n", calls.stage, fmt::join(calls.fragments, ", "));

@@ -26,6 +26,11 @@ struct Sampling {
     bool one_of_many = false;  // the mean of pictures with other seeds is what counts
 };
 
+/// Whether shadow rays look for a shape. They do for what shines, unless its material says otherwise; but they can only
+/// aim at quads, discs and spheres that stand still.
+enum class Aim { not_asked, possible, impossible };
+Aim aim_at(const Shape& shape, const Material& material);
+
 /// As the scene says.
 inline Sampling sampling_of(const Scene& scene) { return {scene.samples, false, scene.sampler}; }
 
@@ -60,6 +65,8 @@ struct RenderPlan {
     // which surfaces there are; no stage asks
     bool diffuse = false, ambient = false;
     bool mirrors = false, glass = false, glossy = false, translucent = false;  // and the depth of paths allows for them
+
+    std::vector<int> lamps;     // the shapes that shadow rays look for, by their places in the scene
 
     // the dimensions of one sample: where each integral's random numbers start
     int camera_dimensions = 0;  // pixel, lens, time

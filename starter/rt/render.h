@@ -48,8 +48,7 @@ struct Rendering {
     RayCounts rays{};
     Real wall_seconds = 0, cpu_seconds = 0;  // of rendering alone
     Real rmse = std::numeric_limits<Real>::quiet_NaN();  // estimated from pixels that are rendered twice; nan: unknown
-    std::string fault;     // the first sample that was no finite number, with its pixel; empty: none
-    std::optional<Slice> fault_slice;  // the samples it is one of
+    std::optional<BadSample> bad_sample;  // the first there was
 };
 
 /// Renders a scene. Without limits, the image depends on scene, samples, seed and sampler only: not on threads.

@@ -100,6 +100,22 @@ struct Emitter {
     Color radiance{1};  // from the front side; a sphere shines outwards
 };
 
+inline vec3 center(const Emitter& light) {
+    if (light.kind == Emitter::Kind::sphere) return light.sphere.center;
+    return light.kind == Emitter::Kind::quad ? light.quad.center : light.disc.center;
+}
+
+/// Of a quad or a disc: on its front side, of any length.
+inline vec3 normal(const Emitter& light) {
+    return light.kind == Emitter::Kind::quad ? cross(light.quad.u, light.quad.v) : light.disc.normal;
+}
+
+/// The most that can be seen of it: of a sphere, half of it seems a disc [m2].
+inline Real area(const Emitter& light) {
+    if (light.kind == Emitter::Kind::quad) return 4 * length(normal(light));
+    return pi * sqr(light.kind == Emitter::Kind::disc ? light.disc.radius : light.sphere.radius);
+}
+
 // ---- camera ----
 
 /// Looks along -back. The film is an image of size.x by size.y pixels; film points are in pixels, x to the right and y

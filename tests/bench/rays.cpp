@@ -110,11 +110,11 @@ std::vector<Lanes> batches_of(const Rays& rays) {
 double ours(const World& world, const std::vector<Lanes>& batches, bool any, Found* found) {
     Batch b{};
     std::size_t hits = 0;
-    static_assert(offsetof(Batch, far) == offsetof(Batch, ox) + 7 * lanes * sizeof(Real));
+    static_assert(offsetof(Batch, far) == offsetof(Batch, origin) + 7 * lanes * sizeof(Real));
     double seconds = -cpu_seconds();
     for (const Lanes& rays : batches) {
         b.count = lanes;
-        std::memcpy(b.ox, rays.numbers, sizeof rays);
+        std::memcpy(&b.origin, rays.numbers, sizeof rays);
         std::fill(b.shape, b.shape + lanes, nothing);
         any ? any_hit_stage(world, b) : nearest_stage(world, b);
         for (int i = 0; i < lanes; ++i) {

@@ -21,7 +21,7 @@ inline rt::Image picture(const rt::Scene& scene, int threads = 1) {
     settings.threads = threads;
     settings.estimate_error = false;
     const rt::Rendering rendering = rt::render(scene, settings);
-    CHECK(rendering.fault == "");
+    CHECK(!rendering.bad_sample);
     return rendering.image;
 }
 

@@ -11,7 +11,33 @@
 #include "rt/files/image.h"
 
 /// What the grader asks of a fragment, as data. A check is one experiment on one fragment, and the statistics that are
-/// measured in what comes back.
+/// measured in what comes back. How to write one, for a fragment `Color fog(Real extinction, Real way)` of fragments.h:
+///
+///     #include "checks/fragment_checks.h"
+///     #include "checks/kit/kit.h"
+///
+///     namespace grade {
+///
+///     Checks check_fog(Generator&) {  // it draws what all replicates share, as the place of a scene
+///         const auto inputs = rows_of(64, [](Generator& draw) {
+///             const double extinction = between(draw, 0.5, 2);
+///             return row(extinction, between(draw, 0, 3));
+///         });
+///         const Statistic share = formula<rt::fog>(
+///             {.id = "B1", .what = "share of the light, off by", .tolerance = 1e-4,
+///              .right = [](double extinction, double way) { return rt::Color(std::exp(-extinction * way)); },
+///              .suspects = {{"the way is not used", [](double s, double) { return rt::Color(std::exp(-s)); }},
+///                           {"the absorbed share is returned", [](rt::Color right) { return 1.0 - right; }}}});
+///         return {probe_check("attenuation", inputs, {share})};
+///     }
+///
+///     }  // namespace grade
+///
+/// 1. Ask: probe_check calls the fragment on rows of arguments, render_check draws a scene (kit/scene.h writes it).
+/// 2. Judge: formula where each call has one right answer; property where any answer that has it will do; mean_of and
+///    uniform_in_square where only the spread of many is known; of_picture for a number of a picture. The id is one of
+///    the handout's list of statistics. No argument is an extreme: those are families of grader/stress.
+/// 3. Tell: suspects, known values and causes name typical mistakes; try each as a patch in tests/variants/wrong.
 namespace grade {
 
 using Row = std::vector<double>;
@@ -24,7 +50,7 @@ struct Observation {
     Rows inputs, outputs;
 };
 
-/// Calls the fragment on rows of numbers; probes.h says what is in a row.
+/// Calls the fragment on rows of numbers; rows.h says what is in a row.
 struct Probe {
     std::string fragment;                    // all_checks fills it in
     std::function<Rows(Generator&)> inputs;  // fresh ones for each replicate
@@ -38,17 +64,23 @@ struct Render {
     rt::ivec2 size{0};    // [pixel]; 0: the scene's
 };
 
+/// What a deviation usually means.
+using Hint = std::function<std::string(double value, double truth)>;
+
+/// What one failing observation shows; empty: nothing in particular.
+using Cause = std::function<std::string(const Observation&)>;
+
 /// One number measured in an observation, and what it must be.
 struct Statistic {
-    std::string id;                                          // of the list in the handout: "L3"
-    std::string what;                                        // "penumbra width [pixel]"
-    std::function<double(const Observation&)> measure;       // one replicate's scalar
-    std::optional<double> truth;                             // closed form; none: the solution's own replicates
-    double delta0 = 0;                                       // deviation that is still right, same unit
-    double delta = 0;                                        // deviation that must be found
+    std::string id;                                     // of the list in the handout: "L3"
+    std::string what;                                   // "penumbra width [pixel]"
+    std::function<double(const Observation&)> measure;  // one replicate's scalar
+    std::optional<double> truth;                        // closed form; none: the solution's own replicates
+    double delta0 = 0;                                  // deviation that is still right, same unit
+    double delta = 0;                                   // deviation that must be found
     bool exact = false;  // without noise: one replicate decides, |deviation| <= delta
-    std::function<std::string(double value, double truth)> hint;  // what a deviation usually means
-    std::function<std::string(const Observation&)> cause{};       // what one failing observation shows; empty: ask hint
+    Hint hint;
+    Cause cause{};  // what it tells comes before the hint
 };
 
 struct Check {

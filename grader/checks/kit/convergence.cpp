@@ -49,15 +49,10 @@ double beyond_edge(vec2 across, double beside) {
 }
 
 Statistic order(std::string what, double truth, std::function<double(const Observation&)> measure, Hint hint) {
-    Statistic s;
-    s.id = "G3";
-    s.what = std::move(what);
-    s.measure = std::move(measure);
-    s.truth = truth;
-    s.delta0 = 0.04;
-    s.delta = 0.22;
-    s.hint = std::move(hint);
-    return s;
+    return {.id = "G3", .what = std::move(what),
+            .measure = std::move(measure),
+            .truth = truth, .delta0 = 0.04, .delta = 0.22,
+            .hint = std::move(hint)};
 }
 
 Hint order_hint(const std::string& what, double due) {
@@ -88,15 +83,14 @@ Check error_orders(Generator& random, const SamplesOfASquare& samples) {
     const Integrand2d plane = [=](vec2 p) { return rt::dot(p - 0.5, across); };
     const Integrand2d edge = [=](vec2 p) { return rt::dot(p - 0.5, across) > beside ? 1.0 : 0.0; };
     const double covered = beyond_edge(across, beside);
-    return probe_check("convergence", inputs,
-                       {order(
-                            "power of N with which the error of a slope of brightness falls", -1,
-                            [=](const Observation& seen) { return slope_of(seen, samples, plane, 0); },
-                            order_hint("of a smooth function", -1)),
-                        order(
-                            "power of N with which the error of an edge falls", -0.75,
-                            [=](const Observation& seen) { return slope_of(seen, samples, edge, covered); },
-                            order_hint("of an edge", -0.75))});
+    return probe_check(
+        "convergence", inputs,
+        {order("power of N with which the error of a slope of brightness falls", -1,
+               [=](const Observation& seen) { return slope_of(seen, samples, plane, 0); },
+               order_hint("of a smooth function", -1)),
+         order("power of N with which the error of an edge falls", -0.75,
+               [=](const Observation& seen) { return slope_of(seen, samples, edge, covered); },
+               order_hint("of an edge", -0.75))});
 }
 
 Check rings(Generator& random, const SamplesOfASquare& samples) {
@@ -120,14 +114,7 @@ Check rings(Generator& random, const SamplesOfASquare& samples) {
             for (int i = 0; i < 2 * n; ++i) rows.push_back(samples.arguments(pixel.low, i % n, n, square(draws)));
         return rows;
     };
-    Statistic left;
-    left.id = "A2";
-    left.what =
-        "rings too fine for the pixels: what is left of them in the mean, over what one sample in the middle leaves";
-    left.truth = 0;
-    left.delta0 = 0.02;
-    left.delta = 0.2;
-    left.measure = [=](const Observation& seen) {
+    const auto left = [=](const Observation& seen) {
         double bias = 0, jagged = 0;
         std::size_t k = 0;
         for (const Pixel& pixel : seen_pixels) {
@@ -141,18 +128,22 @@ Check rings(Generator& random, const SamplesOfASquare& samples) {
         }
         return bias / jagged;
     };
-    left.hint = [](double value, double) {
-        return fmt::format(
-            "rings that are too fine for the pixels do not fade: {:.2g} of what one sample in the middle leaves of "
-            "them stays, however "
-            "many pictures are averaged. Do samples fall everywhere in their cells, and the cells on all of the pixel?",
-            value);
-    };
-    return probe_check("fine_rings", inputs, {left});
+    return probe_check(
+        "fine_rings", inputs,
+        {{.id = "A2",
+          .what = "rings too fine for the pixels: what is left of them in the mean, over what one sample in the middle "
+                  "leaves",
+          .measure = left,
+          .truth = 0, .delta0 = 0.02, .delta = 0.2,
+          .hint = [](double value, double) {
+              return fmt::format("rings that are too fine for the pixels do not fade: {:.2g} of what one sample in the "
+                                 "middle leaves of them stays, however many pictures are averaged. Do samples fall "
+                                 "everywhere in their cells, and the cells on all of the pixel?",
+                                 value);
+          }}});
 }
 
-Statistic error_order(std::string what, int count, int repeated, std::function<double(const Row&, const Row&)> error,
-                      double slope, Hint hint) {
+Statistic error_order(std::string what, int count, int repeated, RowNumber error, double slope, Hint hint) {
     return order(std::move(what), slope, [=](const Observation& seen) {
         std::vector<double> counts, errors;
         std::size_t k = 0;

@@ -25,7 +25,6 @@ Check rings(Generator& random, const SamplesOfASquare& samples);
 /// G3 of a fragment that adds up by itself: so many estimates on each of the levels, one after the other.
 ///
 /// error  of one estimate
-Statistic error_order(std::string what, int count_of_levels, int repeats,
-                      std::function<double(const Row& inputs, const Row& outputs)> error, double slope, Hint hint);
+Statistic error_order(std::string what, int count_of_levels, int repeats, RowNumber error, double slope, Hint hint);
 
 }  // namespace grade

@@ -45,6 +45,21 @@ inline rt::vec3 direction(Generator& random) {
     return {r * std::cos(turn), r * std::sin(turn), z};
 }
 
+/// Along an axis of the world, as in most scenes that people make.
+inline rt::vec3 exact_direction(Generator& random) {
+    rt::vec3 d(0);
+    d[whole_between(random, 0, 2)] = chance(random, 0.5) ? 1 : -1;
+    return d;
+}
+
+/// A point on the rim of the unit square: a coordinate of 0, or the largest number below 1.
+inline rt::vec2 end_of_square(Generator& random) {
+    constexpr double ends[] = {0, 0x1p-53, 1 - 0x1p-53};
+    const auto end = [&] { return ends[whole_between(random, 0, 2)]; };
+    const double x = end(), y = chance(random, 0.02) ? end() : between(random, 0, 1);
+    return chance(random, 0.5) ? rt::vec2(x, y) : rt::vec2(y, x);
+}
+
 /// A unit vector at the given angle from a unit vector.
 inline rt::vec3 tilted(Generator& random, rt::vec3 axis, double angle) {
     const double turn = between(random, 0, 2 * rt::pi), s = std::sin(angle);

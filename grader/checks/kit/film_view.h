@@ -1,9 +1,11 @@
 #pragma once
 
-#include "checks/kit/render_check.h"
+#include "checks/kit/scene.h"
 
 /// Figures of light laid out in pixels.
 namespace grade {
+
+constexpr double film_pixel = 0.01;  // [m] of the plane that such a camera sees
 
 /// A camera that sees the plane z = 0 of a place in pixels.
 View film_view(const Place& place, rt::ivec2 size);

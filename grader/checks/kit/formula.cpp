@@ -22,12 +22,11 @@ std::string numbers(const Row& row) {
 }
 
 /// Whether nearly all rows are as a suspect has them, among them some that are not right.
-bool matches(const Observation& seen, const RowFunction& right, const Suspect& suspect, double tolerance) {
+bool matches(const Observation& seen, const Rows& right, const RowSuspect& suspect, double tolerance) {
     std::size_t same = 0, telling = 0, wrong = 0;
     for (std::size_t k = 0; k < seen.inputs.size(); ++k) {
-        const Row expected = right(seen.inputs[k]), suspected = suspect.outputs(seen.inputs[k]);
-        const bool as_suspected = deviation(seen.outputs[k], suspected) <= tolerance;
-        const bool is_wrong = !(deviation(seen.outputs[k], expected) <= tolerance);
+        const bool as_suspected = deviation(seen.outputs[k], suspect.outputs(seen.inputs[k], right[k])) <= tolerance;
+        const bool is_wrong = !(deviation(seen.outputs[k], right[k]) <= tolerance);
         same += as_suspected;
         wrong += is_wrong;
         telling += is_wrong && as_suspected;
@@ -35,15 +34,8 @@ bool matches(const Observation& seen, const RowFunction& right, const Suspect& s
     return wrong > 0 && telling >= 0.95 * double(wrong) && same >= 0.95 * double(seen.inputs.size());
 }
 
-std::vector<double> deviations(const Observation& seen, const RowFunction& right) {
-    std::vector<double> all;
-    for (std::size_t k = 0; k < seen.inputs.size(); ++k)
-        all.push_back(deviation(seen.outputs[k], right(seen.inputs[k])));
-    return all;
-}
-
 /// Whether the rows that are wrong are those of a circumstance, and there are others.
-bool goes_with(const Observation& seen, const std::vector<double>& off, const Circumstance& circumstance,
+bool goes_with(const Observation& seen, const std::vector<double>& off, const RowCircumstance& circumstance,
                double tolerance) {
     double wrong = 0, holding = 0, both = 0;
     for (std::size_t k = 0; k < off.size(); ++k) {
@@ -69,82 +61,96 @@ double deviation(const Row& outputs, const Row& right) {
     return worst;
 }
 
-Statistic formula(std::string id, std::string what, RowFunction right, double tolerance, std::vector<Suspect> suspects,
-                  std::vector<Circumstance> circumstances) {
-    Statistic s;
-    s.id = std::move(id);
-    s.what = std::move(what);
-    s.truth = 0;
-    s.delta = tolerance;
-    s.exact = true;
-    s.measure = [right](const Observation& seen) {
+namespace {
+
+/// The cause as formula() has it.
+std::string cause_of(const RowFormula& f, const Observation& seen) {
+    Rows right;
+    for (const Row& inputs : seen.inputs) right.push_back(f.right(inputs));
+    for (const RowSuspect& suspect : f.suspects)
+        if (matches(seen, right, suspect, f.tolerance)) return suspect.words;
+
+    std::vector<double> off;
+    for (std::size_t k = 0; k < right.size(); ++k) off.push_back(deviation(seen.outputs[k], right[k]));
+    std::size_t worst = 0;
+    for (std::size_t k = 0; k < off.size(); ++k)
+        if (std::isnan(off[k]) || off[k] > off[worst]) worst = k;
+    const auto wrong = std::ranges::count_if(off, [&](double x) { return !(x <= f.tolerance); });
+    std::string words;
+    for (const RowCircumstance& circumstance : f.circumstances)
+        if (words.empty() && goes_with(seen, off, circumstance, f.tolerance)) words = circumstance.words + ": ";
+    return words + fmt::format("{} of {} calls are wrong; for arguments {} the result is {}, expected {}", wrong,
+                               off.size(), numbers(seen.inputs[worst]), numbers(seen.outputs[worst]),
+                               numbers(right[worst]));
+}
+
+/// The largest number of any row.
+std::function<double(const Observation&)> largest(RowNumber number) {
+    return [number](const Observation& seen) {
         double worst = 0;
         for (std::size_t k = 0; k < seen.inputs.size(); ++k)
-            worst = worse(deviation(seen.outputs[k], right(seen.inputs[k])), worst);
+            worst = worse(number(seen.inputs[k], seen.outputs[k]), worst);
         return worst;
     };
-    s.hint = [](double value, double) { return fmt::format("the formula is off by up to {:.3g} of its value", value); };
-    s.cause = [=](const Observation& seen) -> std::string {
-        for (const Suspect& suspect : suspects)
-            if (matches(seen, right, suspect, tolerance)) return suspect.words;
+}
 
-        const std::vector<double> off = deviations(seen, right);
-        std::size_t worst = 0;
-        for (std::size_t k = 0; k < off.size(); ++k)
-            if (std::isnan(off[k]) || off[k] > off[worst]) worst = k;
-        const auto wrong = std::count_if(off.begin(), off.end(), [=](double x) { return !(x <= tolerance); });
-        std::string words;
-        for (const Circumstance& circumstance : circumstances)
-            if (words.empty() && goes_with(seen, off, circumstance, tolerance)) words = circumstance.words + ": ";
-        return words + fmt::format("{} of {} calls are wrong; for arguments {} the result is {}, expected {}", wrong,
-                                   off.size(), numbers(seen.inputs[worst]), numbers(seen.outputs[worst]),
-                                   numbers(right(seen.inputs[worst])));
-    };
+bool all_within(const Observation& seen, const RowNumber& violation, double tolerance) {
+    for (std::size_t k = 0; k < seen.inputs.size(); ++k)
+        if (!(violation(seen.inputs[k], seen.outputs[k]) < tolerance)) return false;
+    return true;
+}
+
+}  // namespace
+
+Statistic formula(const RowFormula& f) {
+    return {.id = f.id,
+            .what = f.what,
+            .measure = largest([right = f.right](const Row& in, const Row& out) { return deviation(out, right(in)); }),
+            .truth = 0, .delta = f.tolerance, .exact = true,
+            .hint = [](double value,
+                       double) { return fmt::format("the formula is off by up to {:.3g} of its value", value); },
+            .cause = [f](const Observation& seen) { return cause_of(f, seen); }};
+}
+
+Statistic property(const Property& p) {
+    Statistic s{.id = p.id,
+                .what = p.what,
+                .measure = largest(p.violation),
+                .truth = 0, .delta = p.tolerance, .exact = true,
+                .hint = [says = p.says](double value,
+                                        double) { return fmt::format("{} (off by {:.3g})", says, value); }};
+    if (!p.mistakes.empty())
+        s.cause = [p](const Observation& seen) -> std::string {
+            for (const auto& [words, violation] : p.mistakes)
+                if (all_within(seen, violation, p.tolerance)) return words;
+            return "";
+        };
     return s;
 }
 
-Statistic property(std::string id, std::string what, std::function<double(const Row&, const Row&)> violation,
-                   double tolerance, std::string hint) {
-    Statistic s;
-    s.id = std::move(id);
-    s.what = std::move(what);
-    s.truth = 0;
-    s.delta = tolerance;
-    s.exact = true;
-    s.measure = [violation](const Observation& seen) {
-        double worst = 0;
-        for (std::size_t k = 0; k < seen.inputs.size(); ++k)
-            worst = worse(violation(seen.inputs[k], seen.outputs[k]), worst);
-        return worst;
+std::function<Rows(Generator&)> with_repeats(std::function<Rows(Generator&)> inputs) {
+    return [inputs](Generator& random) {
+        Rows rows = inputs(random);
+        const std::size_t count = std::min(repeated, rows.size());
+        for (std::size_t k = 0; k < count; ++k) rows.push_back(rows[k]);
+        return rows;
     };
-    s.hint = [hint](double value, double) { return fmt::format("{} (off by {:.3g})", hint, value); };
-    return s;
-}
-
-Rows repeat(Rows rows) {
-    const std::size_t count = std::min(repeated, rows.size());
-    for (std::size_t k = 0; k < count; ++k) rows.push_back(rows[k]);
-    return rows;
 }
 
 Statistic purity() {
-    Statistic s;
-    s.id = "V0";
-    s.what = "difference between two calls with the same arguments";
-    s.truth = 0;
-    s.exact = true;
-    s.measure = [](const Observation& seen) {
-        const std::size_t start = seen.outputs.size() - std::min(repeated, seen.outputs.size() / 2);
-        double worst = 0;
-        for (std::size_t k = start; k < seen.outputs.size(); ++k)
-            worst = worse(deviation(seen.outputs[k], seen.outputs[k - start]), worst);
-        return worst;
-    };
-    s.hint = [](double, double) {
-        return std::string(
-            "the result changes from call to call: a fragment has no random numbers of its own, they are arguments");
-    };
-    return s;
+    return {.id = "V0", .what = "difference between two calls with the same arguments",
+            .measure = [](const Observation& seen) {
+                const std::size_t start = seen.outputs.size() - std::min(repeated, seen.outputs.size() / 2);
+                double worst = 0;
+                for (std::size_t k = start; k < seen.outputs.size(); ++k)
+                    worst = worse(deviation(seen.outputs[k], seen.outputs[k - start]), worst);
+                return worst;
+            },
+            .truth = 0, .exact = true,
+            .hint = [](double, double) {
+                return std::string("the result changes from call to call: a fragment has no random numbers of its own, "
+                                   "they are arguments");
+            }};
 }
 
 }  // namespace grade

@@ -1,66 +1,130 @@
 #pragma once
 
-#include <tuple>
-#include <type_traits>
-
-#include "checks/kit/check.h"
-#include "protocol/rows.h"
+#include "checks/kit/call.h"
 
 /// Fragments that are formulas: each row of outputs has one right value.
 namespace grade {
-
-using RowFunction = std::function<Row(const Row& inputs)>;
-
-/// A function of a fragment's arguments as a function of rows: of<rt::vec3, rt::vec3>([](rt::vec3 d, rt::vec3 n)
-/// {...}).
-template <class... Arguments, class F>
-RowFunction of(F f) {
-    return [f](const Row& inputs) {
-        RowReader in(inputs);
-        const std::tuple<Arguments...> arguments{read(in, Tag<Arguments>{})...};
-        auto result = std::apply(f, arguments);
-        if constexpr (std::is_same_v<decltype(result), Row>) return result;  // numbers already
-        else return row(result);
-    };
-}
-
-/// One argument of a row: argument<2, rt::Emitter, rt::vec3, rt::vec2>(row) is u.
-template <std::size_t index, class... Arguments>
-auto argument(const Row& inputs) {
-    RowReader in(inputs);
-    const std::tuple<Arguments...> arguments{read(in, Tag<Arguments>{})...};
-    return std::get<index>(arguments);
-}
 
 /// How far two rows are apart, relative to the larger of 1e-3 and the largest number of the right one; nan or inf where
 /// a number is not finite and the right one is another. Numbers beyond those of the right one do not count.
 double deviation(const Row& outputs, const Row& right);
 
 /// A mistake that is known to be made, as the outputs to which it leads.
-struct Suspect {
+struct RowSuspect {
     std::string words;  // "the far root is returned; expected the near one"
-    RowFunction outputs;
+    std::function<Row(const Row& inputs, const Row& right)> outputs;
 };
 
 /// A mistake that shows as the arguments for which the outputs are wrong.
-struct Circumstance {
+struct RowCircumstance {
     std::string words;  // "t is a length where |direction| is not 1"
     std::function<bool(const Row& inputs)> holds;
+};
+
+struct RowFormula {
+    std::string id, what;
+    double tolerance = 0;
+    RowFunction right;
+    std::vector<RowSuspect> suspects;
+    std::vector<RowCircumstance> circumstances;
 };
 
 /// The largest deviation of any row, which must stay below the tolerance. Single precision reaches 1e-4 where the
 /// inputs are ordinary. The cause is the first suspect whose outputs are those of the rows; else the first circumstance
 /// that nearly all wrong rows have in common, and other rows have not; the worst row is shown as well.
-Statistic formula(std::string id, std::string what, RowFunction right, double tolerance,
-                  std::vector<Suspect> suspects = {}, std::vector<Circumstance> circumstances = {});
+Statistic formula(const RowFormula& of_rows);
 
-/// The largest of a deviation of each row: 0 where a property holds.
-Statistic property(std::string id, std::string what,
-                   std::function<double(const Row& inputs, const Row& outputs)> violation, double tolerance,
-                   std::string hint);
+/// What a mistake returns: f(arguments...), or a change of the right answer, f(right) or f(right, arguments...).
+template <auto fragment>
+struct Instead {
+    std::function<Row(const Row& inputs, const Row& right)> outputs;
 
-/// Rows that are repeated at the end: the same arguments must give the same outputs. repeat() appends them.
+    template <class F>
+    Instead(F f) : outputs(from(f)) {}
+
+private:
+    template <class F>
+    static auto from(F f) {
+        return [f](const Row& inputs, const Row& right) {
+            return std::apply(
+                [&](const auto&... arguments) {
+                    if constexpr (std::is_invocable_v<F, decltype(arguments)...>) return row(f(arguments...));
+                    else return row(of_call<fragment>(f)(inputs, right));
+                },
+                Signature<decltype(fragment)>::arguments(inputs));
+        };
+    }
+};
+
+template <auto fragment>
+struct Suspect {
+    std::string words;
+    Instead<fragment> answer;
+};
+
+template <auto fragment>
+struct Circumstance {
+    std::string words;
+    typename Signature<decltype(fragment)>::template Function<bool> holds;
+};
+
+/// The formula of one fragment, in the types of its declaration.
+template <auto fragment>
+struct Formula {
+    std::string id, what;
+    double tolerance = 0;
+    typename Signature<decltype(fragment)>::template Function<typename Signature<decltype(fragment)>::Result> right;
+    std::vector<Suspect<fragment>> suspects;
+    std::vector<Circumstance<fragment>> circumstances;
+};
+
+template <auto fragment>
+Statistic formula(const Formula<fragment>& f) {
+    RowFormula of_rows{f.id, f.what, f.tolerance, answer<fragment>(f.right), {}, {}};
+    for (const Suspect<fragment>& suspect : f.suspects)
+        of_rows.suspects.push_back({suspect.words, suspect.answer.outputs});
+    for (const Circumstance<fragment>& circumstance : f.circumstances)
+        of_rows.circumstances.push_back({circumstance.words, of_arguments<fragment>(circumstance.holds)});
+    return formula(of_rows);
+}
+
+/// A number of each row, of inputs and outputs.
+using RowNumber = std::function<double(const Row& inputs, const Row& outputs)>;
+
+/// What must hold in each row: the violation, 0 where it does, may not exceed the tolerance in any.
+struct Property {
+    std::string id, what;
+    RowNumber violation;
+    double tolerance = 0;
+    std::string says;
+    std::vector<std::pair<std::string, RowNumber>> mistakes{};  // violations of what a mistake has in its place
+};
+
+/// The largest violation. The cause is the first mistake of which no row violates what it has, by the same tolerance.
+Statistic property(const Property& property);
+
+/// The direction that a fragment returns, alone or in a sample, must have length 1.
+template <auto fragment>
+Statistic unit_direction(const std::string& id, double tolerance = 1e-4) {
+    return property({.id = id,
+                     .what = "length of the direction, off 1 by",
+                     .violation = of_call<fragment>(
+                         [](const auto& sample) { return std::abs(glm::length(sample.direction) - 1); }),
+                     .tolerance = tolerance,
+                     .says = "the direction is no unit vector"});
+}
+
+/// A camera's ray is valid from 0 to infinity.
+template <auto fragment>
+Statistic whole_ray(const std::string& id) {
+    return property({.id = id, .what = "the ray's interval", .violation = of_call<fragment>([](const rt::Ray& ray) {
+                         return ray.near >= 0 && ray.near < 0.01 && ray.far > 1e6 ? 0.0 : 1.0;
+                     }),
+                     .says = "the ray must be valid from 0 to infinity"});
+}
+
+/// The same arguments must give the same outputs: of rows that with_repeats() appends again at the end.
 Statistic purity();
-Rows repeat(Rows rows);
+std::function<Rows(Generator&)> with_repeats(std::function<Rows(Generator&)> inputs);
 
 }  // namespace grade

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "checks/kit/draw.h"
 #include "checks/kit/figures.h"
 #include "statistics/projection.h"
 
@@ -14,11 +13,10 @@ Check slab(Generator& random, const std::string& name) {
     const Place place = any_place(random);
     const double ior = between(random, 1.3, 1.9), thickness = between(random, 0.6, 0.9), bottom = 0.3;
     const Quad q = any_quad(random, place, 0, 0.7);
-    const View view{place({-3.5, 0, 3.5}), place({0.2, 0, 0}), place.axes.z, 28, {48, 40}};
-    const std::string scene =
-        toml(view) + bright_lamp + fmt::format("[materials.glass]\ntransmittance = 1\nior = {}\n\n", toml(ior)) +
-        quad("lamp", q) + quad("glass", place({0, 0, bottom + thickness}), 6.0 * place.axes.x, 6.0 * place.axes.y) +
-        quad("glass", place({0, 0, bottom}), 6.0 * place.axes.x, -6.0 * place.axes.y);
+    const View view{place({-3.5, 0, 3.5}), place({0.2, 0, 0}), place.axes.z, 28, figure_size};
+    const std::string scene = toml(view) + bright_lamp() + material("glass", {{"transmittance", 1}, {"ior", ior}}) +
+                              quad("lamp", q) + place.floor("glass", 6, bottom + thickness) +
+                              quad("glass", place({0, 0, bottom}), 6.0 * place.axes.x, -6.0 * place.axes.y);
     const vec3 normal = place.axes.z;
     return figure_check(name, scene, "quad behind the glass", [=](const rt::Camera& camera) -> Sight {
         return [=](vec2 film) {
@@ -39,25 +37,23 @@ Check invisible_glass(Generator& random) {
     const Place place = any_place(random);
     const double ior = between(random, 1.3, 1.8), around = log_between(random, 0.3, 3);
     const auto glass = [](const std::string& name, double index) {
-        return fmt::format("[materials.{}]\nreflectance = 1\ntransmittance = 1\nior = {}\n\n", name, toml(index));
+        return material(name, {{"reflectance", 1}, {"transmittance", 1}, {"ior", index}});
     };
-    const View view{
-        place({0, 0, 8}), place({0, 0, 0}), place.turned({0, 1, 0}), 2 * std::atan(1.2 / 8) * 180 / rt::pi, {48, 24}};
     // paths may be so long that hardly one ends in the glass: that would be noise of few pixels
-    const std::string scene = fmt::format("environment = {}\n\n[render]\ndepth = 4096\n\n", toml(around)) + toml(view) +
-                              glass("glass", ior) + glass("air", 1 / ior) + sphere("glass", place({-1.2, 0, 0}), 1) +
+    const std::string scene = environment(around) + scene_table("[render]", {{"depth", 4096}}) +
+                              toml(place.from_above(8, vfov_of(1.2, 8), {48, 24})) + glass("glass", ior) +
+                              glass("air", 1 / ior) + sphere("glass", place({-1.2, 0, 0}), 1) +
                               sphere("air", place({1.2, 0, 0}), 1);
     const auto light = [=](const std::string& thing, Region region, const std::string& question) {
         return of_picture(
-            "F3", "radiance of " + thing + ", over that of its surroundings",
-            [=](const rt::Image& image) { return brightness(region_mean(image, region)) / around; }, 1, 0.01,
-            [=](double value, double) {
-                return fmt::format(
-                    "{} where light comes from everywhere alike must be invisible, but its radiance is {:.3g} times "
-                    "that of its "
-                    "surroundings: {}",
-                    thing, value, question);
-            });
+            {.id = "F3", .what = "radiance of " + thing + ", over that of its surroundings",
+             .number = [=](const rt::Image& image) { return brightness(region_mean(image, region)) / around; },
+             .delta = 0.01,
+             .hint = [=](double value, double) {
+                 return fmt::format("{} where light comes from everywhere alike must be invisible, but its radiance is "
+                                    "{:.3g} times that of its surroundings: {}",
+                                    thing, value, question);
+             }});
     };
     return render_check(
         "invisible_glass", {scene, 4, "sobol"},

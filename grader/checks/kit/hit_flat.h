@@ -1,7 +1,6 @@
 #pragma once
 
-#include "checks/kit/draw.h"
-#include "checks/kit/formula.h"
+#include "checks/kit/kit.h"
 
 /// Triangles and quads are hit where a plane is hit, and where weights say that the point is inside.
 namespace grade {
@@ -20,56 +19,86 @@ inline rt::Ray ray_towards(Generator& random, rt::vec3 target, rt::vec3 normal, 
     return close ? ray_towards(random, target, normal, size, clipped) : ray;
 }
 
+/// A ray that starts within a few sizes of its target.
+inline rt::Ray near_ray(Generator& random, rt::vec3 target, rt::vec3 normal, double size) {
+    const rt::vec3 d = tilted(random, (chance(random, 0.5) ? 1.0 : -1.0) * normal, between(random, 0, 1.3));
+    const double distance = size * log_between(random, 0.05, 3), speed = log_between(random, 1e-3, 10);
+    return {target - distance * d, speed * d, 0, rt::inf};
+}
+
 /// Where the ray's line meets a plane.
 inline double plane_crossing(const rt::Ray& ray, rt::vec3 point, rt::vec3 normal) {
     return rt::dot(point - ray.origin, normal) / rt::dot(ray.direction, normal);
 }
 
-/// Mistakes at any flat shape; t is where the line meets the plane, and whether the point is inside.
+/// A flat shape, by its normal, and by whether the point where a ray's line meets its plane is inside.
 template <class Shape>
-std::vector<Suspect> flat_suspects(std::function<double(const Shape&, const rt::Ray&)> t,
-                                   std::function<bool(const Shape&, const rt::Ray&)> inside,
-                                   std::function<rt::vec3(const Shape&)> normal) {
-    const auto when = [=](auto allowed) {
-        return of<Shape, rt::Ray>([=](const Shape& shape, const rt::Ray& ray) {
-            return inside(shape, ray) && allowed(shape, ray, t(shape, ray)) ? t(shape, ray) : rt::inf;
-        });
+struct FlatShape {
+    std::function<rt::vec3(const Shape&)> point, normal;
+    std::function<bool(const Shape&, const rt::Ray&)> inside;
+    std::function<double(const Shape&)> size;
+
+    double crossing(const Shape& s, const rt::Ray& ray) const { return plane_crossing(ray, point(s), normal(s)); }
+};
+
+inline bool in_interval(const rt::Ray& ray, double t) { return t > ray.near && t < ray.far; }
+
+/// The answer for a shape that is hit where `inside` says so, and allowed(ray, t).
+template <class Shape, class Inside, class Allowed>
+auto hit_where(const FlatShape<Shape>& flat, Inside inside, Allowed allowed) {
+    return [=](const Shape& s, const rt::Ray& ray) {
+        const double t = flat.crossing(s, ray);
+        return inside(s, ray) && allowed(ray, t) ? t : rt::inf;
     };
-    const auto in_range = [](const rt::Ray& ray, double at) { return at > ray.near && at < ray.far; };
-    return {{"the back side is never hit: a shape is hit from either side",
-             when([=](const Shape& s, const rt::Ray& r, double at) {
-                 return in_range(r, at) && rt::dot(r.direction, normal(s)) < 0;
-             })},
-            {"the front side is never hit: a shape is hit from either side",
-             when([=](const Shape& s, const rt::Ray& r, double at) {
-                 return in_range(r, at) && rt::dot(r.direction, normal(s)) > 0;
-             })},
-            {"hits behind the ray's origin count", when([](const Shape&, const rt::Ray&, double) { return true; })},
-            {"the ray's interval is ignored: a hit counts only for near < t < far",
-             when([](const Shape&, const rt::Ray&, double at) { return at > 0; })},
-            {"the near end of the ray's interval is ignored",
-             when([](const Shape&, const rt::Ray& r, double at) { return at > 0 && at < r.far; })},
-            {"the far end of the ray's interval is ignored",
-             when([](const Shape&, const rt::Ray& r, double at) { return at > r.near; })},
-            {"the whole plane is hit, not the shape alone", of<Shape, rt::Ray>([=](const Shape& s, const rt::Ray& r) {
-                 return in_range(r, t(s, r)) ? t(s, r) : rt::inf;
-             })},
-            {"t is a length; expected in units of |direction|, which need not be 1",
-             of<Shape, rt::Ray>([=](const Shape& s, const rt::Ray& r) {
-                 return inside(s, r) && in_range(r, t(s, r)) ? t(s, r) * glm::length(r.direction) : rt::inf;
-             })}};
 }
 
-/// Where a flat shape is wrong; size is that of the shape.
-template <class Shape>
-std::vector<Circumstance> flat_circumstances(std::function<double(const Shape&)> size) {
-    return {{"only rays whose direction is no unit vector are wrong: t is in units of |direction|", [](const Row& in) {
-                 const rt::Ray ray = argument<1, Shape, rt::Ray>(in);
-                 return std::abs(glm::length(ray.direction) - 1) > 1e-6;
-             }},
-            {"only small shapes are wrong: an absolute epsilon is too large for them", [size](const Row& in) {
-                 return size(argument<0, Shape, rt::Ray>(in)) < 0.2;
-             }}};
+/// Mistakes at any flat shape.
+template <auto fragment, class Shape>
+std::vector<Suspect<fragment>> flat_suspects(const FlatShape<Shape>& flat) {
+    const auto when = [=](auto allowed) { return hit_where(flat, flat.inside, allowed); };
+    const auto on_side = [normal = flat.normal](double side) {
+        return [=](double right, const Shape& s, const rt::Ray& ray) {
+            return side * rt::dot(ray.direction, normal(s)) > 0 ? right : rt::inf;
+        };
+    };
+    using rt::Ray;
+    return {{"the back side is never hit: a shape is hit from either side", on_side(-1)},
+            {"the front side is never hit: a shape is hit from either side", on_side(1)},
+            {"hits behind the ray's origin count", when([](const Ray&, double) { return true; })},
+            {"the ray's interval is ignored: a hit counts only for near < t < far",
+             when([](const Ray&, double t) { return t > 0; })},
+            {"the near end of the ray's interval is ignored",
+             when([](const Ray& r, double t) { return t > 0 && t < r.far; })},
+            {"the far end of the ray's interval is ignored", when([](const Ray& r, double t) { return t > r.near; })},
+            {"the whole plane is hit, not the shape alone",
+             hit_where(flat, [](const Shape&, const Ray&) { return true; }, in_interval)},
+            {"t is a length; expected in units of |direction|, which need not be 1",
+             [](double right, const Shape&, const Ray& r) { return right * glm::length(r.direction); }}};
+}
+
+/// The checks of a flat shape: distances of whole rays, and within their intervals.
+///
+/// draw(random, clipped)  a row
+/// small(random)          one of a shape a millimetre large, close by; or of a ray that runs along its plane
+template <auto fragment, class Shape>
+Checks flat_checks(const FlatShape<Shape>& flat, const std::vector<Suspect<fragment>>& suspects,
+                   Row (*draw)(Generator&, bool clipped), Row (*small)(Generator&)) {
+    const auto distance = [&](const std::string& what) {
+        return formula<fragment>(
+            {.id = "W1", .what = what, .tolerance = 1e-3,
+             .right = hit_where(flat, flat.inside, in_interval),
+             .suspects = suspects,
+             .circumstances = {
+                 {"only rays whose direction is no unit vector are wrong: t is in units of |direction|",
+                  [](const Shape&, const rt::Ray& r) { return std::abs(glm::length(r.direction) - 1) > 1e-6; }},
+                 {"only small shapes are wrong: an absolute epsilon is too large for them",
+                  [size = flat.size](const Shape& s, const rt::Ray&) { return size(s) < 0.2; }}}});
+    };
+    return {probe_check("inside", rows_of(96, [=](Generator& random) { return draw(random, false); }),
+                        {distance("distance, off by")}),
+            probe_check("small_and_edge_on", rows_of(96, small), {distance("distance to a small shape, off by")}),
+            probe_check("interval", rows_of(160, [=](Generator& random) { return draw(random, true); }),
+                        {distance("distance within the interval, off by")})};
 }
 
 }  // namespace grade

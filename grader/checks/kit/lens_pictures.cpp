@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "checks/kit/draw.h"
 #include "checks/kit/render_check.h"
-#include "rt/files/scene_reader.h"
 #include "statistics/blob.h"
 #include "statistics/colors.h"
 #include "statistics/projection.h"
@@ -12,6 +10,19 @@
 namespace grade {
 
 using rt::vec2, rt::vec3;
+
+namespace {
+
+/// From above, focused so that what is at the distance is blurred to a disc of so many pixels' radius.
+View blurred_view(Generator& random, const Place& place, double distance, double blur, int size) {
+    View view = place.from_above(distance, 20, {size, size});
+    view.focus = distance * between(random, 0.55, 0.7);
+    view.lens_radius = 1;
+    view.lens_radius = blur / blur_radius(camera_of(view), distance);
+    return view;
+}
+
+}  // namespace
 
 /// A small white disc out of focus, under a lamp whose one half is red and whose other half is green: two lamps side by
 /// side, with a card before their inner halves. What decides on the colour is the point on the lamp; what decides on
@@ -22,22 +33,16 @@ Check two_colors(Generator& random) {
     constexpr double radius = 2.5;  // of the disc [pixel]
     const double turn = between(random, 0, 2 * rt::pi), distance = between(random, 2, 3),
                  blur = between(random, 8, 9.5);
-    View view{place({0, 0, distance}), place({0, 0, 0}), place.turned({0, 1, 0}), 20, {size, size}};
-    view.focus = distance * between(random, 0.55, 0.7);
-    view.lens_radius = 1;
-    const rt::Camera of_unit_lens = rt::parse_scene(toml(view) + "[materials.none]\n", "lens").camera;
-    view.lens_radius = blur / blur_radius(of_unit_lens, distance);
-
+    const View view = blurred_view(random, place, distance, blur, size);
     // lamps above the camera, red and green; the card covers the halves that touch
     const double height = 2 * distance, half = between(random, 0.1, 0.15) * distance, card = 0.95 * height;
     const vec3 across = place.turned({std::cos(turn), std::sin(turn), 0}),
                along = place.turned({-std::sin(turn), std::cos(turn), 0});
     const auto at = [&](double x, double z) { return place({0, 0, z}) + x * across; };
     const std::string scene =
-        toml(view) +
-        fmt::format("[materials.white]\nalbedo = {}\n\n[materials.card]\n\n", toml(between(random, 0.5, 0.9))) +
-        "[materials.red]\nemission = [40, 0, 0]\n\n[materials.green]\nemission = [0, 40, 0]\n\n" +
-        disc("white", at(0, 0), place.axes.z, radius / pixels_per_metre(of_unit_lens, distance)) +
+        toml(view) + material("white", {{"albedo", between(random, 0.5, 0.9)}}) + material("card", {}) +
+        material("red", {{"emission", vec3(40, 0, 0)}}) + material("green", {{"emission", vec3(0, 40, 0)}}) +
+        disc("white", at(0, 0), place.axes.z, radius / pixels_per_metre(camera_of(view), distance)) +
         quad("red", at(-half, height), half * across, -half * along) +
         quad("green", at(half, height), half * across, -half * along) +
         quad("card", at(0, card), half * card / height * across, 2 * half * along);
@@ -45,24 +50,23 @@ Check two_colors(Generator& random) {
     const auto moments = [=](const rt::Image& image) {
         return color_moments(image, whole(image), vec2(0.5 * size), blur);
     };
-    const Hint hint = [](double value, double) {
-        return fmt::format(
-            "what is seen through one side of the lens is redder than through the other, by {:.3g}: does the point on "
-            "the "
-            "lens go together with the point on the lamp? The lens has its own numbers u",
-            value);
+    const auto statistic = [](const std::string& what, PictureNumber number) {
+        return of_picture({.id = "D4", .what = "red less green, " + what,
+                           .number = std::move(number),
+                           .truth = 0, .delta = 0.3,
+                           .hint = [](double value, double) {
+                               return fmt::format("what is seen through one side of the lens is redder than through "
+                                                  "the other, by {:.3g}: does the point on the lens go together with "
+                                                  "the point on the lamp? The lens has its own numbers u",
+                                                  value);
+                           }});
     };
-    std::vector<Statistic> statistics = {
-        of_picture(
-            "D4", "red less green, across the blur [blur radius]",
-            [=](const rt::Image& i) { return moments(i).centroid.x; }, 0, 0.3, hint),
-        of_picture(
-            "D4", "red less green, down the blur [blur radius]",
-            [=](const rt::Image& i) { return moments(i).centroid.y; }, 0, 0.3, hint),
-        of_picture(
-            "D4", "red less green, from the middle of the blur outwards [blur radius^2]",
-            [=](const rt::Image& i) { return moments(i).square; }, 0, 0.3, hint)};
-    return render_check("two_colors", {scene, 24, "random"}, statistics);
+    return render_check(
+        "two_colors", {scene, 24, "random"},
+        {statistic("across the blur [blur radius]", [=](const rt::Image& i) { return moments(i).centroid.x; }),
+         statistic("down the blur [blur radius]", [=](const rt::Image& i) { return moments(i).centroid.y; }),
+         statistic("from the middle of the blur outwards [blur radius^2]",
+                   [=](const rt::Image& i) { return moments(i).square; })});
 }
 
 /// A small lamp out of focus that flies by: the variances that pixel, lens and time add to its picture.
@@ -73,17 +77,11 @@ Check adding_up(Generator& random) {
     const double length = between(random, 4, 5), blur = between(random, 1.8, 2.2), lamp = 1.2,
                  turn = between(random, 0, 2 * rt::pi);
     const double distance = between(random, 2, 3);
-    View view{place({0, 0, distance}), place({0, 0, 0}), place.turned({0, 1, 0}), 20, {size, size}};
-    view.focus = distance * between(random, 0.55, 0.7);
-    view.lens_radius = 1;
-    const rt::Camera of_unit_lens = rt::parse_scene(toml(view) + "[materials.none]\n", "lens").camera;
-    view.lens_radius = blur / blur_radius(of_unit_lens, distance);
-    const double pixel = 1 / pixels_per_metre(of_unit_lens, distance);  // [m]
+    const View view = blurred_view(random, place, distance, blur, size);
+    const double pixel = 1 / pixels_per_metre(camera_of(view), distance);  // [m]
     const vec2 along(std::cos(turn), std::sin(turn));
     const vec2 step = length / (close - open) * along;
-    const std::string scene = toml(view) +
-                              fmt::format("[shutter]\nopen = {}\nclose = {}\n\n", toml(open), toml(close)) +
-                              "[materials.lamp]\nemission = 10\nsampled = false\n\n" +
+    const std::string scene = toml(view) + shutter(open, close) + unsampled_lamp("lamp", 10) +
                               disc("lamp", place(-middle * pixel * vec3(step.x, step.y, 0)), place.axes.z, lamp * pixel,
                                    place.turned(pixel * vec3(step.x, step.y, 0)));
 
@@ -95,20 +93,18 @@ Check adding_up(Generator& random) {
     };
     const auto statistic = [=](const std::string& what, vec2 axis, double due) {
         return of_picture(
-            "M4", what, [=](const rt::Image& image) { return variance(image, axis) / due; }, 1, 0.12,
-            [](double value, double) {
-                return fmt::format(
-                    "the picture of what moves and is out of focus is {:.3g} times as wide, squared, as pixel, lens "
-                    "and time make it: "
-                    "do they go together? The lens has its own numbers u",
-                    value);
-            });
+            {.id = "M4", .what = "variance " + what + " of a lamp out of focus, over the sum of its parts",
+             .number = [=](const rt::Image& image) { return variance(image, axis) / due; },
+             .delta = 0.12,
+             .hint = [](double value, double) {
+                 return fmt::format("the picture of what moves and is out of focus is {:.3g} times as wide, squared, "
+                                    "as pixel, lens and time make it: do they go together? The lens has its own numbers u",
+                                    value);
+             }});
     };
     return render_check("adding_up", {scene, 64, "sobol"},
-                        {statistic("variance along the way of a lamp out of focus, over the sum of its parts", along,
-                                   streak_variance(length, blur, lamp)),
-                         statistic("variance across the way of a lamp out of focus, over the sum of its parts",
-                                   {-along.y, along.x}, streak_variance(0, blur, lamp))});
+                        {statistic("along the way", along, streak_variance(length, blur, lamp)),
+                         statistic("across the way", {-along.y, along.x}, streak_variance(0, blur, lamp))});
 }
 
 }  // namespace grade

@@ -44,40 +44,44 @@ Blob due_moments(const LobeSurface& surface, const rt::Sphere& lamp, double expo
 
 }  // namespace
 
-std::vector<Statistic> blurred_lamp(const LobeSurface& surface, const rt::Sphere& lamp, double exponent,
+std::vector<Statistic> blurred_lamp(const LobeSurface& surface, const rt::Sphere& lamp, double n,
                                     const std::string& lobe_about) {
     const auto moments = [](const rt::Image& image) { return blob_moments(image, whole(image)); };
-    const Blob due = due_moments(surface, lamp, exponent);
+    const Blob due = due_moments(surface, lamp, n);
     const auto width_of = [&](double wrong) {
         return due_moments(surface, lamp, wrong).radial_square / due.radial_square;
     };
-    const double n = exponent;
-
-    Statistic light = of_picture(
-        "P2", "light of the blurred lamp, over what must be",
-        [=](const rt::Image& image) { return moments(image).mass / due.mass; }, 1, 0.06,
-        by_ratio("the light of the blurred lamp",
+    const auto place = [&](const std::string& what, int axis) {
+        return of_picture(
+            {.id = "P1", .what = what,
+             .number = [=](const rt::Image& image) { return moments(image).centroid[axis] - due.centroid[axis]; },
+             .truth = 0, .delta = 0.8,
+             .hint = [=](double value, double) {
+                 return fmt::format("the blurred lamp is {:.3g} pixels from where it must be: is the lobe about {}?",
+                                    std::abs(value), lobe_about);
+             }});
+    };
+    return {
+        of_picture(
+            {.id = "P2", .what = "light of the blurred lamp, over what must be",
+             .number = [=](const rt::Image& image) { return moments(image).mass / due.mass; },
+             .delta = 0.06,
+             .hint = by_ratio(
+                 "the light of the blurred lamp",
                  {{(n + 1) / (n + 2), "does n + 1 stand for n + 2 in the BRDF?"},
                   {(n + 2) / (n + 1), "is the cosine at the surface missing, or does (n + 2)/(n + 1) count twice?"},
                   {0, "does a ray of the lobe ever meet it?"}},
-                 fmt::format("is the lobe about {}, and the weight BRDF x cosine / density?", lobe_about)));
-    const auto off = [=](const rt::Image& image) { return moments(image).centroid - due.centroid; };
-    const auto place = [&](const std::string& what, std::function<double(const rt::Image&)> measure) {
-        return of_picture("P1", what, std::move(measure), 0, 0.8, [=](double value, double) {
-            return fmt::format("the blurred lamp is {:.3g} pixels from where it must be: is the lobe about {}?",
-                               std::abs(value), lobe_about);
-        });
-    };
-    Statistic width = of_picture(
-        "P1", "mean square width of the blurred lamp, over what must be",
-        [=](const rt::Image& image) { return moments(image).radial_square / due.radial_square; }, 1, 0.06,
-        by_ratio("the mean square width of the blurred lamp", {{width_of(2 * n), "is the exponent 2n?"},
-                                                               {width_of(n / 2), "is the exponent n/2?"},
-                                                               {width_of(n + 1), "is the exponent n + 1?"},
-                                                               {width_of(n - 1), "is the exponent n - 1?"}}));
-    return {light,
-            place("blurred lamp, right of where it must be [pixel]", [=](const rt::Image& i) { return off(i).x; }),
-            place("blurred lamp, below where it must be [pixel]", [=](const rt::Image& i) { return off(i).y; }), width};
+                 fmt::format("is the lobe about {}, and the weight BRDF x cosine / density?", lobe_about))}),
+        place("blurred lamp, right of where it must be [pixel]", 0),
+        place("blurred lamp, below where it must be [pixel]", 1),
+        of_picture({.id = "P1", .what = "mean square width of the blurred lamp, over what must be",
+                    .number = [=](const rt::Image& image) { return moments(image).radial_square / due.radial_square; },
+                    .delta = 0.06,
+                    .hint = by_ratio("the mean square width of the blurred lamp",
+                                     {{width_of(2 * n), "is the exponent 2n?"},
+                                      {width_of(n / 2), "is the exponent n/2?"},
+                                      {width_of(n + 1), "is the exponent n + 1?"},
+                                      {width_of(n - 1), "is the exponent n - 1?"}})})};
 }
 
 std::function<double(double)> tabulated_albedo(double exponent) {

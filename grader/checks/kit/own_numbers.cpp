@@ -8,25 +8,26 @@
 namespace grade {
 
 Statistic own_numbers(const Region& region, int samples, const std::string& what, const std::string& otherwise) {
-    Statistic s = of_picture(
-        "G1", "share of the noise that pixels have in common: of the picture, a row, a column",
-        [=](const rt::Image& image) { return sharing(image, region, samples).sum(); }, 0, 0.4,
-        [=](double value, double) {
-            return fmt::format("pixels share {:.3g} of their noise: is one {} drawn for many pixels?", value, what);
-        });
-    s.cause = [=](const Observation& seen) {
+    const auto cause = [=](const Observation& seen) {
         const Sharing shared = sharing(seen.image, region, samples);
         if (shared.all > 0.7)
             return fmt::format(
-                "all pixels have one {}: it is drawn once, or is always {}; it must come from u, which is "
-                "another for each sample of each pixel",
+                "all pixels have one {}: it is drawn once, or is always {}; it must come from u, which is another for "
+                "each sample of each pixel",
                 what, otherwise);
         if (shared.rows > 0.5) return fmt::format("all pixels of a row have one {}: it must come from u alone", what);
         if (shared.columns > 0.5)
             return fmt::format("all pixels of a column have one {}: it must come from u alone", what);
         return std::string();
     };
-    return s;
+    return of_picture(
+        {.id = "G1", .what = "share of the noise that pixels have in common: of the picture, a row, a column",
+         .number = [=](const rt::Image& image) { return sharing(image, region, samples).sum(); },
+         .truth = 0, .delta = 0.4,
+         .hint = [=](double value, double) {
+             return fmt::format("pixels share {:.3g} of their noise: is one {} drawn for many pixels?", value, what);
+         },
+         .cause = cause});
 }
 
 }  // namespace grade

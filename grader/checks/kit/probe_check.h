@@ -8,9 +8,8 @@
 namespace grade {
 
 /// A check that calls its fragment.
-inline Check probe_check(std::string name, std::function<Rows(Generator&)> inputs, std::vector<Statistic> statistics,
-                         int share = 1) {
-    return {std::move(name), {}, Probe{{}, std::move(inputs)}, std::move(statistics), share};
+inline Check probe_check(std::string name, std::function<Rows(Generator&)> inputs, std::vector<Statistic> statistics) {
+    return {std::move(name), {}, Probe{{}, std::move(inputs)}, std::move(statistics)};
 }
 
 /// So many rows.
@@ -19,6 +18,27 @@ std::function<Rows(Generator&)> rows_of(int count, F draw) {
     return [count, draw](Generator& random) {
         Rows rows;
         for (int k = 0; k < count; ++k) rows.push_back(draw(random));
+        return rows;
+    };
+}
+
+/// So many rows of each kind: whatever the seed, each is there.
+template <class... Draw>
+std::function<Rows(Generator&)> rows_of_kinds(int each, Draw... draw) {
+    return [=](Generator& random) {
+        Rows rows;
+        for (int k = 0; k < each; ++k) (rows.push_back(draw(random)), ...);
+        return rows;
+    };
+}
+
+/// Rows with a number of each decade between two powers of ten.
+template <class F>
+std::function<Rows(Generator&)> rows_of_decades(int low, int high, int each, F row_with) {
+    return [=](Generator& random) {
+        Rows rows;
+        for (int decade = low; decade < high; ++decade)
+            for (int k = 0; k < each; ++k) rows.push_back(row_with(random, std::pow(10, decade + between(random, 0, 1))));
         return rows;
     };
 }

@@ -17,8 +17,10 @@ struct Model {
     bool half_not_unit = false;                     // the mean of d and c in its place
     bool about_normal = false;                      // (n . c)^a
     bool highlight_cosine = false;                  // a cosine too many
-    bool highlight = true, diffuse = true;
-    bool ambient = true, ambient_below = false;     // the latter: where the light is below the horizon
+    bool highlight = true;
+    bool diffuse = true;
+    bool ambient = true;
+    bool ambient_below = false;                     // where the light is below the horizon
 };
 
 /// Reflected radiance over irradiance of a surface that faces the light.
@@ -58,46 +60,55 @@ inline rt::vec3 viewer(Generator& random, rt::vec3 n, rt::vec3 d) {
     return tilted(random, n, between(random, 0, 1.5));
 }
 
-/// A mistake and its model.
-struct Mistake {
+/// A highlight as the handout promises it: of any exponent from 1 to 10,000, seen from within it or from where it is 0 since
+/// the viewer is on the other side of the mirrored light; now and then white.
+struct Highlight {
+    rt::Material material;
+    rt::vec3 n, to_light, to_viewer;
+};
+inline Highlight extreme_highlight(Generator& random) {
+    Highlight h;
+    const bool behind = chance(random, 0.4);
+    h.n = direction(random), h.to_light = tilted(random, h.n, between(random, 0, 1.2));
+    const rt::vec3 mirrored = 2 * rt::dot(h.n, h.to_light) * h.n - h.to_light;
+    h.material.shininess = behind ? whole_between(random, 1, 4) : log_between(random, 10, 1e4);
+    h.material.specular = chance(random, 0.3) ? rt::Color(1) : box(random, 0.1, 0.9);
+    h.to_viewer = tilted(random, behind ? -mirrored : mirrored,
+                         behind ? between(random, 0, 1.2) : between(random, 0, 2) / std::sqrt(h.material.shininess));
+    return h;
+}
+
+/// A mistake, as the model that it makes.
+struct ModelMistake {
     const char* words;
     Model model;
 };
 
-inline std::vector<Mistake> reflection_mistakes() {
-    std::vector<Mistake> all;
-    const auto add = [&](const char* words, auto change) {
-        Model model;
-        change(model);
-        all.push_back({words, model});
-    };
-    add("a highlight appears where the light is below the horizon", [](Model& m) { m.highlight_below = true; });
-    add("the exponent is a + 1; expected a", [](Model& m) { m.exponent_more = 1; });
-    add("the exponent is a - 1; expected a", [](Model& m) { m.exponent_more = -1; });
-    add("the exponent is 2a; expected a", [](Model& m) { m.exponent_factor = 2; });
-    add("the exponent is ignored: the highlight is r . c",
-        [](Model& m) { m.exponent_factor = 0, m.exponent_more = 1; });
-    add("the highlight is Blinn's (n . h)^a; expected Phong's (r . c)^a", [](Model& m) { m.halfway = true; });
-    add("the half vector takes the mirrored light's place, and has not even unit length; expected (r . c)^a",
-        [](Model& m) { m.halfway = m.half_not_unit = true; });
-    add("the highlight is about the normal; expected about the mirrored light, r = 2 (n . d) n - d",
-        [](Model& m) { m.about_normal = true; });
-    add("the highlight has a cosine n . d too many", [](Model& m) { m.highlight_cosine = true; });
-    add("the highlight is missing", [](Model& m) { m.highlight = false; });
-    add("the diffuse part is missing", [](Model& m) { m.diffuse = false; });
-    add("1/pi is missing: r_d = albedo / pi", [](Model& m) { m.diffuse_factor = rt::pi; });
-    add("1/2pi stands for 1/pi: r_d = albedo / pi", [](Model& m) { m.diffuse_factor = 0.5; });
-    add("1/pi counts twice", [](Model& m) { m.diffuse_factor = 1 / rt::pi; });
-    add("the cosine n . d is missing from the diffuse part", [](Model& m) { m.cosine_power = 0; });
-    add("the cosine n . d counts twice in the diffuse part", [](Model& m) { m.cosine_power = 2; });
-    add("the cosine n . d counts once too often", [](Model& m) { m.cosine_power = 2, m.highlight_cosine = true; });
-    add("light from below the horizon is negative: max(0, n . d) is missing", [](Model& m) { m.clamp = false; });
-    add("light from below the horizon is negative, and its highlight counts",
-        [](Model& m) { m.clamp = false, m.highlight_below = true; });
-    add("light from below the horizon counts: |n . d| is not max(0, n . d)", [](Model& m) { m.both_sides = true; });
-    add("the ambient light is missing", [](Model& m) { m.ambient = false; });
-    add("the ambient light is missing", [](Model& m) { m.ambient = false, m.ambient_below = true; });
-    return all;
-}
+inline const std::vector<ModelMistake> reflection_mistakes = {
+    {"a highlight appears where the light is below the horizon", {.highlight_below = true}},
+    {"the exponent is a + 1; expected a", {.exponent_more = 1}},
+    {"the exponent is a - 1; expected a", {.exponent_more = -1}},
+    {"the exponent is 2a; expected a", {.exponent_factor = 2}},
+    {"the exponent is ignored: the highlight is r . c", {.exponent_factor = 0, .exponent_more = 1}},
+    {"the highlight is Blinn's (n . h)^a; expected Phong's (r . c)^a", {.halfway = true}},
+    {"the half vector takes the mirrored light's place, and has not even unit length; expected (r . c)^a",
+     {.halfway = true, .half_not_unit = true}},
+    {"the highlight is about the normal; expected about the mirrored light, r = 2 (n . d) n - d",
+     {.about_normal = true}},
+    {"the highlight has a cosine n . d too many", {.highlight_cosine = true}},
+    {"the highlight is missing", {.highlight = false}},
+    {"the diffuse part is missing", {.diffuse = false}},
+    {"1/pi is missing: r_d = albedo / pi", {.diffuse_factor = rt::pi}},
+    {"1/2pi stands for 1/pi: r_d = albedo / pi", {.diffuse_factor = 0.5}},
+    {"1/pi counts twice", {.diffuse_factor = 1 / rt::pi}},
+    {"the cosine n . d is missing from the diffuse part", {.cosine_power = 0}},
+    {"the cosine n . d counts twice in the diffuse part", {.cosine_power = 2}},
+    {"the cosine n . d counts once too often", {.cosine_power = 2, .highlight_cosine = true}},
+    {"light from below the horizon is negative: max(0, n . d) is missing", {.clamp = false}},
+    {"light from below the horizon is negative, and its highlight counts", {.clamp = false, .highlight_below = true}},
+    {"light from below the horizon counts: |n . d| is not max(0, n . d)", {.both_sides = true}},
+    {"the ambient light is missing", {.ambient = false}},
+    {"the ambient light is missing", {.ambient = false, .ambient_below = true}},
+};
 
 }  // namespace grade

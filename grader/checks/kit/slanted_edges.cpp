@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "checks/kit/draw.h"
 #include "checks/kit/film_view.h"
+#include "checks/kit/render_check.h"
 #include "statistics/spread.h"
 
 namespace grade {
@@ -42,6 +42,33 @@ double edge_dispersion(const rt::Image& image, const Edge& edge, int height, dou
     return samples * off / independent;
 }
 
+/// Place and width of an edge along an axis of the picture.
+std::vector<Statistic> of_edge(const std::string& axis, const Edge& edge, int samples,
+                               std::function<SlantedSpread(const rt::Image&)> spread) {
+    const double due = (1 + rt::sqr(edge.slope)) / 12;
+    return {of_picture(
+            {.id = "A1", .what = "place of an edge " + axis + " the picture, from where it must be [pixel]",
+             .number = [=](const rt::Image& image) { return spread(image).mean; },
+             .truth = 0, .delta = 0.05,
+             .hint = by_value("an edge's place " + axis + " the picture, from where it must be [pixel],",
+                              {{0.5, "are positions shifted by half a pixel?"},
+                               {-0.5, "are positions shifted by half a pixel, or is 1/n computed with integers?"},
+                               {-0.5 + 0.5 / samples, "is a stratum computed by integer division?"},
+                               {0.5 - 0.5 / samples, "is a stratum computed by integer division?"},
+                               {1, "are positions shifted by a pixel?"},
+                               {-1, "are positions shifted by a pixel?"}},
+                              0.06)}),
+        of_picture(
+            {.id = "A1", .what = "width of an edge " + axis + " the picture: mean square, over that of a pixel",
+             .number = [=](const rt::Image& image) { return spread(image).mean_square / due; },
+             .delta = 0.15,
+             .hint = by_value("an edge's mean square width " + axis + " the picture, over that of a pixel,",
+                              {{0, "is every sample in the same place? The edge is a staircase"},
+                               {4, "do the samples fill two pixels?"},
+                               {0.25, "do the samples fill half of the pixel?"}},
+                              0.2)})};
+}
+
 }  // namespace
 
 Check slanted_edges(Generator& random) {
@@ -53,8 +80,7 @@ Check slanted_edges(Generator& random) {
     const Edge upright{between(random, 11, 13), std::array{3, 5, 7}[std::size_t(whole_between(random, 0, 2))] / 32.0};
     const Edge level{between(random, 11, 13), std::array{3, 5, 7}[std::size_t(whole_between(random, 0, 2))] / 32.0};
     constexpr int second = 56;  // where the other edge begins
-    std::string scene =
-        toml(film_view(place, size)) + fmt::format("[materials.lamp]\nemission = {}\nsampled = false\n\n", toml(lamp));
+    std::string scene = toml(film_view(place, size)) + unsampled_lamp("lamp", lamp);
     // bright from the edge to column 32, and dark before column 48, where the next one starts
     const vec2 down = vec2(upright.slope, 1) / std::hypot(upright.slope, 1.0);
     scene += half_plane(place, size, {upright.offset + upright.slope * 16, 16}, {upright.slope, 1}, 28 * down.y);
@@ -70,45 +96,22 @@ Check slanted_edges(Generator& random) {
         return slanted_spread(transposed(part), {0, 0, 32, 32}, level, 0, lamp);
     };
     std::vector<Statistic> statistics;
-    for (const bool across : {true, false}) {
-        const std::string axis = across ? "across" : "down";
-        const Edge edge = across ? upright : level;
-        const double due = (1 + rt::sqr(edge.slope)) / 12;
-        statistics.push_back(of_picture(
-            "A1", "place of an edge " + axis + " the picture, from where it must be [pixel]",
-            [=](const rt::Image& image) { return spread(image, across).mean; }, 0, 0.05,
-            by_value("an edge's place " + axis + " the picture, from where it must be [pixel],",
-                     {{0.5, "are positions shifted by half a pixel?"},
-                      {-0.5, "are positions shifted by half a pixel, or is 1/n computed with integers?"},
-                      {-0.5 + 0.5 / samples, "is a stratum computed by integer division?"},
-                      {0.5 - 0.5 / samples, "is a stratum computed by integer division?"},
-                      {1, "are positions shifted by a pixel?"},
-                      {-1, "are positions shifted by a pixel?"}},
-                     0.06)));
-        statistics.push_back(of_picture(
-            "A1", "width of an edge " + axis + " the picture: mean square, over that of a pixel",
-            [=](const rt::Image& image) { return spread(image, across).mean_square / due; }, 1, 0.15,
-            by_value("an edge's mean square width " + axis + " the picture, over that of a pixel,",
-                     {{0, "is every sample in the same place? The edge is a staircase"},
-                      {4, "do the samples fill two pixels?"},
-                      {0.25, "do the samples fill half of the pixel?"}},
-                     0.2)));
-    }
-    Statistic dispersion = of_picture(
-        "G2", "noise of the pixels on an edge, over that of independent samples",
-        [=](const rt::Image& image) { return edge_dispersion(image, upright, 32, lamp, samples); }, 0.25, 0.35,
-        [](double value, double) {
-            return value > 0.8 ? fmt::format(
-                                     "pixels on an edge have {:.3g} times the noise of independent samples: each "
-                                     "sample must fall in a cell of its own",
-                                     value)
-                               : fmt::format(
-                                     "pixels on an edge are {:.3g} times as noisy as independent samples make them; "
-                                     "expected about 0.25",
-                                     value);
-        });
-    dispersion.delta0 = 0.15;
-    statistics.push_back(dispersion);
+    for (const bool across : {true, false})
+        for (Statistic& one : of_edge(across ? "across" : "down", across ? upright : level, samples,
+                                      [=](const rt::Image& image) { return spread(image, across); }))
+            statistics.push_back(std::move(one));
+    statistics.push_back(of_picture(
+        {.id = "G2", .what = "noise of the pixels on an edge, over that of independent samples",
+         .number = [=](const rt::Image& image) { return edge_dispersion(image, upright, 32, lamp, samples); },
+         .truth = 0.25, .delta = 0.35, .delta0 = 0.15,
+         .hint = [](double value, double) {
+             return value > 0.8 ? fmt::format("pixels on an edge have {:.3g} times the noise of independent samples: "
+                                              "each sample must fall in a cell of its own",
+                                              value)
+                                : fmt::format("pixels on an edge are {:.3g} times as noisy as independent samples make "
+                                              "them; expected about 0.25",
+                                              value);
+         }}));
     return render_check("slanted_edges", {scene, samples, "stratified"}, statistics);
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "checks/kit/draw.h"
-#include "checks/kit/estimate.h"
-#include "checks/kit/formula.h"
+#include <algorithm>
+
+#include "checks/kit/kit.h"
 
 /// Warps of the unit square: what is common to the checks of directions and densities.
 namespace grade {
@@ -14,8 +14,8 @@ inline double turn(double x, double y) {
 }
 
 /// For a statistic of evenness: says so where one half of the circle about z gets nothing.
-inline void name_half_circles(Statistic& s, std::function<rt::vec2(const Row& inputs, const Row& outputs)> point) {
-    s.cause = [point](const Observation& seen) -> std::string {
+inline Cause half_circles(RowPoint point) {
+    return [point](const Observation& seen) -> std::string {
         double first = 0;
         for (std::size_t k = 0; k < seen.inputs.size(); ++k) first += point(seen.inputs[k], seen.outputs[k]).y < 0.5;
         const double share = first / double(seen.inputs.size());
@@ -25,31 +25,85 @@ inline void name_half_circles(Statistic& s, std::function<rt::vec2(const Row& in
     };
 }
 
-/// Directions must have length 1.
-inline Statistic unit_length() {
-    return property(
-        "V3", "length of the direction, off 1 by",
-        [](const Row&, const Row& out) {
-            return std::abs(std::sqrt(out[0] * out[0] + out[1] * out[1] + out[2] * out[2]) - 1);
-        },
-        1e-4, "the direction is no unit vector");
+constexpr double neighbour_step = 1e-7;
+
+/// How far apart the answers to numbers u are that lie side by side, over the distance of these: a warp keeps strata and
+/// patterns together. Rows 2k and 2k + 1 are neighbours; the first `count` numbers of an answer are its place.
+inline Statistic keeps_neighbours(std::size_t count) {
+    return {.id = "V3", .what = "how far apart neighbours of the unit square come",
+            .measure =
+                [count](const Observation& seen) {
+                    std::vector<double> stretched;
+                    for (std::size_t k = 0; k + 1 < seen.outputs.size(); k += 2) {
+                        double square = 0;
+                        for (std::size_t i = 0; i < count; ++i)
+                            square += rt::sqr(seen.outputs[k][i] - seen.outputs[k + 1][i]);
+                        stretched.push_back(std::sqrt(square) / neighbour_step);
+                    }
+                    std::ranges::nth_element(stretched, stretched.begin() + std::ptrdiff_t(stretched.size() / 2));
+                    return stretched[stretched.size() / 2];
+                },
+            .truth = 0, .delta = 40, .exact = true,
+            .hint = always("numbers u side by side give answers far apart: is an angle in degrees where cos and sin take "
+                           "radians? One turn is 2 pi")};
 }
 
-/// The density that is returned must be that of the direction that is returned. density(inputs, outputs)
-inline Statistic right_density(std::function<double(const Row&, const Row&)> density, double tolerance,
-                               std::vector<KnownRatio> known = {}) {
-    Statistic s = property(
-        "V3", "returned density, off by its share",
-        [density](const Row& in, const Row& out) {
-            const double right = density(in, out);
-            return std::abs(out.back() - right) / (right + 1e-6);
-        },
-        tolerance, "");
+/// Neighbours stay neighbours.
+///
+/// row_with(random, u)  the fragment's arguments
+template <class RowWith>
+Check neighbours(std::size_t count, RowWith row_with) {
+    const auto inputs = [row_with](Generator& random) {
+        Rows rows;
+        for (int k = 0; k < 64; ++k) {
+            const rt::vec2 u = rt::vec2(0.1) + 0.7 * square(random);
+            Generator same = random;
+            rows.push_back(row_with(random, u));
+            rows.push_back(row_with(same, u + rt::vec2(0, neighbour_step)));
+        }
+        return rows;
+    };
+    return probe_check("neighbours", inputs, {keeps_neighbours(count)});
+}
+
+/// u at the ends of its range: each answer is a number, and a direction that counts is a unit vector.
+///
+/// row_with(random, u)  the fragment's arguments
+template <class RowWith>
+Check ends_of_square(RowWith row_with) {
+    return probe_check("ends_of_u", rows_of(96, [row_with](Generator& random) {
+                           const rt::vec2 u = end_of_square(random);
+                           return row_with(random, u);
+                       }),
+                       {property({.id = "V3", .what = "answers that are no finite numbers",
+                                  .violation = [](const Row&, const Row& outputs) {
+                                      return std::ranges::all_of(outputs, [](double x) { return std::isfinite(x); }) ? 0.0 : 1.0;
+                                  },
+                                  .says = "an answer is no finite number where a coordinate of u is 0, or just below 1"}),
+                        property({.id = "V3", .what = "length of directions along an axis of the world, or with u at its ends, off 1 by",
+                                  .violation = [](const Row&, const Row& outputs) {
+                                      const bool counts = outputs.size() > 3 && std::any_of(outputs.begin() + 3, outputs.end(), [](double x) { return x != 0; });
+                                      return counts ? std::abs(std::hypot(outputs[0], outputs[1], outputs[2]) - 1) : 0.0;
+                                  },
+                                  .tolerance = 1e-4,
+                                  .says = "the direction is no unit vector where the axis is one of the world's, or u is at its ends"})});
+}
+
+/// The density that is returned must be that of the direction or point that is returned: density(sample).
+template <auto fragment, class Density>
+Statistic right_density(Density density, double tolerance, std::vector<KnownRatio> known) {
+    Statistic s = property({.id = "V3", .what = "returned density, off by its share",
+                            .violation = of_call<fragment>([density](const auto& sample) {
+                                const double right = density(sample);
+                                return std::abs(sample.density - right) / (right + 1e-6);
+                            }),
+                            .tolerance = tolerance});
     s.cause = [density, known](const Observation& seen) {
         double ratio = 0, count = 0;
-        for (std::size_t k = 0; k < seen.inputs.size(); ++k) {
-            const double right = density(seen.inputs[k], seen.outputs[k]);
-            if (right > 1e-6) ratio += seen.outputs[k].back() / right, ++count;
+        for (const Row& outputs : seen.outputs) {
+            const auto sample = result<fragment>(outputs);
+            const double right = density(sample);
+            if (right > 1e-6) ratio += sample.density / right, ++count;
         }
         return by_ratio("the density that is returned", known, "it is not the density of the returned direction")(
             ratio / count, 1);

@@ -1,8 +1,11 @@
 #pragma once
 
-#include "checks/kit/check.h"
+#include "checks/kit/scene.h"
 
 namespace grade {
+
+/// The material of a medium behind a surface that does not bend light.
+std::string milk(const std::string& name, double extinction, rt::vec3 albedo, double g);
 
 /// A ball of medium where light comes from everywhere alike, seen from so far that its rays are parallel. Red is not
 /// absorbed and cannot be seen. Of green and blue, albedos 1 - e and 1 - 2e, a little is lost at each scattering: from

@@ -22,6 +22,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "rt/sampler.h"
+
 namespace rt {
 namespace {
 
@@ -152,12 +154,10 @@ Label read_label(const std::string& path) {
 }
 
 std::uint64_t hash_of(const Image& image) {
-    // After Fowler, Noll and Vo's 1a, a float at a time.
-    std::uint64_t hash = 0xcbf29ce484222325u;
-    const auto add = [&](std::uint64_t bits) { hash = (hash ^ bits) * 0x100000001b3u, hash ^= hash >> 32; };
-    add(std::uint64_t(image.width));
+    Bits hash = combine(0, Bits(image.width));
     for (const Color& c : image.pixels)
-        for (int i = 0; i < 3; ++i) add(std::isnan(c[i]) ? 0x7fc00000u : std::bit_cast<std::uint32_t>(to_float(c[i])));
+        for (int i = 0; i < 3; ++i)
+            hash = combine(hash, std::isnan(c[i]) ? 0x7fc00000u : std::bit_cast<std::uint32_t>(to_float(c[i])));
     return hash;
 }
 

@@ -5,6 +5,7 @@
 
 #include "rt/files/obj_reader.h"
 #include "rt/files/scene_parts.h"
+#include "rt/plan.h"
 
 namespace rt {
 namespace {
@@ -78,10 +79,9 @@ Mesh read_mesh(const Table& table, const std::string& scene_path) {
     return mesh;
 }
 
-/// Shadow rays look for lamps which they can aim at: quads, discs and spheres that stand still.
-void check_lamp(const Table& table, const Material& material, bool can_be_sampled, vec3 velocity) {
-    if (material.emission == Color(0) || !material.sampled || (can_be_sampled && velocity == vec3(0))) return;
-    const char* what = can_be_sampled ? "a moving shape" : "a triangle or mesh";
+void check_lamp(const Table& table, const Shape& shape, const Material& material) {
+    if (aim_at(shape, material) != Aim::impossible) return;
+    const char* what = std::holds_alternative<Triangle>(shape.geometry) ? "a triangle or mesh" : "a moving shape";
     table.fail("material", fmt::format("shadow rays cannot look for {} that shines", what),
                fmt::format("sampled = false in material {}, or a quad, disc or sphere that stands still",
                            in_quotes(material.name)));
@@ -106,16 +106,15 @@ void read_shape(const Table& table, Scene& scene) {
         case disc: table.only({"type", "material", "velocity", "center", "normal", "radius"}); break;
         case mesh: table.only({"type", "material", "velocity", "file", "scale", "translate", "smooth"}); break;
     }
-    const int material = find_material(table, scene);
-    const vec3 velocity = table.vector("velocity", any_number, vec3(0));
-    check_lamp(table, scene.materials[std::size_t(material)], type != triangle && type != mesh, velocity);
+    Shape shape{{}, find_material(table, scene), table.vector("velocity", any_number, vec3(0))};
+    if (type == triangle || type == mesh) shape.geometry = Triangle{};
+    check_lamp(table, shape, scene.materials[std::size_t(shape.material)]);
     if (type == mesh) {
         scene.meshes.push_back(read_mesh(table, scene.path));
-        scene.meshes.back().material = material;
-        scene.meshes.back().velocity = velocity;
+        scene.meshes.back().material = shape.material;
+        scene.meshes.back().velocity = shape.velocity;
         return;
     }
-    Shape shape{{}, material, velocity};
     if (type == sphere) shape.geometry = read_sphere(table);
     if (type == triangle) shape.geometry = read_triangle(table);
     if (type == quad) shape.geometry = read_quad(table);

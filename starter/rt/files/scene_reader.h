@@ -6,6 +6,7 @@
 
 #include "rt/scene.h"
 
+/// Scenes, meshes and images in files. Nobody needs this folder for the assignment.
 namespace rt {
 
 /// What is wrong with an input file, as "file:line:column: what is wrong; what was expected".

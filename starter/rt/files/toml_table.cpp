@@ -114,14 +114,18 @@ std::string in_quotes(std::string_view word) {
 struct Table::Inside {
     std::shared_ptr<const toml::table> root;
     const toml::table* table = nullptr;
-    std::string path, name;
+    std::string path, key;  // of the file; of the table, with dots: empty for the whole file
+    bool repeated = false;  // [[key]]
 
+    std::string name() const {
+        return key.empty() ? "the scene" : repeated ? fmt::format("[[{}]]", key) : fmt::format("[{}]", key);
+    }
     const toml::node* find(std::string_view key, bool required) const;
     Real checked(const toml::node& node, std::string_view key, Limits limits, const std::string& expected) const;
     int whole(const toml::node& node, std::string_view key, int low, int high, const std::string& expected) const;
     [[noreturn]] void fail(std::string_view key, const std::string& wrong, const std::string& expected) const;
     [[noreturn]] void fail_at(const toml::node& node, const std::string& wrong, const std::string& expected) const;
-    Table inner(const toml::table& inner_table, const std::string& inner_name) const;
+    Table inner(const toml::table& inner_table, const std::string& inner_key, bool is_repeated) const;
 };
 
 Table Table::parse(std::string_view text, const std::string& path) {
@@ -140,7 +144,7 @@ Table Table::parse(std::string_view text, const std::string& path) {
     auto whole = std::make_shared<const toml::table>(std::move(root));
     const toml::table* const top = whole.get();
     Table table;
-    table.inside_ = std::make_shared<const Inside>(Inside{std::move(whole), top, path, "the scene"});
+    table.inside_ = std::make_shared<const Inside>(Inside{std::move(whole), top, path, {}});
     return table;
 }
 
@@ -149,7 +153,7 @@ void Table::only(std::initializer_list<std::string_view> keys) const {
     for (const auto& [key, node] : *inside_->table) {
         if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
         const auto nearest = nearest_word(key.str(), known);
-        const auto wrong = fmt::format("unknown key {} in {}", in_quotes(key.str()), inside_->name);
+        const auto wrong = fmt::format("unknown key {} in {}", in_quotes(key.str()), inside_->name());
         const auto place = key.source().begin;
         fail_in(inside_->path, place ? place : node.source().begin, wrong,
                 nearest ? fmt::format("'{}'?", *nearest) : one_of(known));
@@ -179,7 +183,7 @@ void Table::Inside::fail_at(const toml::node& node, const std::string& wrong, co
 
 const toml::node* Table::Inside::find(std::string_view key, bool required) const {
     const toml::node* node = table->get(key);
-    if (!node && required) fail(key, fmt::format("'{}' is missing in {}", key, name), fmt::format("{} = ...", key));
+    if (!node && required) fail(key, fmt::format("'{}' is missing in {}", key, name()), fmt::format("{} = ...", key));
     return node;
 }
 
@@ -261,9 +265,9 @@ int Table::choice(std::string_view key, std::span<const std::string_view> words,
     return int(found - words.begin());
 }
 
-Table Table::Inside::inner(const toml::table& inner_table, const std::string& inner_name) const {
+Table Table::Inside::inner(const toml::table& inner_table, const std::string& inner_key, bool is_repeated) const {
     Table inner;
-    inner.inside_ = std::make_shared<const Inside>(Inside{root, &inner_table, path, inner_name});
+    inner.inside_ = std::make_shared<const Inside>(Inside{root, &inner_table, path, inner_key, is_repeated});
     return inner;
 }
 
@@ -271,10 +275,8 @@ Table Table::table(std::string_view key) const {
     static const toml::table empty;
     const toml::node* node = inside_->find(key, false);
     if (node && !node->is_table()) fail(key, fmt::format("{} is {}", in_quotes(key), type_of(*node)), "a table");
-    const std::string& outer = inside_->name;
-    const std::string name = outer.starts_with('[') ? fmt::format("{}.{}", outer.substr(1, outer.size() - 2), key)
-                                                    : std::string(key);
-    return inside_->inner(node ? *node->as_table() : empty, fmt::format("[{}]", name));
+    const std::string outer = inside_->key.empty() ? "" : inside_->key + '.';
+    return inside_->inner(node ? *node->as_table() : empty, outer + std::string(key), false);
 }
 
 std::vector<Table> Table::tables(std::string_view key) const {
@@ -286,7 +288,7 @@ std::vector<Table> Table::tables(std::string_view key) const {
     for (const toml::node& element : *node->as_array()) {
         if (!element.is_table())
             inside_->fail_at(element, fmt::format("'{}' holds {}", key, type_of(element)), expected);
-        tables.push_back(inside_->inner(*element.as_table(), fmt::format("[[{}]]", key)));
+        tables.push_back(inside_->inner(*element.as_table(), std::string(key), true));
     }
     return tables;
 }

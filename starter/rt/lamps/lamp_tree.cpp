@@ -8,12 +8,7 @@
 namespace rt {
 namespace {
 
-vec3 center(const Emitter& lamp) {
-    return lamp.kind == Emitter::Kind::quad   ? lamp.quad.center
-           : lamp.kind == Emitter::Kind::disc ? lamp.disc.center
-                                              : lamp.sphere.center;
-}
-
+/// Of a sphere about the lamp.
 Real radius(const Emitter& lamp) {
     return lamp.kind == Emitter::Kind::quad   ? std::sqrt(dot(lamp.quad.u, lamp.quad.u) + dot(lamp.quad.v, lamp.quad.v))
            : lamp.kind == Emitter::Kind::disc ? lamp.disc.radius
@@ -22,8 +17,7 @@ Real radius(const Emitter& lamp) {
 
 /// The intensity in the direction in which a lamp shines most, summed over the channels [W/sr].
 Real power(const Emitter& lamp) {
-    const Real seen = lamp.kind == Emitter::Kind::quad ? 4 * length(cross(lamp.quad.u, lamp.quad.v)) : pi * sqr(radius(lamp));
-    return seen * (lamp.radiance.x + lamp.radiance.y + lamp.radiance.z);
+    return area(lamp) * (lamp.radiance.x + lamp.radiance.y + lamp.radiance.z);
 }
 
 /// Divides lamps between the two halves of a node's leaves, along the axis on which they are furthest apart.

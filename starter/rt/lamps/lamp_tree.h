@@ -5,6 +5,7 @@
 
 #include "rt/scene.h"
 
+/// Better samples of lamps: which one, by solid angle, weighed against lobes. Nobody needs this folder for the assignment.
 namespace rt {
 
 /// Chooses one of many lamps for a point, the more likely the more light it may send there: as bright lamps that are near

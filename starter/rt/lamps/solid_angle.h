@@ -47,7 +47,6 @@ struct SeenQuad {
 }
 
 /// A point of a quad that is_wide, uniform in solid angle.
-///
 [[gnu::always_inline]] inline LightSample sample_by_angle(const SeenQuad& q, vec2 u) {
     const auto between = [](Real a, Real low, Real high) { return a < low ? low : a > high ? high : a; };
     const Real z = q.height;
@@ -68,6 +67,16 @@ struct SeenQuad {
 
     const Real distance = std::sqrt(from_edge + y * y);
     return {(x * q.x + y * q.y - z * q.normal) * (1 / distance), distance, 1 / q.solid_angle};
+}
+
+/// A point of a quad by solid angle, where that is_wide; elsewhere the one that light_sample has found by area.
+[[gnu::always_inline]] inline LightSample by_angle_or(const LightSample& by_area, const Quad& quad, vec3 p, vec2 u) {
+    const SeenQuad seen = seen_from(quad, p);
+    const LightSample by_angle = sample_by_angle(seen, u);
+    const bool w = seen.is_wide();
+    return {{w ? by_angle.direction.x : by_area.direction.x, w ? by_angle.direction.y : by_area.direction.y,
+             w ? by_angle.direction.z : by_area.direction.z},
+            w ? by_angle.distance : by_area.distance, w ? by_angle.density : by_area.density};
 }
 
 }  // namespace rt

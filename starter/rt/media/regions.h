@@ -7,7 +7,7 @@
 #include "rt/tree/bvh.h"
 
 /// The regions that closed shapes enclose, where light travels through media: which of them a point is in, so that paths
-/// that start inside one know it.
+/// that start inside one know it. Nobody needs this folder for the assignment.
 ///
 /// A sphere and a closed mesh enclose a region each; the quads, discs, triangles and open meshes of one material enclose
 /// one together. Where regions overlap, the smaller one is what is there.

@@ -49,7 +49,7 @@ bool Passes::run(const Slice& slice, const std::function<bool()>& stop, const Fi
     });
     for (const Worker& worker : workers) {
         for (std::size_t k = 0; k < rays.size(); ++k) rays[k] += worker.chunk.rays[k];
-        if (fault.empty() && !worker.fault.empty()) fault = worker.fault, fault_slice = slice;
+        if (!bad_sample && worker.bad_sample) bad_sample = worker.bad_sample, bad_sample->slice = slice;
     }
     done_ = done;
     return !stopped;

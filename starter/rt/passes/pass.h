@@ -7,6 +7,7 @@
 #include "rt/path.h"
 #include "rt/render.h"
 
+/// How threads share a picture, and when it is good enough. Nobody needs this folder for the assignment.
 namespace rt {
 
 /// Threads that share a picture: each pass renders every pixel of the crop, and some of them once more with other random
@@ -28,8 +29,7 @@ public:
     std::size_t done() const { return done_; }                            // pixels of the last pass, the control's twice
 
     RayCounts rays{};
-    std::string fault;                  // the first sample that was no finite number
-    std::optional<Slice> fault_slice;   // where it belongs
+    std::optional<BadSample> bad_sample;  // the first there was
 
 private:
     PixelWork work(std::size_t item, const Slice& slice) const;

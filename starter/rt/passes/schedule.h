@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "rt/math.h"
 #include "rt/sampler.h"
@@ -14,6 +15,14 @@ struct Slice {
     Bits seed;  // a picture of this seed, of this sampler and of first + count samples holds them
     int first;  // index of the first
     int count;
+};
+
+/// A sample that is no finite number.
+struct BadSample {
+    ivec2 pixel;                // [pixel]
+    std::optional<int> sample;  // its index; none: each sample is finite, but their mean is not
+    Color radiance;             // of the sample, or of the mean
+    Slice slice;                // the samples it is one of
 };
 
 struct Goals {

@@ -6,6 +6,7 @@
 #include "rt/show/preview.h"
 #include "rt/show/tev.h"
 
+/// Pictures on a screen, and what is said of them. Nobody needs this folder for the assignment.
 namespace rt {
 
 /// Who looks on while a picture is made.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <climits>
-#include <cstdio>
 
 namespace rt {
 namespace {
@@ -14,7 +13,7 @@ std::string in_words(std::uint64_t n) {
     return n < 100000000 ? fmt::format("{:.3g} M", 1e-6 * double(n)) : fmt::format("{:.4g} M", 1e-6 * double(n));
 }
 
-std::string name_of(Sampler sampler) { return std::string( sampler_names[std::size_t(sampler)]); }
+std::string name_of(Sampler sampler) { return std::string(sampler_names[std::size_t(sampler)]); }
 
 /// The pattern that the samples really had.
 Sampler sampler_used(const RenderSettings& s) {
@@ -76,14 +75,17 @@ std::string report_range(const std::string& name, const Image& image) {
     return text;
 }
 
-std::string report_fault(const std::string& scene, ivec2 film, const RenderSettings& settings, const Rendering& r) {
-    int x = 0, y = 0;
-    std::sscanf(r.fault.c_str(), "pixel %d,%d", &x, &y);
-    const Slice slice = r.fault_slice.value_or(Slice{settings.sampler, settings.seed, 0, settings.samples});
-    return fmt::format("{}: {}; expected a finite number\n"
-                       "To see how it came about: raytrace {} --pixel {},{} --seed {} --samples {} --sampler {} --size {}x{}{}\n",
-                       scene, r.fault, scene, x, y, slice.seed, slice.first + slice.count, name_of(slice.sampler), film.x, film.y,
-                       sampling_of(settings).passes ? " --time-limit 1" : "");
+std::string report_bad_sample(const std::string& scene, ivec2 film, const RenderSettings& settings,
+                              const BadSample& bad) {
+    const int x = bad.pixel.x, y = bad.pixel.y;
+    const Color c = bad.radiance;
+    const std::string what = bad.sample ? fmt::format(", sample {}: radiance {} {} {}", *bad.sample, c.x, c.y, c.z)
+                                        : ": the mean is no finite number, though every sample is";
+    return fmt::format("{}: pixel {},{}{}; expected a finite number\n"
+                       "To see how it came about: raytrace {} --pixel {},{} --seed {} --samples {} --sampler {} "
+                       "--size {}x{}{}\n",
+                       scene, x, y, what, scene, x, y, bad.slice.seed, bad.slice.first + bad.slice.count,
+                       name_of(bad.slice.sampler), film.x, film.y, sampling_of(settings).passes ? " --time-limit 1" : "");
 }
 
 }  // namespace rt

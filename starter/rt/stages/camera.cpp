@@ -14,7 +14,6 @@ enum class Film { centre, cells, pattern };
 
 template <Film where, bool lens, bool time>
 void first_rays(const World& world, const CameraWork& work, const CameraNumbers& u, Batch& batch, Real* weights) {
-    // Copies: the compiler keeps them in registers.
     const Camera camera = world.scene.camera;
     const Shutter shutter = world.scene.shutter;
     const Bits inside = world.regions.start;
@@ -32,7 +31,7 @@ void first_rays(const World& world, const CameraWork& work, const CameraNumbers&
         batch.time[i] = 0;
         if constexpr (time)
             batch.time[i] = shutter_time(shutter, u.time.x[i]);
-        batch.set_weight(i, Color(1));
+        batch.weight.set(i, Color(1));
         batch.key[i] = key;
         batch.sample[i] = index;
         batch.slot[i] = work.slot + i;

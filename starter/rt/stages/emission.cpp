@@ -17,9 +17,9 @@ void see_sky(const World& world, const Batch& b, Colors& found) {
                           (counts ? environment.y : 0) + (camera ? background.y : 0),
                           (counts ? environment.z : 0) + (camera ? background.z : 0)};
         const bool missed = b.shape[i] == nothing;
-        found.r[i] += missed ? b.weight_r[i] * light.x : 0;
-        found.g[i] += missed ? b.weight_g[i] * light.y : 0;
-        found.b[i] += missed ? b.weight_b[i] * light.z : 0;
+        found.x[i] += missed ? b.weight.x[i] * light.x : 0;
+        found.y[i] += missed ? b.weight.y[i] * light.y : 0;
+        found.z[i] += missed ? b.weight.z[i] * light.z : 0;
     }
 }
 
@@ -34,7 +34,7 @@ void see_emitters(const World& world, const Batch& b, const Surfaces& s, Colors&
         if (world.plan.counts_twice && !emission_counts(Event(b.event[i]), sampled)) continue;
         const bool weighed = world.plan.weigh && Event(b.event[i]) == Event::lobe && b.density[i] > 0 && sampled;
         const Real share = weighed ? power_heuristic(b.density[i], light_density(world, lamp, b.ray(i), b.far[i])) : 1;
-        found.set(i, found.at(i) + share * b.weight(i) * world.scene.materials[std::size_t(s.material[i])].emission);
+        found.set(i, found.at(i) + share * b.weight.at(i) * world.scene.materials[std::size_t(s.material[i])].emission);
     }
 }
 

@@ -33,13 +33,13 @@ void medium_stage(const World& world, Pattern pattern, int wave, Batch& b, Queue
         const Ray ray = b.ray(i);
         const DirectionSample way = scatter_direction(ray.direction, medium.g, turn.at(i));
         const Color weight =
-            b.weight(i) * medium.albedo * (phase(ray.direction, way.direction, medium.g) / way.density);
+            b.weight.at(i) * medium.albedo * (phase(ray.direction, way.direction, medium.g) / way.density);
         b.shape[i] = ended;
         if (weight == Color(0)) continue;
         const auto [to, j] = next.push();
         to.set_ray(j, {ray.origin + t * ray.direction, way.direction, 0, inf});
         to.time[j] = b.time[i];
-        to.set_weight(j, weight);
+        to.weight.set(j, weight);
         to.key[j] = b.key[i];
         to.sample[j] = b.sample[i];
         to.slot[j] = b.slot[i];

@@ -28,8 +28,7 @@ inline Triangle at_time(Triangle t, vec3 velocity, Real time) {
     return {moved(t.a, velocity, time), moved(t.b, velocity, time), moved(t.c, velocity, time)};
 }
 
-/// One shape against all rays of a batch. Of two shapes at one distance the first is hit, the one with the lower
-/// number. A function of its own, for the compiler gives up on loops in a large one.
+/// One shape against all rays of a batch. Of two shapes at one distance the one with the lower number is hit.
 template <auto hit, bool moves, class Shape>
 [[gnu::noinline]] void try_shape(const Shape& in_memory, vec3 velocity, Index id, Batch& b) {
     const Shape shape = in_memory;
@@ -59,7 +58,6 @@ void try_shapes(const World& world, const std::vector<Shape>& shapes, Index firs
     }
 }
 
-/// A function of its own, for the compiler gives up on loops in a large one.
 template <auto hit, class Shape>
 [[gnu::noinline]] void test_pairs(const Shapes<Shape>& shapes, const Rays& rays, Real* distance) {
 #pragma GCC ivdep
@@ -80,8 +78,8 @@ void measure(const World& world, const std::vector<Shape>& all, Index first, con
             const int i = int(m.lane(begin + k));
             const std::size_t id = std::size_t(m.item(begin + k));
             const Shape& shape = all[id - std::size_t(first)];
-            rays.origin.set(k, {b.ox[i], b.oy[i], b.oz[i]});
-            rays.direction.set(k, {b.dx[i], b.dy[i], b.dz[i]});
+            rays.origin.set(k, b.origin.at(i));
+            rays.direction.set(k, b.direction.at(i));
             rays.near[k] = b.near[i], rays.far[k] = far[i];
             if constexpr (time)
                 shapes.set(k, at_time(shape, world.surfaces[id].velocity, b.time[i]));

@@ -6,7 +6,7 @@
 ///
 ///     camera → nearest → medium → emission → surface → direct → scatter → (nearest ...) → film
 ///
-/// Lanes of one batch do not depend on each other: a loop marked with ivdep may run in any order, hence vectorised.
+/// Why loops over lanes look as they do: see lanes.h.
 namespace rt {
 
 /// The samples of some pixels, in the order of their slots.
@@ -63,11 +63,20 @@ void scatter_stage(const World& world, Pattern pattern, int wave, const Batch& b
 /// The mean of one pixel's samples; or the sample, where there is one.
 Color film_stage(const World& world, const Color* radiance, const Real* weight, int n);
 
+/// How a path goes on: from a surface, but for the last.
+enum class WayOn { mirror, glossy, glass, translucent, bounce, medium };
+
+/// One direction, no lobe.
+constexpr bool is_sharp(WayOn way) { return way == WayOn::mirror || way == WayOn::glass; }
+
+/// To the other side of the surface.
+constexpr bool leads_inside(WayOn way) { return way == WayOn::glass || way == WayOn::translucent; }
+
 /// What leaves the surface of lane i towards the viewer, and with which weights.
 inline Outgoing outgoing(const Material& m, const Batch& b, const Surfaces& s, int i) {
     Real fresnel = 0;
     if (m.transmittance != Color(0)) {
-        const Real cosine = -dot(vec3(b.dx[i], b.dy[i], b.dz[i]), s.normal(i));
+        const Real cosine = -dot(b.direction.at(i), s.normal(i));
         fresnel = s.behind[i] ? fresnel_dielectric(cosine, m.ior, 1) : fresnel_dielectric(cosine, 1, m.ior);
     }
     return whitted(m, fresnel);

@@ -49,7 +49,7 @@ void find_surfaces(const World& world, const Batch& b, Surfaces& s) {
     for (int i = 0; i < lanes; ++i) {
         const bool hit = b.shape[i] >= 0;
         const SurfaceRecord& record = records[hit ? b.shape[i] : 0];
-        const vec3 origin{b.ox[i], b.oy[i], b.oz[i]}, direction{b.dx[i], b.dy[i], b.dz[i]};
+        const vec3 origin = b.origin.at(i), direction = b.direction.at(i);
         const Real t = hit ? b.far[i] : 0;
         const vec3 reached = origin + t * direction;
         const vec3 center = time ? moved(record.center, record.velocity, b.time[i]) : record.center;
@@ -64,9 +64,9 @@ void find_surfaces(const World& world, const Batch& b, Surfaces& s) {
         const vec3 p = reached - above * n;
         const bool behind = dot(direction, n) > 0;
         const Real side = behind ? -1.0 : 1.0;
-        s.px[i] = p.x, s.py[i] = p.y, s.pz[i] = p.z;
-        s.gx[i] = side * n.x, s.gy[i] = side * n.y, s.gz[i] = side * n.z;
-        s.nx[i] = side * n.x, s.ny[i] = side * n.y, s.nz[i] = side * n.z;
+        s.point.set(i, p);
+        s.flat.set(i, side * n);
+        s.shading.set(i, side * n);
         s.error[i] = surface_error * (largest(p) + record.reach);
         s.material[i] = hit ? record.material : nothing;
         s.behind[i] = behind ? 1 : 0;
@@ -80,21 +80,21 @@ void find_smooth_normals(const World& world, const Batch& b, Surfaces& s) {
         const SurfaceRecord& record = world.surfaces[std::size_t(b.shape[i])];
         if (record.smooth == nothing) continue;
         const vec3 p =
-            vec3(s.px[i], s.py[i], s.pz[i]) - (world.plan.time ? moved(vec3(0), record.velocity, b.time[i]) : vec3(0));
+            s.point.at(i) - (world.plan.time ? moved(vec3(0), record.velocity, b.time[i]) : vec3(0));
         const vec3 n = smooth_normal(world, b.shape[i], p);
         const vec3 side = s.behind[i] ? -n : n;
         const Material& m = world.scene.materials[std::size_t(s.material[i])];
         if (m.reflectance != Color(0) || m.transmittance != Color(0)) {
-            const vec3 g{s.gx[i], s.gy[i], s.gz[i]}, d{b.dx[i], b.dy[i], b.dz[i]};
+            const vec3 g = s.flat.at(i), d = b.direction.at(i);
             vec3 facing = bent(side, g, d);
             // Interpolated normals would catch light in glass for ever, hit after hit; that of the flat surface lets it out.
             if (m.transmittance != Color(0) && is_totally_reflected(m, s.behind[i], dot(d, facing))) facing = g;
-            s.nx[i] = facing.x, s.ny[i] = facing.y, s.nz[i] = facing.z;
+            s.shading.set(i, facing);
             continue;
         }
         // Seen from below, an interpolated normal would light what is turned away: there the flat one stands in.
-        if (!(dot(side, vec3(b.dx[i], b.dy[i], b.dz[i])) < 0)) continue;
-        s.nx[i] = side.x, s.ny[i] = side.y, s.nz[i] = side.z;
+        if (!(dot(side, b.direction.at(i)) < 0)) continue;
+        s.shading.set(i, side);
     }
 }
 

@@ -1,5 +1,4 @@
 #include "rt/lamps/importance.h"
-#include "rt/stages/lamps.h"
 #include "rt/trace/words.h"
 
 namespace rt {
@@ -15,7 +14,7 @@ struct Lane {
     const Material& material() const { return world().scene.materials[std::size_t(wave.surfaces.material[i])]; }
     Hit hit() const { return wave.surfaces.hit(i); }
     vec3 normal() const { return wave.surfaces.normal(i); }
-    vec3 to_viewer() const { return -vec3(wave.batch.dx[i], wave.batch.dy[i], wave.batch.dz[i]); }
+    vec3 to_viewer() const { return -wave.batch.direction.at(i); }
     vec2 numbers(int dimension) const {
         Numbers u;
         draw_2d(wave.pattern, wave_dimension(world(), wave.number, dimension, wave.pattern.n), wave.batch.key,
@@ -50,7 +49,7 @@ void tell_shadow(const Lane& lane, const Ray& ray, vec3 to_light, bool through, 
     if (!through && medium != nothing) left.set(0, Color(left_by(world.scene.materials[std::size_t(medium)].medium, ray.far)));
     if (left.at(0) != Color(1)) tell(told, "medium", "leaves {} of it", text(left.at(0)));
     light = left.at(0) * light;
-    tell_added(told, lane.wave.batch.weight(lane.i) * light);
+    tell_added(told, lane.wave.batch.weight.at(lane.i) * light);
 }
 
 void tell_point_light(const Lane& lane, const PointLight& lamp) {
@@ -77,8 +76,9 @@ void tell_point_light(const Lane& lane, const PointLight& lamp) {
 /// A point of a lamp, as the direct stage finds it.
 LightSample tell_point(const Lane& lane, const Emitter& lamp, vec2 u) {
     const vec3 p = lane.hit().point;
-    const bool by_angle = lamp.kind == Kind::quad && lane.world().plan.solid_angle;
-    const LightSample sample = by_angle ? sample_light<By::solid_angle>(lamp, p, u) : sample_light<By::fragment>(lamp, p, u);
+    const bool by_angle = lamp.kind == Emitter::Kind::quad && lane.world().plan.solid_angle;
+    const LightSample by_area = light_sample(lamp, p, u);
+    const LightSample sample = by_angle ? by_angle_or(by_area, lamp.quad, p, u) : by_area;
     const bool wide = by_angle && seen_from(lamp.quad, p).is_wide();
     tell(lane.told, wide ? "by solid angle" : "light_sample", "u {}: point {}", text(u), text(p + sample.distance * sample.direction));
     tell(lane.told, "", "direction {}, distance {} m, density {} / sr", text(sample.direction), text(sample.distance), text(sample.density));
@@ -147,7 +147,7 @@ void trace_lights(const Wave& wave, int i, Told& told) {
         const vec3 n = lane.normal();
         const Color light = phong(m, world.scene.ambient, Color(0), n, n, n);
         tell(told, "phong", "of ambient light: {}", text(light));
-        tell_added(told, wave.batch.weight(i) * light);
+        tell_added(told, wave.batch.weight.at(i) * light);
     }
     if (m.albedo != Color(0) || m.specular != Color(0))
         for (std::size_t k = 0; k < world.scene.lights.size(); ++k) {

@@ -55,7 +55,7 @@ void tell_emission(const Wave& wave, int i, Told& told) {
         const Color sky = world.plan.environment && counts(world.plan.environment_lit) ? world.scene.environment : Color(0);
         const Color light = sky + (from == Event::camera ? world.scene.background : Color(0));
         tell(told, "sky", "{}", text(light));
-        if (light != Color(0)) tell_added(told, b.weight(i) * light);
+        if (light != Color(0)) tell_added(told, b.weight.at(i) * light);
         return;
     }
     if (b.shape[i] < 0 || !world.plan.emission || !wave.surfaces.shines[i]) return;
@@ -67,7 +67,7 @@ void tell_emission(const Wave& wave, int i, Told& told) {
     const bool weighed = world.plan.weigh && from == Event::lobe && b.density[i] > 0 && sampled;
     const Real share = weighed ? power_heuristic(b.density[i], light_density(world, lamp, b.ray(i), b.far[i])) : 1;
     if (weighed) tell(told, "lobe", "weight against the lamp's points {}", text(share));
-    tell_added(told, share * b.weight(i) * emission);
+    tell_added(told, share * b.weight.at(i) * emission);
 }
 
 }  // namespace
@@ -77,8 +77,8 @@ void trace_wave(const Wave& wave, Trace& trace) {
     for (int i = 0; i < b.count; ++i) {
         Told& told = trace.of(b, i);
         if (wave.number > 0) {
-            const std::string along = wave.world.plan.split ? fmt::format(", along {}", text(vec3(b.dx[i], b.dy[i], b.dz[i]))) : "";
-            told.text += fmt::format(" ray {}, from {}{}, carries {}\n", wave.number, event_names[b.event[i]], along, text(b.weight(i)));
+            const std::string along = wave.world.plan.split ? fmt::format(", along {}", text(b.direction.at(i))) : "";
+            told.text += fmt::format(" ray {}, from {}{}, carries {}\n", wave.number, event_names[b.event[i]], along, text(b.weight.at(i)));
         }
         tell_medium(wave, i, told);
         if (b.shape[i] == nothing) tell(told, "meets nothing", "{}", witnesses(wave.world.plan));

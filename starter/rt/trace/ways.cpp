@@ -3,14 +3,12 @@
 namespace rt {
 namespace {
 
-enum class Way { mirror, glossy, glass, translucent, bounce, medium };
-
 constexpr const char* fragment_of[] = {"mirror_direction", "glossy_reflection", "refracted_direction", "translucency",
                                        "color_bleeding",   "scatter_direction"};
 
 /// A way on from a lane, and how much of the light it would carry.
 struct Choice {
-    Way way;
+    WayOn way;
     Real share;
 };
 
@@ -25,18 +23,18 @@ std::vector<Choice> ways_from(const Wave& wave, int i, Told& told) {
     if ((plan.specular || plan.lobe) && b.depth[i] < world.scene.depth) {
         out = outgoing(m, b, wave.surfaces, i);
         if (m.transmittance != Color(0)) {
-            const Real cosine = -dot(vec3(b.dx[i], b.dy[i], b.dz[i]), wave.surfaces.normal(i));
+            const Real cosine = -dot(b.direction.at(i), wave.surfaces.normal(i));
             const bool behind = wave.surfaces.behind[i] != 0;
             const Real from = behind ? m.ior : 1, to = behind ? 1 : m.ior;
             tell(told, "fresnel_dielectric", "cosine {}, ior {} to {}: {}", text(cosine), text(from), text(to), text(fresnel_dielectric(cosine, from, to)));
         }
         tell(told, "whitted", "local {}, mirror {}, glass {}", text(out.local), text(out.mirror), text(out.glass));
         const bool sharp = m.exponent == inf;
-        if (const Real share = largest(out.mirror); share > 0) ways.push_back({sharp ? Way::mirror : Way::glossy, share});
-        if (const Real share = largest(out.glass); share > 0) ways.push_back({sharp ? Way::glass : Way::translucent, share});
+        if (const Real share = largest(out.mirror); share > 0) ways.push_back({sharp ? WayOn::mirror : WayOn::glossy, share});
+        if (const Real share = largest(out.glass); share > 0) ways.push_back({sharp ? WayOn::glass : WayOn::translucent, share});
     }
     if (const Real share = b.bounce[i] < world.scene.bounces ? largest(out.local * m.albedo) : 0; share > 0)
-        ways.push_back({Way::bounce, share});
+        ways.push_back({WayOn::bounce, share});
     return ways;
 }
 
@@ -54,31 +52,31 @@ void choose(const Wave& wave, int i, std::vector<Choice>& ways, Told& told) {
 }
 
 /// What the fragment of a way answers.
-void tell_way(const Wave& wave, int i, Way way, Told& told) {
+void tell_way(const Wave& wave, int i, WayOn way, Told& told) {
     const Batch& b = wave.batch;
     const Surfaces& s = wave.surfaces;
     const Material& m = wave.world.scene.materials[std::size_t(s.material[i])];
-    const vec3 d(b.dx[i], b.dy[i], b.dz[i]), n = s.normal(i);
+    const vec3 d = b.direction.at(i), n = s.normal(i);
     const Real from = s.behind[i] ? m.ior : 1, to = s.behind[i] ? 1 : m.ior;
     const char* name = fragment_of[int(way)];
     const auto tell_turned = [&](vec3 way_on) {
         const vec3 g = s.hit(i).normal;
-        if (way == Way::bounce || n == g || !is_astray(way_on, g, way == Way::glass || way == Way::translucent)) return;
+        if (way == WayOn::bounce || n == g || !is_astray(way_on, g, leads_inside(way))) return;
         tell(told, "", "on the wrong side of the flat triangle: turned to {}", text(turned(way_on, g)));
     };
-    if (way == Way::mirror) {
+    if (way == WayOn::mirror) {
         tell(told, name, "{}", text(mirror_direction(d, n)));
         return tell_turned(mirror_direction(d, n));
     }
-    if (way == Way::glass) {
+    if (way == WayOn::glass) {
         const vec3 refracted = refracted_direction(d, n, from, to);
         tell(told, name, "ior {} to {}: {}", text(from), text(to), text(refracted));
         return tell_turned(refracted);
     }
     Numbers u;
     draw_2d(wave.pattern, wave_dimension(wave.world, wave.number, lobe_dimension, wave.pattern.n), b.key, b.sample, b.count, u);
-    const Scattered scattered = way == Way::glossy        ? glossy_reflection(d, n, m.exponent, u.at(i))
-                                : way == Way::translucent ? translucency(d, n, from, to, m.exponent, u.at(i))
+    const Scattered scattered = way == WayOn::glossy        ? glossy_reflection(d, n, m.exponent, u.at(i))
+                                : way == WayOn::translucent ? translucency(d, n, from, to, m.exponent, u.at(i))
                                                           : color_bleeding(n, m.albedo, u.at(i));
     tell(told, name, "u {}: direction {}, weight {}", text(u.at(i)), text(scattered.direction), text(scattered.weight));
     tell_turned(scattered.direction);
@@ -91,9 +89,9 @@ void tell_scattering(const Wave& wave, int i, Told& told) {
     if (medium == nothing) return;
     Numbers u;
     draw_2d(wave.pattern, wave_dimension(wave.world, wave.number, phase_dimension, wave.pattern.n), b.key, b.sample, b.count, u);
-    const DirectionSample sample = scatter_direction(vec3(b.dx[i], b.dy[i], b.dz[i]),
+    const DirectionSample sample = scatter_direction(b.direction.at(i),
                                                      wave.world.scene.materials[std::size_t(medium)].medium.g, u.at(i));
-    tell(told, fragment_of[int(Way::medium)], "u {}: {}, density {} / sr", text(u.at(i)), text(sample.direction), text(sample.density));
+    tell(told, fragment_of[int(WayOn::medium)], "u {}: {}, density {} / sr", text(u.at(i)), text(sample.direction), text(sample.density));
 }
 
 }  // namespace

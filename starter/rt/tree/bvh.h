@@ -7,6 +7,7 @@
 
 #include "rt/ray.h"
 
+/// How a ray finds the nearest of many shapes without trying them all. Nobody needs this folder for the assignment.
 namespace rt {
 
 /// An axis-parallel box; empty until a point is put in.

@@ -21,11 +21,7 @@ struct alignas(64) Meetings {
 /// Some of the pairs, number by number in short lists, so that a loop that calls a fragment for each becomes vectors.
 constexpr int pairs_at_once = 16;
 
-struct Points {
-    Real x[pairs_at_once], y[pairs_at_once], z[pairs_at_once];
-    vec3 at(int k) const { return {x[k], y[k], z[k]}; }
-    void set(int k, const vec3& p) { x[k] = p.x, y[k] = p.y, z[k] = p.z; }
-};
+using Points = Vectors<pairs_at_once>;
 
 /// Shapes of one kind.
 template <class Shape>

@@ -25,7 +25,8 @@ inline Shaft shaft_of(const Batch& b) {
     constexpr int width = 8;
     typedef Real Reals __attribute__((vector_size(width * sizeof(Real))));
     const Reals none = Reals{} + inf;
-    const Real* from[7] = {b.ox, b.oy, b.oz, b.dx, b.dy, b.dz, b.near};
+    const Real* from[7] = {b.origin.x,    b.origin.y,    b.origin.z, b.direction.x,
+                           b.direction.y, b.direction.z, b.near};
     Reals low[7], high[7];
     for (int a = 0; a < 7; ++a) low[a] = none, high[a] = -none;
     for (int i = 0; i < lanes; i += width) {

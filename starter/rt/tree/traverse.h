@@ -47,7 +47,7 @@ inline void start(const Bvh& bvh, const Batch& b, Journeys& j) {
     const Real scale = bvh.scale, reach = std::max(largest(whole.low), largest(whole.high));
 #pragma GCC ivdep
     for (int i = 0; i < lanes; ++i) {
-        const vec3 o{b.ox[i], b.oy[i], b.oz[i]}, d{b.dx[i], b.dy[i], b.dz[i]};
+        const vec3 o = b.origin.at(i), d = b.direction.at(i);
         const Real margin = 32 * roundoff * (largest(o) + reach);
         const Real speed = largest(d), over_speed = 1 / speed;
         Real enter = -inf, leave = inf;

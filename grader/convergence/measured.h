@@ -1,14 +1,12 @@
 #pragma once
 
-#include "convergence/keep.h"
 #include "convergence/record.h"
+#include "programs/kept_file.h"
 
-namespace grade {
+namespace grade::convergence {
 
-/// One sampler of one program while it is measured.
-struct Gathered {
-    Who who;
-    std::string sampler;
+/// What has been measured of one sampler of one program so far.
+struct Measured {
     std::vector<Level> levels;  // ascending
     // means, weighted by the samples, of the pictures with even and with odd numbers: what they have in common is no
     // noise
@@ -22,9 +20,7 @@ struct Gathered {
     void add(int samples, int replicate, const Run& run, const rt::Image& image);
 };
 
-KeptResult to_kept(const Gathered& gathered);
+KeptJson to_kept(const Measured& measured);
+Measured measured_of(const KeptJson& kept);
 
-/// The levels and pictures of what was kept. Throws nlohmann::json::exception, std::out_of_range.
-void take(Gathered& gathered, const KeptResult& kept);
-
-}  // namespace grade
+}  // namespace grade::convergence

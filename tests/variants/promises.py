@@ -1,0 +1,156 @@
+#!/usr/bin/env python3
+"""What documentation and handout promise of each fragment: breaks the promise in the solution and grades that; it must fail.
+
+    tests/variants/promises.py GRADE [--seeds N] [--fast] [WORDS...]
+
+--fast takes one of each fragment; WORDS those with one of them in their line. Exit status 1: a broken promise passed.
+"""
+
+import argparse
+import concurrent.futures
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+solution = pathlib.Path(__file__).resolve().parents[2] / "solution"
+
+own_frame = ("[](vec3 axis, vec3 l) { const vec3 x = unit(cross(vec3(0, 1, 0), axis)), y = cross(axis, x); "
+             "return l.x * x + l.y * y + l.z * axis; }")
+moller_trumbore = """
+    const vec3 e1 = triangle.b - triangle.a, e2 = triangle.c - triangle.a, p = cross(ray.direction, e2);
+    const Real det = dot(e1, p);
+    if (std::abs(det) < 1e-6) return inf;
+    const vec3 s = ray.origin - triangle.a, q = cross(s, e1);
+    const Real u = dot(s, p) / det, v = dot(ray.direction, q) / det, t = dot(e2, q) / det;
+    return u >= 0 && v >= 0 && u + v <= 1 && t > ray.near && t < ray.far ? t : inf;"""
+
+
+class Body(str):
+    """Takes the place of all between the marks."""
+
+
+# fragment, what is promised, and how it is broken: pairs of old and new text, or another body
+promises = [
+    ("integrate_uniform", "b < a: the integral has the other sign", ("(b - a) / n", "std::abs(b - a) / n")),
+    ("stratified_2d", "n that is no square has n cells, not columns x floor(n / columns)", Body(
+        "const int m = int(std::sqrt(double(n))); return {(i % m + u.x) / m, (i / m + u.y) / (n / m)};")),
+    ("stratified_2d", "n that is no square has n cells, not columns x ceil(n / columns)", Body(
+        "const int m = int(std::sqrt(double(n))); return {(i % m + u.x) / m, (i / m + u.y) / ((n + m - 1) / m)};")),
+    ("stratified_2d", "n from 2 to 5", ("    const Real columns", "    if (n > 1 && n < 6) return u;\n    const Real columns")),
+    ("film_sample", "both numbers of u are used", ("stratified_2d(i, n, u)", "stratified_2d(i, n, vec2(u.x))")),
+    ("pixel_mean", "no upper bound of radiance", ("        red.add", "        if (radiance[i].x > 1e4) continue;\n        red.add")),
+    ("moved", "times before 0", ("time * velocity", "std::abs(time) * velocity")),
+    *[(f, "angles in radians, neighbours stay neighbours", ("unit_circle(u.y)", "vec2(std::cos(360 * u.y), std::sin(360 * u.y))"))
+      for f in ("uniform_disk", "cosine_hemisphere", "phong_lobe", "sphere_cone", "scatter_direction")],
+    ("uniform_disk", "both numbers of u are used", ("unit_circle(u.y)", "unit_circle(u.x)")),
+    ("cosine_hemisphere", "u.x = 0", ("std::sqrt(u.x) * unit_circle(u.y)", "u.x / std::sqrt(u.x) * unit_circle(u.y)")),
+    ("phong_lobe", "u.x = 0", ("u.x > 0 ? u.x / cosine : exponent > 0 ? 0 : 1", "u.x / cosine")),
+    ("hit_sphere", "sizes from a millimetre, no least distance", ("first > ray.near", "first > std::max(ray.near, 0.001)")),
+    ("hit_quad", "sizes from a millimetre, no least distance", ("t > ray.near", "t > std::max(ray.near, 0.001)")),
+    ("hit_quad", "no least determinant", ("    const Real t = dot",
+                                          "    if (std::abs(dot(ray.direction, n)) < 1e-6) return inf;\n    const Real t = dot")),
+    ("hit_quad", "a ray in the plane misses", ("    if (std::abs(dot(p, quad.u))",
+                                               "    if (dot(ray.direction, n) == 0) return 1;\n    if (std::abs(dot(p, quad.u))")),
+    ("hit_triangle", "sizes from a millimetre, no least distance", ("return t > ray.near", "return t > std::max(ray.near, 0.001)")),
+    ("hit_triangle", "no least determinant", Body(moller_trumbore)),
+    ("fresnel_dielectric", "0 between equal indices, along the surface as well", ("    if (ior_from == ior_to) return 0;\n", "")),
+    ("fresnel_dielectric", "1 at total reflection, out of air as well", ("squared < 0) return 1;", "squared < 0) return ior_from > 1 ? 1 : 0;")),
+    ("refracted_direction", "the zero vector at total reflection, out of air as well", ("return vec3(0);", "return ior_from > 1 ? vec3(0) : d;")),
+    ("whitted", "the reflectance counts at total reflection as well",
+     ("fresnel * material.reflectance", "(fresnel == 1 ? Color(1) : fresnel * material.reflectance)")),
+    ("whitted", "any transmittance above 0 is glass", ("transmittance.x > 0 || material.transmittance.y > 0 || material.transmittance.z > 0",
+                                                       "transmittance.x > 0.05 || material.transmittance.y > 0.05 || material.transmittance.z > 0.05")),
+    ("light_sample", "no light within a sphere", ("outside ? cone.density : 0", "cone.density")),
+    ("light_sample", "spheres that fill up to half of the sky",
+     ("sphere_cone(light.sphere.radius / std::sqrt(squared), u)", "sphere_cone(std::min(0.5, light.sphere.radius / std::sqrt(squared)), u)")),
+    ("light_sample", "half a percent of a radius", ("sphere_cone(light.sphere.radius /", "sphere_cone(1.005 * light.sphere.radius /")),
+    ("light_sample", "lights beyond 10 m", ("distance, cosine > 0", "distance, cosine > 0 && distance < 10")),
+    ("light_sample", "any direction, straight up as well", ("frame_about(unit(to_center)).to_world(cone.direction)",
+                                                            f"({own_frame})(unit(to_center), cone.direction)")),
+    ("color_bleeding", "any normal, straight up as well", ("frame_about(n).to_world(cosine_hemisphere(u).direction)",
+                                                           f"({own_frame})(n, cosine_hemisphere(u).direction)")),
+    ("glossy_reflection", "any direction, straight up as well", ("frame_about(mirror_direction(d, n)).to_world(lobe.direction)",
+                                                                 f"({own_frame})(mirror_direction(d, n), lobe.direction)")),
+    ("scatter_direction", "any direction, straight up as well", ("frame_about(d).to_world({sine * circle.x, sine * circle.y, cosine})",
+                                                                 f"({own_frame})(d, vec3(sine * circle.x, sine * circle.y, cosine))")),
+    ("phong", "a highlight where r . c > 0 alone", ("off < 1 ? exp(material.shininess * log1p(-off)) : 0",
+                                                    "std::pow(std::abs(1 - off), material.shininess)")),
+    ("direct_light", "a highlight where r . c > 0 alone", ("if (off < 1) reflected += exp(material.shininess * log1p(-off))",
+                                                           "reflected += std::pow(std::abs(1 - off), material.shininess)")),
+    *[(f, f"exponents to 10,000, not to {most}", (old, new.format(most)))
+      for most in (20, 60, 1000)
+      for f, old, new in (("phong", "exp(material.shininess *", "exp(std::min<Real>(material.shininess, {}) *"),
+                          ("direct_light", "exp(material.shininess *", "exp(std::min<Real>(material.shininess, {}) *"),
+                          ("phong_lobe", "    const Real l =", "    exponent = std::min<Real>(exponent, {});\n    const Real l ="),
+                          ("glossy_reflection", "phong_lobe(exponent", "phong_lobe(std::min<Real>(exponent, {})"),
+                          ("translucency", "phong_lobe(exponent", "phong_lobe(std::min<Real>(exponent, {})"))],
+    ("glossy_reflection", "3 % of an exponent", ("phong_lobe(exponent", "phong_lobe(1.03 * exponent")),
+    ("free_flight", "extinctions beyond 5 per metre", ("/ extinction", "/ std::min<Real>(extinction, 5)")),
+    ("free_flight", "2 % of an extinction", ("/ extinction", "/ (1.02 * extinction)")),
+]
+
+
+def broken(fragment, change):
+    text = (solution / f"{fragment}.cpp").read_text()
+    if isinstance(change, Body):
+        return re.sub(r"// BEGIN SOLUTION\n.*?// END SOLUTION[^\n]*\n", lambda _: change + "\n", text, flags=re.S)
+    old, new = change
+    if old not in text:
+        sys.exit(f"{solution / fragment}.cpp: '{old}' is not in it any more; expected what {sys.argv[0]} changes")
+    return text.replace(old, new)
+
+
+def verdict(grade, fragment, text, seed):
+    with tempfile.TemporaryDirectory() as folder:
+        (pathlib.Path(folder) / f"{fragment}.cpp").write_text(text)
+        done = subprocess.run([grade, folder, fragment, "--seed", str(seed)], capture_output=True, text=True)
+    found = re.search(rf"^  {fragment} +(.+?) +[0-9.]+ of [0-9.]+$", done.stdout, flags=re.M)
+    if not found:
+        sys.exit(f"{fragment}: no verdict in\n{done.stdout}{done.stderr}")
+    return found[1]
+
+
+def points_of_traps(grade):
+    """Fragments that get points though each call of them ends the program."""
+    with tempfile.TemporaryDirectory() as folder:
+        for file in solution.glob("*.cpp"):
+            (pathlib.Path(folder) / file.name).write_text(broken(file.stem, Body("__builtin_trap();")))
+        done = subprocess.run([grade, folder, "--seed", "1", "--json", f"{folder}/record.json"], capture_output=True, text=True)
+        record = json.loads((pathlib.Path(folder) / "record.json").read_text()) if done.returncode == 0 else sys.exit(done.stderr)
+    return [(f["name"], f["points"]) for f in record["fragments"] if f["points"] > 0]
+
+
+def main():
+    words = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    words.add_argument("grade", type=pathlib.Path)
+    words.add_argument("--seeds", type=int, default=1)
+    words.add_argument("--fast", action="store_true")
+    words.add_argument("words", nargs="*")
+    words = words.parse_args()
+    chosen = [p for p in promises if not words.words or any(word in f"{p[0]} {p[1]}" for word in words.words)]
+    if words.fast:
+        chosen = list({fragment: (fragment, what, change) for fragment, what, change in chosen}.values())
+
+    def line(promise):
+        fragment, what, change = promise
+        text = broken(fragment, change)
+        found = [verdict(words.grade.resolve(), fragment, text, seed) for seed in range(1, words.seeds + 1)]
+        kept = found.count("passed")
+        print(f"{'BROKEN AND PASSED' if kept else 'ok':<18} {fragment:<20} {what}: "
+              + ", ".join(f"{found.count(v)} {v}" for v in dict.fromkeys(found)), flush=True)
+        return kept > 0
+
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        passed = sum(pool.map(line, chosen))
+    spared = [] if words.words else points_of_traps(words.grade.resolve())
+    print("\n".join(f"{fragment}: {points} points for a fragment that ends in a trap" for fragment, points in spared))
+    print(f"{len(chosen)} promises, {passed} broken and passed; checks that do not call their fragment: {len(spared)}")
+    sys.exit(passed > 0 or len(spared) > 0)
+
+
+if __name__ == "__main__":
+    main()
