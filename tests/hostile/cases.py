@@ -964,7 +964,7 @@ def _(place):
     return syscall(SYS_add_key, "user", "hostile", "x", 1ul, -4l) >= 0 || syscall(SYS_keyctl, 0, -3, 1) >= 0;""")
 
 
-@case("42", "one second of sleep for each answer", "timed_out", ("longer", "waits", "budget"), seconds=120, own=True)
+@case("42", "one second of sleep for each answer", "timed_out", ("longer", "too long", "waits", "budget"), seconds=120, own=True)
 def _(place):
     return disk("    static int calls = 0;\n    if (calls++ % 50 == 0) usleep(1000000);\n    return right(u);")
 
