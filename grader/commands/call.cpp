@@ -80,14 +80,14 @@ int run_call(const CallArguments& arguments, const std::string& toolchain) {
     const Chosen chosen =
         choose(arguments.submission.empty() ? std::vector{arguments.fragment} : std::vector{arguments.submission, arguments.fragment}, chain,
                assignment);
-    if (chosen.fragments.empty()) throw UsageError(arguments.fragment + ": no fragment has this name");
+    if (chosen.fragments.empty()) throw rt::InputError(arguments.fragment + ": no fragment has this name");
     const auto signature = signature_of(arguments.fragment, read_text(chain.includes.front() / "rt/fragments.h").value_or(""));
-    if (!signature) throw UsageError(arguments.fragment + ": fragments.h does not declare it");
+    if (!signature) throw rt::InputError(arguments.fragment + ": fragments.h does not declare it");
     Row row;
     try {
         row = arguments_from_words(*signature, arguments.arguments);
     } catch (const std::invalid_argument& error) {
-        throw UsageError(error.what());
+        throw rt::InputError(error.what());
     }
 
     const Sandbox sandbox = find_sandbox(true);  // right away, and in the debugger, which is its user's

@@ -86,7 +86,7 @@ std::string section_of(const CheckRecord& check, const StatisticRecord* statisti
 namespace {
 
 /// A hint, and whether it is sure: a suspect whose outputs are those of every call, not what a deviation usually means.
-struct Hint {
+struct FirstHint {
     std::string words;
     bool is_sure = false;
 };
@@ -94,7 +94,7 @@ struct Hint {
 constexpr std::string_view bare = " calls are wrong; for arguments ";
 
 /// Without the numbers that a finding says better.
-Hint without_numbers(const StatisticRecord& statistic) {
+FirstHint without_numbers(const StatisticRecord& statistic) {
     const std::size_t numbers = statistic.hint.find(bare);
     const auto has = [&](const char* words) { return statistic.hint.find(words) != statistic.hint.npos; };
     if (numbers == statistic.hint.npos)
@@ -109,7 +109,7 @@ std::string example(const Finding& finding) {
 }
 
 /// What is wrong, where, the simplest call: a line each.
-std::string in_order(const FragmentRecord& fragment, const Hint& hint) {
+std::string in_order(const FragmentRecord& fragment, const FirstHint& hint) {
     const Finding& finding = fragment.finding;
     const std::string cause = hint.is_sure || finding.how.empty() ? hint.words : finding.how;
     std::string text;
@@ -124,10 +124,10 @@ Diagnosis diagnose(const FragmentRecord& fragment) {
     if (!fragment.message.empty())
         return {fragment.message, section_of(fragment.name, fragment.verdict, fragment.message)};
     const bool found = !fragment.finding.how.empty() || !fragment.finding.arguments.empty();
-    Hint first;
+    FirstHint first;
     std::string section;
     std::optional<Rank> best;
-    const auto tell = [&](Rank rank, const Hint& hint, const std::string& where_to_read) {
+    const auto tell = [&](Rank rank, const FirstHint& hint, const std::string& where_to_read) {
         if (best && *best <= rank) return;
         best = rank, first = hint, section = where_to_read;
     };
@@ -139,7 +139,7 @@ Diagnosis diagnose(const FragmentRecord& fragment) {
         for (const StatisticRecord& statistic : check.statistics)
             if (statistic.verdict != Verdict::passed && !statistic.hint.empty())
                 tell(rank_of(statistic.verdict, check, known_subject(statistic.id).value_or(Subject::radiometry)),
-                     found ? without_numbers(statistic) : Hint{statistic.hint}, section_of(check, &statistic));
+                     found ? without_numbers(statistic) : FirstHint{statistic.hint}, section_of(check, &statistic));
     }
     if (!found) return {first.words, section};
     return {in_order(fragment, first), section};
