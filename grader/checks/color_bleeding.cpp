@@ -200,7 +200,7 @@ Check beside_wall(Generator& random) {
 
 Checks check_color_bleeding(Generator& random) {
     const auto row_with = [](Generator& draw, vec2 u) { return row(exact_direction(draw), any_albedo(draw), u); };
-    return {any_surface(), ends_of_square(row_with), estimates(random), hollow_sphere(random), beside_wall(random)};
+    return {any_surface(), axes_of_the_world(row_with), estimates(random), hollow_sphere(random), beside_wall(random)};
 }
 
 }  // namespace grade

@@ -150,7 +150,7 @@ Checks check_scatter_direction(Generator& random) {
     };
     return {directions("forward", forward), directions("backward", backward),
             probe_check("any_g", extremes, {unit_direction<rt::scatter_direction>("V3"), density()}),
-            neighbours(3, row_with), ends_of_square(row_with), white_medium(random), ahead_and_behind(random)};
+            neighbours(3, row_with), ends_of_square(row_with), axes_of_the_world(row_with), white_medium(random), ahead_and_behind(random)};
 }
 
 }  // namespace grade

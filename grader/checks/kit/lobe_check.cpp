@@ -200,7 +200,7 @@ Checks lobe_of_any_exponent(bool reflected, Row (*row_with)(rt::vec3 d, rt::vec3
         const double exponent = in[reflected ? 6 : 8];
         return s.weight.x == 0 ? 0 : s.weight.x * (1 - rt::dot(s.direction, axis)) * (exponent + 3);
     };
-    const auto ends = [row_with](Generator& random, rt::vec2 u) {
+    const auto along_axis = [row_with](Generator& random, rt::vec2 u) {
         const rt::vec3 n = exact_direction(random);
         return row_with(-n, n, log_between(random, 1, 1e4), u);
     };
@@ -210,7 +210,7 @@ Checks lobe_of_any_exponent(bool reflected, Row (*row_with)(rt::vec3 d, rt::vec3
                                   .delta0 = 0.002, .delta = 0.02,
                                   .hint = by_ratio("the width of lobes with exponents from 1 to 10,000", {},
                                                    "is the exponent clamped, or another one than n?")})}),
-            ends_of_square(ends)};
+            axes_of_the_world(along_axis)};
 }
 
 }  // namespace grade

@@ -6,8 +6,8 @@
 
 namespace grade {
 
-SceneValue::SceneValue(double x) : text(fmt::format("{:.17g}", x)) {}
-SceneValue::SceneValue(rt::vec3 v) : text(fmt::format("[{:.17g}, {:.17g}, {:.17g}]", v.x, v.y, v.z)) {}
+SceneValue::SceneValue(double x) : text(fmt::format("{}", x)) {}
+SceneValue::SceneValue(rt::vec3 v) : text(fmt::format("[{}, {}, {}]", v.x, v.y, v.z)) {}
 
 std::string scene_table(const std::string& head, const SceneKeys& keys) {
     std::string text = head + "\n";

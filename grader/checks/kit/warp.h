@@ -66,27 +66,42 @@ Check neighbours(std::size_t count, RowWith row_with) {
     return probe_check("neighbours", inputs, {keeps_neighbours(count)});
 }
 
-/// u at the ends of its range: each answer is a number, and a direction that counts is a unit vector.
+/// Each answer is a number, and a direction that counts is a unit vector.
 ///
 /// row_with(random, u)  the fragment's arguments
+/// where                "where a coordinate of u is 0, or just below 1"
+template <class RowWith>
+Check well_formed(const std::string& name, rt::vec2 (*draw_u)(Generator&), RowWith row_with, const std::string& where) {
+    const auto inputs = rows_of(96, [=](Generator& random) {
+        const rt::vec2 u = draw_u(random);
+        return row_with(random, u);
+    });
+    const auto is_finite = [](double x) { return std::isfinite(x); };
+    const auto not_finite = [=](const Row&, const Row& out) { return std::ranges::all_of(out, is_finite) ? 0.0 : 1.0; };
+    const auto off_one = [](const Row&, const Row& out) {
+        const bool counts = std::any_of(out.begin() + std::min<std::ptrdiff_t>(3, std::ssize(out)), out.end(),
+                                        [](double x) { return x != 0; });
+        return counts ? std::abs(std::hypot(out[0], out[1], out[2]) - 1) : 0.0;
+    };
+    return probe_check(name, inputs,
+                       {property({.id = "V3", .what = "answers that are no finite numbers, " + where,
+                                  .violation = not_finite,
+                                  .says = "an answer is no finite number " + where}),
+                        property({.id = "V3", .what = "length of directions " + where + ", off 1 by",
+                                  .violation = off_one, .tolerance = 1e-4,
+                                  .says = "the direction is no unit vector " + where})});
+}
+
+/// Numbers u at the ends of their range.
 template <class RowWith>
 Check ends_of_square(RowWith row_with) {
-    return probe_check("ends_of_u", rows_of(96, [row_with](Generator& random) {
-                           const rt::vec2 u = end_of_square(random);
-                           return row_with(random, u);
-                       }),
-                       {property({.id = "V3", .what = "answers that are no finite numbers",
-                                  .violation = [](const Row&, const Row& outputs) {
-                                      return std::ranges::all_of(outputs, [](double x) { return std::isfinite(x); }) ? 0.0 : 1.0;
-                                  },
-                                  .says = "an answer is no finite number where a coordinate of u is 0, or just below 1"}),
-                        property({.id = "V3", .what = "length of directions along an axis of the world, or with u at its ends, off 1 by",
-                                  .violation = [](const Row&, const Row& outputs) {
-                                      const bool counts = outputs.size() > 3 && std::any_of(outputs.begin() + 3, outputs.end(), [](double x) { return x != 0; });
-                                      return counts ? std::abs(std::hypot(outputs[0], outputs[1], outputs[2]) - 1) : 0.0;
-                                  },
-                                  .tolerance = 1e-4,
-                                  .says = "the direction is no unit vector where the axis is one of the world's, or u is at its ends"})});
+    return well_formed("ends_of_u", end_of_square, row_with, "where a coordinate of u is 0, or just below 1");
+}
+
+/// For row_with that draws axes of the world: a frame must exist about each.
+template <class RowWith>
+Check axes_of_the_world(RowWith row_with) {
+    return well_formed("axes_of_the_world", square, row_with, "where the direction or the normal is an axis of the world");
 }
 
 /// The density that is returned must be that of the direction or point that is returned: density(sample).
