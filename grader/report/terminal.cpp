@@ -105,7 +105,7 @@ void ProgressLine::show(int done, int all, const std::string& doing) {
     const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     std::string left;
     if (done > 0 && done < all && elapsed > 1) left = fmt::format(", about {:.0f} s left", elapsed * (all - done) / done);
-    fmt::print(stderr, "\r\033[K{:.0f} %{}  {}", all > 0 ? 100.0 * done / all : 0, left, printable(doing, 60));
+    fmt::print(stderr, "\r\033[K{:.0f} %{}  {}", all > 0 ? std::min(100.0, 100.0 * done / all) : 0, left, printable(doing, 60));
     std::fflush(stderr);
     shown_ = true;
 }
