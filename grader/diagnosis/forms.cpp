@@ -197,7 +197,8 @@ private:
         };
         const auto quantities = quantities_of(calls_.layouts.front(), calls_.told, &calls_.result);
         const auto at = [&](const Quantity& q, std::size_t k) { return q.value(calls_.rows[k], calls_.layouts[k], calls_.mine[k]); };
-        for (const Quantity& q : quantities) add(q.words, [&](std::size_t k) { return std::log(std::abs(at(q, k))); });
+        for (const Quantity& q : quantities)
+            if (q.words != "the answer's " + part_.name) add(q.words, [&](std::size_t k) { return std::log(std::abs(at(q, k))); });
         for (const Quantity& q : quantities) {
             const bool is_plain = q.words.find('|') == q.words.npos && q.words.find('(') == q.words.npos && q.words.find('\'') == q.words.npos;
             if (!is_plain) continue;

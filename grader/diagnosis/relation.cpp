@@ -105,7 +105,10 @@ private:
         Rows rows;
         for (const std::size_t k : scope) {
             Row row = calls_.rows[k];
-            if (!first.make(row, calls_.layouts[k]) || (second && !second->make(row, calls_.layouts[k]))) return std::nullopt;
+            if (!first.make(row, calls_.layouts[k])) return std::nullopt;
+            // a list may have become shorter
+            const bool as_it_was = row.size() == calls_.rows[k].size();
+            if (second && !second->make(row, as_it_was ? calls_.layouts[k] : calls_.signature.of_arguments(row))) return std::nullopt;
             rows.push_back(std::move(row));
         }
         Rows given = ask_(rows);
