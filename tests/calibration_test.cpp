@@ -205,7 +205,7 @@ TEST_CASE("bounds of rates: none in 300 is below 1 %, and half is about a half")
 
 TEST_CASE("steps of all shards together are all steps; what is done is not done again") {
     const TemporaryFolder folder;
-    std::vector<Step> steps;
+    std::vector<calibration::Step> steps;
     std::vector<int> runs(7);
     for (int i = 0; i < 7; ++i) {
         const fs::path file = folder.path() / std::to_string(i);

@@ -248,7 +248,7 @@ TEST_CASE("a fragment that returns NaN is told for which arguments") {
     CHECK(fragment.verdict != Verdict::passed);
     const FragmentRecord nan = graded_mirror(mirror("return d * std::sqrt(-1.0 - dot(d, d));", "#include <cmath>\n"));
     CHECK(nan.verdict == Verdict::not_finite);
-    CHECK(first_message(nan).find("mirror_direction returned nan for (") != std::string::npos);
+    CHECK(first_message(nan).starts_with("mirror_direction returned nan: look for 0/0"));
 }
 
 TEST_CASE("a fragment that keeps state is told so") {
@@ -261,7 +261,7 @@ TEST_CASE("a fragment that keeps state is told so") {
 TEST_CASE("a wrong fragment fails with the hint of its statistic") {
     const FragmentRecord fragment = graded_mirror(mirror("return d - dot(d, n) * n;"));
     CHECK(fragment.verdict == Verdict::failed);
-    CHECK(first_message(fragment) == "keep the length");
+    CHECK(first_message(fragment).starts_with("keep the length\nFor d = "));
     CHECK(fragment.points == 0);
 
     const Record disk =

@@ -19,7 +19,7 @@ make_lists(${CMAKE_CURRENT_BINARY_DIR})
 CMAKE
 checks=$work/build/grader/checks/fragment_checks.h functions=$work/build/grader/child/each_fragment.h
 fresh() { cp starter/rt/fragments.h "$work/starter/rt" && cp assignment.toml "$work"; }
-configure=(cmake -S "$work" -B "$work/build")
+configure=(cmake -G Ninja -S "$work" -B "$work/build")
 
 fresh
 expect 0 "Generating done" "${configure[@]}"

@@ -24,7 +24,7 @@ expect 0 "0 of 100" ./grade
 cp "$solution/phong.cpp" starter/fragments/
 expect 0 "phong: passed, was not started (+3 points)" ./grade phong moved
 sed -i 's|cosine / pi|cosine|' starter/fragments/phong.cpp
-expect 0 "phong: failed, was passed (-1.5 points)" ./grade
+expect 0 "phong: failed, was passed (-3 points)" ./grade
 expect 0 "phong: failed, was passed" cat build/report/index.html
 expect 0 "1/pi is missing" ./grade phong
 expect 1 "" grep -q "Since the last run" <(./grade phong)

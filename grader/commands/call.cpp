@@ -70,6 +70,7 @@ CLI::App* add_call_command(CLI::App& app, CallArguments& arguments) {
     call->add_option("ARGUMENTS", arguments.arguments,
                      "\"d = (0, 0, -1), n = (0, 0, 1)\", fields as \"camera.focus = 2\"; what is not named has its default");
     call->add_option("--of", arguments.submission, "a folder; default: starter")->type_name("SUBMISSION");
+    call->add_flag("--trusted", arguments.trusted, "of code that is your own: it runs without a sandbox");
     call->add_flag("--gdb", arguments.debugger, "in the debugger, which stops where the fragment begins");
     return call;
 }
@@ -80,6 +81,8 @@ int run_call(const CallArguments& arguments, const std::string& toolchain) {
     const Chosen chosen =
         choose(arguments.submission.empty() ? std::vector{arguments.fragment} : std::vector{arguments.submission, arguments.fragment}, chain,
                assignment);
+    if (!chosen.own && !arguments.trusted)
+        throw rt::InputError(arguments.submission + ": a call runs without a sandbox; expected --trusted for code that is your own");
     if (chosen.fragments.empty()) throw rt::InputError(arguments.fragment + ": no fragment has this name");
     const auto signature = signature_of(arguments.fragment, read_text(chain.includes.front() / "rt/fragments.h").value_or(""));
     if (!signature) throw rt::InputError(arguments.fragment + ": fragments.h does not declare it");

@@ -10,7 +10,7 @@ namespace grade {
 
 struct CallArguments {
     std::string fragment, arguments, submission;
-    bool debugger = false;
+    bool debugger = false, trusted = false;
 };
 
 CLI::App* add_call_command(CLI::App& app, CallArguments& arguments);

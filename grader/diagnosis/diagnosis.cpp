@@ -85,7 +85,8 @@ std::string section_of(const CheckRecord& check, const StatisticRecord* statisti
 
 namespace {
 
-/// A hint, and whether it is sure: a suspect whose outputs are those of every call, not what a deviation usually means.
+/// A hint, and whether it is sure: a suspect whose outputs are those of every call, or what is no number or changes, not what a
+/// deviation usually means.
 struct FirstHint {
     std::string words;
     bool is_sure = false;
@@ -134,7 +135,7 @@ Diagnosis diagnose(const FragmentRecord& fragment) {
     for (const CheckRecord& check : fragment.checks) {
         if (check.verdict == Verdict::passed) continue;
         if (!check.message.empty())
-            tell(rank_of(check.verdict, check, Subject::no_image), {check.message, check.message.find("again") != check.message.npos},
+            tell(rank_of(check.verdict, check, Subject::no_image), {check.message, check.verdict == Verdict::not_finite || check.message.find("again") != check.message.npos},
                  section_of(check, nullptr));
         for (const StatisticRecord& statistic : check.statistics)
             if (statistic.verdict != Verdict::passed && !statistic.hint.empty())

@@ -22,18 +22,15 @@ std::uint64_t mixed(std::uint64_t x) {
     return x ^ (x >> 31);
 }
 
-std::optional<std::string> probe_fault(const std::string& fragment, const Rows& inputs, const Rows& outputs) {
+std::optional<Fault> probe_fault(const std::string& fragment, const Rows& inputs, const Rows& outputs) {
     for (std::size_t i = 0; i < outputs.size(); ++i)
-        for (const double x : outputs[i])
-            if (std::isnan(x)) {
-                const Row shown(inputs[i].begin(),
-                                inputs[i].begin() + std::ptrdiff_t(std::min<std::size_t>(inputs[i].size(), 16)));
-                return fmt::format(
-                    "{} returned nan for ({:.6g}{}): look for 0/0, the root of a negative number, or the direction of "
-                    "a "
-                    "vector of length 0",
-                    fragment, fmt::join(shown, ", "), shown.size() < inputs[i].size() ? ", ..." : "");
-            }
+        if (std::ranges::any_of(outputs[i], [](double x) { return std::isnan(x); })) {
+            const Row shown(inputs[i].begin(), inputs[i].begin() + std::min<std::ptrdiff_t>(std::ssize(inputs[i]), 16));
+            return Fault{Verdict::not_finite,
+                         fragment + " returned nan: look for 0/0, the root of a negative number, or the direction of a vector "
+                                    "of length 0",
+                         fmt::format("for ({:.6g}{})", fmt::join(shown, ", "), shown.size() < inputs[i].size() ? ", ..." : "")};
+        }
     return std::nullopt;
 }
 
@@ -56,7 +53,7 @@ Outcome<Observation> observe(Runner& runner, const Check& check, std::uint64_t s
         if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
         observation.outputs = std::move(std::get<Rows>(outcome));
         if (const auto fault = probe_fault(probe->fragment, observation.inputs, observation.outputs))
-            return Fault{Verdict::not_finite, *fault, {}};
+            return *fault;
         return observation;
     }
     auto outcome = runner.render(std::get<Render>(check.experiment), seed);
