@@ -43,14 +43,15 @@ struct Function {
     const char* words;  // {} is the argument
     double cost;
     double (*value)(double);
+    const char* usually = "";  // what that is in most code
 };
 
 constexpr Function scalar_functions[] = {
     {"-{}", 1, [](double x) { return -x; }},
     {"2 * {}", 1.1, [](double x) { return 2 * x; }},
     {"{} / 2", 1.1, [](double x) { return x / 2; }},
-    {"{0} * {0}", 1.2, [](double x) { return x * x; }},
-    {"sqrt({})", 1.2, [](double x) { return std::sqrt(x); }},
+    {"{0} * {0}", 1.2, [](double x) { return x * x; }, ": is a square root missing?"},
+    {"sqrt({})", 1.2, [](double x) { return std::sqrt(x); }, ": is a square root too many?"},
     {"1 / {}", 1.2, [](double x) { return 1 / x; }},
     {"1 - {}", 1.2, [](double x) { return 1 - x; }},
     {"{} + 1", 1.2, [](double x) { return x + 1; }},
@@ -62,8 +63,8 @@ constexpr Function scalar_functions[] = {
     {"1", 1.3, [](double) { return 1.0; }},
     {"0.5", 1.4, [](double) { return 0.5; }},
     {"inf", 1.4, [](double) { return rt::inf; }},
-    {"{} * 180 / pi", 1.5, [](double x) { return x * 180 / rt::pi; }},
-    {"{} * pi / 180", 1.5, [](double x) { return x * rt::pi / 180; }},
+    {"{} * 180 / pi", 1.5, [](double x) { return x * 180 / rt::pi; }, ": angles are in radians"},
+    {"{} * pi / 180", 1.5, [](double x) { return x * rt::pi / 180; }, ": it is in radians already"},
     {"tan({})", 1.5, [](double x) { return std::tan(x); }},
     {"atan({})", 1.6, [](double x) { return std::atan(x); }},
     {"sin({})", 1.6, [](double x) { return std::sin(x); }},
@@ -250,7 +251,7 @@ private:
     void add_scalar(const Scalar& s) {
         for (const Function& f : scalar_functions) {
             const bool of_index = s.whole && s.name == "i";
-            add(in_place(s.whole && std::string(f.words) == "{} / 2" ? s.name + " / 2 (of whole numbers)" : filled(f.words, s.name), s.name),
+            add(in_place(s.whole && std::string(f.words) == "{} / 2" ? s.name + " / 2 (of whole numbers)" : filled(f.words, s.name), s.name) + f.usually,
                 f.cost, [s, f, of_index](Row& row, const Layout& l) {
                     double& x = row[s.at(l)];
                     const double before = x;
