@@ -24,9 +24,11 @@ expect 3 "a.json: cannot be written" "$grade" solution moved --json "$disk/a.jso
 if [ -e "$disk/a.json" ]; then expect 0 '"complete": false' cat "$disk/a.json"; fi
 rm -f "$disk/a.json"
 expect 3 "index.html: cannot be written" "$grade" solution moved --html "$disk/page"
+if [ -e "$disk/page/index.html" ]; then expect 0 "This grading is not complete" cat "$disk/page/index.html"; fi  # the page of before all work
+rm -f "$disk/page/index.html"
 expect 3 "s.json: cannot be written" "$grade" stress solution --only hit_sphere --trusted --json "$disk/s.json"
 expect 3 "cannot be written" "$grade" converge solution scenes/whitted.toml --samples 1,4 --replicates 2 --folder "$disk/kept"
-expect 3 "the disk is full" env TMPDIR="$disk" "$grade" solution moved
+expect 3 "the grader failed: $disk/grade-" env TMPDIR="$disk" "$grade" solution moved
 rmdir "$disk"/page 2>/dev/null
 expect 0 "filler" ls "$disk"
 left=$(find "$disk" -type f ! -name filler)
