@@ -164,7 +164,7 @@ Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const 
         // groups of sections that other objects hold as well must go before their symbols become private
         step = run(sandbox, tool({"/usr/bin/ld", "-r", "--force-group-allocation", compiled.string(), "-o", merged.string()}, work));
         if (step.good())
-            step = run(sandbox, tool({"/usr/bin/objcopy", "--keep-global-symbol=" + symbol->second, merged.string(), own.string()}, work));
+            step = run(sandbox, tool({"/usr/bin/objcopy", "--remove-section=.linker-options", "--keep-global-symbol=" + symbol->second, merged.string(), own.string()}, work));
         if (step.good()) return object_at(own), Compiled{true, own, {}};
     } catch (const BadObject& error) {
         return {false, {}, fmt::format("{}: error: {}", shown, error.what())};

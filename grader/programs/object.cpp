@@ -35,7 +35,7 @@ std::string_view name_at(std::string_view names, std::uint64_t offset) {
 
 /// Sections that compilers make of C++, whole names; and those of which each function and variable may have one.
 constexpr std::string_view whole[] = {"", ".group", ".symtab", ".symtab_shndx", ".strtab", ".shstrtab", ".comment", ".eh_frame",
-                                      ".note.GNU-stack", ".note.gnu.property", ".init_array", ".fini_array", ".llvm_addrsig"};
+                                      ".note.GNU-stack", ".note.gnu.property", ".init_array", ".fini_array", ".llvm_addrsig", ".linker-options"};
 constexpr std::string_view begun[] = {".text", ".rodata", ".data", ".bss", ".tdata", ".tbss", ".gcc_except_table", ".init_array", ".lrodata", ".ldata", ".lbss"};
 
 bool is_begun(std::string_view name, std::string_view begin) {
