@@ -14,12 +14,19 @@ using namespace grade;
 
 namespace {
 
+/// Whether other users reach what is in a folder: what a step of another user compiles with is there.
+bool is_open_to_others(fs::path folder) {
+    for (; folder != folder.root_path(); folder = folder.parent_path())
+        if ((fs::status(folder).permissions() & fs::perms::others_exec) == fs::perms::none) return false;
+    return true;
+}
+
 /// Every kind of sandbox that works on this machine.
 std::vector<Sandbox> sandboxes() {
     std::vector<Sandbox> all;
     for (const auto& [kind, own_user] : {std::pair(Sandbox::Kind::host, false), {Sandbox::Kind::container, true}, {Sandbox::Kind::container, false}}) {
         Sandbox sandbox{kind, {}, {}, own_user};
-        if (own_user && geteuid() != 0) continue;
+        if (own_user && (geteuid() != 0 || !is_open_to_others(fs::current_path()))) continue;
         const std::string fault = fault_of(sandbox, {});
         sandbox.description = fmt::format("kind {}, a user of its own: {}", int(kind), own_user);
         if (fault.empty()) all.push_back(sandbox);
