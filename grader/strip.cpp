@@ -27,8 +27,7 @@ int main(int argc, char** argv) {
         }
         const auto lines = grade::drift(files, starter);
         for (const auto& line : lines) std::cerr << line << "\n";
-        if (!lines.empty())
-            std::cerr << "Make them again: cmake --build --preset release --target starter_fragments\n";
+        if (!lines.empty()) std::cerr << "Make them again: cmake --build --preset release --target starter_fragments\n";
         return lines.empty() ? 0 : 1;
     } catch (const std::exception& error) {
         std::cerr << error.what() << "\n";

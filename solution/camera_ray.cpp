@@ -4,7 +4,7 @@ namespace rt {
 
 /// The ray from a pinhole camera through a point of its film.
 ///
-///     d = x right + y up - back,    y = h (1 - 2 film_y / size_y),    x = h (2 film_x - size_x) / size_y,    h = tan_half_fov
+///     d = x right + y up - back, y = h (1 - 2 film_y / size_y), x = h (2 film_x - size_x) / size_y, h = tan_half_fov
 ///
 /// camera   see scene.h: right, up and back are unit vectors at right angles; the camera looks along -back
 /// film     a point of the film [pixel]: x to the right, y down, (0, 0) the top left corner of the image and

@@ -12,7 +12,8 @@ namespace rt {
 /// returns  unit direction, z >= 0, and its density [1/sr]
 /// blank    the z axis
 ///
-/// Source: Malley's method; Shirley and Wang, "Monte Carlo Techniques for Direct Lighting Calculations", ACM TOG 15(1), 1996.
+/// Source: Malley's method; Shirley and Wang, "Monte Carlo Techniques for Direct Lighting Calculations",
+/// ACM TOG 15(1), 1996.
 DirectionSample cosine_hemisphere(vec2 u) {
     // BEGIN SOLUTION
     const vec2 p = std::sqrt(u.x) * unit_circle(u.y);

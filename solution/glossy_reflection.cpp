@@ -6,7 +6,8 @@ namespace rt {
 ///
 ///     BRDF = (n + 2)/(2 pi) cos(alpha)^n,    weight = BRDF x cos(theta) / density
 ///
-/// alpha the angle to the mirror direction, theta the angle to the normal; weight 0 for a ray that would go below the surface.
+/// alpha the angle to the mirror direction, theta the angle to the normal; weight 0 for a ray that would go below
+/// the surface.
 ///
 /// d         unit direction of travel, towards the surface [world]
 /// n         unit surface normal on the side that the ray comes from [world]

@@ -18,9 +18,9 @@ namespace rt {
 /// both of its triangles the same number with opposite signs, bit by bit. A product's rounding never swaps which of two
 /// is larger, so the sign is right or the number is 0, and 0 counts for both triangles.
 ///
-/// For a needle u, v and w have few digits left, so t comes from the plane, o + t d on (b - a) x (c - a), which is as good
-/// for a needle as for any other as long as the cross product does not cancel: then a ray that leaves the triangle meets
-/// it behind.
+/// For a needle u, v and w have few digits left, so t comes from the plane, o + t d on (b - a) x (c - a), which is as
+/// good for a needle as for any other as long as the cross product does not cancel: then a ray that leaves the triangle
+/// meets it behind.
 ///
 /// Source: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
 Real hit_triangle(const Triangle& triangle, const Ray& ray) {
@@ -29,11 +29,11 @@ Real hit_triangle(const Triangle& triangle, const Ray& ray) {
     const vec3 d = ray.direction;
     const Real x = std::abs(d.x), y = std::abs(d.y), z = std::abs(d.z);
     const bool along_x = x > y && x > z, along_y = !along_x && y > z;
-    const auto turned = [=](vec3 p) {
-        return vec3{along_x ? p.y : along_y ? p.z : p.x, along_x ? p.z : along_y ? p.x : p.y, along_x ? p.x : along_y ? p.y : p.z};
-    };
+    const auto pick = [=](Real if_x, Real if_y, Real if_z) { return along_x ? if_x : along_y ? if_y : if_z; };
+    const auto turned = [=](vec3 p) { return vec3{pick(p.y, p.z, p.x), pick(p.z, p.x, p.y), pick(p.x, p.y, p.z)}; };
     const vec3 to = turned(d);
-    const vec3 a = turned(triangle.a - ray.origin), b = turned(triangle.b - ray.origin), c = turned(triangle.c - ray.origin);
+    const vec3 a = turned(triangle.a - ray.origin), b = turned(triangle.b - ray.origin),
+               c = turned(triangle.c - ray.origin);
 
     // Shear, so that the ray is the z axis.
     const Real shear_x = to.x / to.z, shear_y = to.y / to.z;

@@ -7,7 +7,7 @@ namespace rt {
 ///     sum_t d_t/N_t sum_j f(x_tj),    d_t = high_t - low_t,    x_tj = low_t + u_tj d_t
 ///
 /// f        the integrand
-/// strata   T intervals that do not overlap, each with N_t random numbers u_tj in [0, 1); one without numbers adds nothing
+/// strata   T intervals that do not overlap, each with N_t random numbers u_tj in [0, 1); an empty one adds nothing
 /// returns  the estimate, with an error of O(T^-3/2) for one number a stratum where f is smooth
 /// blank    0
 ///

@@ -4,10 +4,10 @@ namespace rt {
 
 /// The ray through a point of a thin lens that meets the pinhole's ray in the plane in focus: depth of field.
 ///
-///     origin = eye + R (x right + y up),    towards eye + t d,    t the distance along d at which the plane in focus lies
+///     origin = eye + R (x right + y up),  towards eye + t d,  t the distance along d at which the plane in focus lies
 ///
-/// (x, y) is a uniform point of the unit disk. The plane is at right angles to the axis, camera.focus in front of the lens,
-/// so t depends on d; it may be infinitely far away.
+/// (x, y) is a uniform point of the unit disk. The plane is at right angles to the axis, camera.focus in front of the
+/// lens, so t depends on d; it may be infinitely far away.
 ///
 /// camera   lens_radius R, focus, and the axes right, up, back [world]
 /// pinhole  the ray of camera_ray: origin the eye, unit direction d [world]

@@ -7,7 +7,7 @@ namespace rt {
 /// hit       the point of the surface, its normal and its rounding error: spawn_ray (ray.h) makes a ray of it
 /// to_light  unit direction to the point of the light [world]
 /// distance  to that point [m]; inf for a directional light
-/// returns   the ray; it must not meet the light itself, nor what is behind it: its far end is at distance x short_of_light
+/// returns   the ray; it must not meet the light itself, nor what is behind it: far end at distance x short_of_light
 /// blank     a ray of no length: nothing is ever in shadow
 ///
 /// Source: Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980.

@@ -6,8 +6,8 @@ namespace rt {
 ///
 ///     BTDF = (n + 2)/(2 pi) cos(alpha)^n,    weight = BTDF x |cos(theta)| / density
 ///
-/// alpha the angle to the refracted direction, theta the angle to the normal; weight 0 for a ray that would not cross the
-/// surface, and at total internal reflection.
+/// alpha the angle to the refracted direction, theta the angle to the normal; weight 0 for a ray that would not cross
+/// the surface, and at total internal reflection.
 ///
 /// d         unit direction of travel, towards the surface [world]
 /// n         unit surface normal on the side that the ray comes from [world]

@@ -1,8 +1,8 @@
 /// The command line: raytrace SCENE -o OUT.exr [...]
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <unistd.h>
+#include <CLI/CLI.hpp>
 
 #include <atomic>
 #include <cerrno>
@@ -14,8 +14,8 @@
 
 #include "rt/files/image.h"
 #include "rt/files/mitsuba.h"
-#include "rt/plan.h"
 #include "rt/files/scene_reader.h"
+#include "rt/plan.h"
 #include "rt/processor.h"
 #include "rt/render.h"
 #include "rt/show/bar.h"
@@ -48,15 +48,21 @@ void describe_options(CLI::App& app, Options& o) {
     app.add_option("--seed", o.settings.seed, "another seed, another noise")->check(not_negative);
     app.add_option("--threads", o.settings.threads, "0: one for each core")->check(CLI::Range(0, 1024));
     app.add_option("--size", o.size, "size of the film, WIDTHxHEIGHT")
-        ->delimiter('x')->expected(2)->check(CLI::Range(1, 65536));
+        ->delimiter('x')
+        ->expected(2)
+        ->check(CLI::Range(1, 65536));
     app.add_option("--crop", o.crop, "render this part only, X,Y,WIDTH,HEIGHT")->delimiter(',')->expected(4);
     app.add_option("--pixel", o.pixel, "print what each fragment answers along this pixel's paths, X,Y")
-        ->delimiter(',')->expected(2);
-    app.add_option("--time-limit", o.settings.time_limit, "render pass after pass, whatever --samples says, until this time is over [s]")->check(positive);
+        ->delimiter(',')
+        ->expected(2);
+    app.add_option("--time-limit", o.settings.time_limit,
+                   "render pass after pass, whatever --samples says, until this time is over [s]")
+        ->check(positive);
     app.add_option("--target-error", o.settings.target_error, "render pass after pass until the RMSE is this small")
         ->check(positive);
     app.add_option("--exposure", o.exposure, "factor for the preview")->check(positive);
-    app.add_flag("--preview{auto}", o.preview, "draw the picture into the terminal while it is made; =blocks, =kitty or =sixel: so")
+    app.add_flag("--preview{auto}", o.preview,
+                 "draw the picture into the terminal while it is made; =blocks, =kitty or =sixel: so")
         ->check(CLI::IsMember({"auto", "blocks", "kitty", "sixel"}));
     app.add_option("--tev", o.tev, "show the picture in the viewer tev while it is made, HOST:PORT");
     app.add_flag("--plan", o.plan, "print what this scene needs and what is left out");
@@ -104,7 +110,9 @@ rt::RenderSettings make_settings(const Options& o, const rt::Scene& scene) {
 void check_output(const std::string& out) {
     const std::filesystem::path path(out);
     if (out.empty())
-        throw UsageError("no output; expected -o NAME.exr, --preview, --tev HOST:PORT, --plan, --pixel X,Y or --export-mitsuba NAME.xml");
+        throw UsageError(
+            "no output; expected -o NAME.exr, --preview, --tev HOST:PORT, --plan, --pixel X,Y or --export-mitsuba "
+            "NAME.xml");
     if (path.extension() != ".exr") throw UsageError(out + ": unknown kind of image; expected -o NAME.exr");
     const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
     if (access(folder.c_str(), W_OK) != 0)

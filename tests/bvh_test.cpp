@@ -86,8 +86,8 @@ Real looks(int level) {
     const Mesh mesh = ball(level, 0, random);
     std::vector<Triangle> triangles;
     for (const glm::ivec3 t : mesh.triangles)
-        triangles.push_back({mesh.vertices[std::size_t(t.x)], mesh.vertices[std::size_t(t.y)],
-                             mesh.vertices[std::size_t(t.z)]});
+        triangles.push_back(
+            {mesh.vertices[std::size_t(t.x)], mesh.vertices[std::size_t(t.y)], mesh.vertices[std::size_t(t.z)]});
     std::vector<Box> boxes(triangles.size());
     for (std::size_t i = 0; i < boxes.size(); ++i)
         boxes[i].include(triangles[i].a), boxes[i].include(triangles[i].b), boxes[i].include(triangles[i].c);

@@ -1,7 +1,6 @@
 #include <cmath>
 #include <random>
 
-#include "files/files.h"
 #include "calibration/nominal.h"
 #include "calibration/peers.h"
 #include "calibration/pool.h"
@@ -11,6 +10,7 @@
 #include "calibration/variant.h"
 #include "calibration/workshop.h"
 #include "catch.h"
+#include "files/files.h"
 #include "report/plot.h"
 #include "rt/files/scene_reader.h"
 
@@ -24,8 +24,12 @@ namespace {
 Check one_check() {
     Check check;
     check.name = "one", check.fragment = "phong";
-    check.statistics = {{.id = "L1", .what = "number", .measure = [](const Observation&) { return 0.0; }, .truth = 1,
-                         .delta0 = 0.01, .delta = 0.1}};
+    check.statistics = {{.id = "L1",
+                         .what = "number",
+                         .measure = [](const Observation&) { return 0.0; },
+                         .truth = 1,
+                         .delta0 = 0.01,
+                         .delta = 0.1}};
     return check;
 }
 
@@ -79,8 +83,9 @@ TEST_CASE("a patch without a fragment, or with an unknown key, is named with its
     write_text(folder.path() / "wrong/1_a.patch", "# 1 a\n--- x\n");
     CHECK_THROWS_WITH(read_variants(folder.path()), ContainsSubstring("1_a.patch:2:1: no fragment is named"));
     Variant stale = variant_of("wrong/stale", "phong");
-    stale.patch = "# x\n# fragment: phong\n--- a/solution/phong.cpp\n+++ b/solution/phong.cpp\n@@ -1,2 +1,2 @@\n"
-                  "-nothing of the kind\n+else\n x\n";
+    stale.patch =
+        "# x\n# fragment: phong\n--- a/solution/phong.cpp\n+++ b/solution/phong.cpp\n@@ -1,2 +1,2 @@\n"
+        "-nothing of the kind\n+else\n x\n";
     CHECK_THROWS_WITH(changed_text(stale, "."),
                       ContainsSubstring("wrong/stale.patch:1:1: does not apply to solution/phong.cpp any more"));
 }

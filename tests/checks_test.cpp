@@ -8,8 +8,8 @@
 #include "checks/kit/formula.h"
 #include "checks/kit/render_check.h"
 #include "judging/experiment.h"
-#include "rt/render.h"
 #include "rt/files/scene_reader.h"
+#include "rt/render.h"
 #include "statistics/moments.h"
 
 using namespace grade;
@@ -75,7 +75,9 @@ Observation observe(double (*fragment)(double)) {
 double doubled(double x) { return 2 * x; }
 
 Statistic doubling() {
-    return formula<doubled>({.id = "X", .what = "off by", .tolerance = 1e-6,
+    return formula<doubled>({.id = "X",
+                             .what = "off by",
+                             .tolerance = 1e-6,
                              .right = doubled,
                              .suspects = {{"the factor is 3", [](double x, double) { return x + x / 2; }},
                                           {"the result is nan", [](double) { return NAN; }}},
@@ -160,8 +162,10 @@ TEST_CASE("another seed draws other arguments for every probe, so remembered ans
         const Rows one = rows(first[k], 1), other = rows(second[k], 2);
         const std::set<Row> known(one.begin(), one.end());
         const double seen = double(std::ranges::count_if(other, [&](const Row& row) { return known.contains(row); }));
-        if (same_arguments.contains(name)) CHECK(seen > 0);
-        else CHECK(seen <= 0.05 * double(other.size()));
+        if (same_arguments.contains(name))
+            CHECK(seen > 0);
+        else
+            CHECK(seen <= 0.05 * double(other.size()));
     }
 }
 
@@ -186,7 +190,9 @@ TEST_CASE("a picture that the solution draws under one seed does not pass under 
         const auto fails = std::ranges::count_if(
             others, [&](const auto& checks) { return std::ranges::any_of(checks[k].statistics, is_off); });
         // parameters may be close to each other by chance
-        if (same_pictures.contains(name)) CHECK(fails == 0);
-        else CHECK(fails >= 1);
+        if (same_pictures.contains(name))
+            CHECK(fails == 0);
+        else
+            CHECK(fails >= 1);
     }
 }

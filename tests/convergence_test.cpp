@@ -101,7 +101,8 @@ TEST_CASE("two halves of a reference give the error without bias, however noisy 
     const SquaredError error = squared_error(noisy(0.1, 0, random), exact);
     CHECK(error.mse == Approx(0.01).epsilon(1e-9));
     double relative = 0;
-    for (const rt::Color& r : exact.first.pixels) relative += 0.01 / (r.x * r.x + 0.01) / double(exact.first.pixels.size());
+    for (const rt::Color& r : exact.first.pixels)
+        relative += 0.01 / (r.x * r.x + 0.01) / double(exact.first.pixels.size());
     CHECK(error.relative == Approx(relative).epsilon(1e-9));
     CHECK(noise_of({noisy(0, 0.2, random), noisy(0, 0.2, random)}) == Approx(0.2 / std::sqrt(2)).epsilon(0.05));
 }

@@ -61,11 +61,13 @@ TEST_CASE("the arc tangent is within three units of the last place, in every qua
     Real worst = 0;
     for (int k = 0; k < 500'000; ++k) {
         const rt::vec2 v(any(), any());
-        worst = std::max(worst, apart(std::abs(rt::angle_of(v)), std::abs(std::atan2((long double)v.y, (long double)v.x))));
+        worst =
+            std::max(worst, apart(std::abs(rt::angle_of(v)), std::abs(std::atan2((long double)v.y, (long double)v.x))));
         REQUIRE(std::signbit(rt::angle_of(v)) == std::signbit(v.y));
     }
     CHECK(worst < 3);
-    for (const rt::vec2 v : {rt::vec2(1, 0), rt::vec2(-1, 0), rt::vec2(0, 2), rt::vec2(0, -2), rt::vec2(3, 3), rt::vec2(-1, -1)})
+    for (const rt::vec2 v :
+         {rt::vec2(1, 0), rt::vec2(-1, 0), rt::vec2(0, 2), rt::vec2(0, -2), rt::vec2(3, 3), rt::vec2(-1, -1)})
         CHECK(rt::angle_of(v) == Approx(std::atan2(v.y, v.x)).epsilon(1e-15));
 }
 

@@ -17,7 +17,12 @@ inline Estimate estimate(const Scene& scene, Sampler sampler, int pictures) {
     Estimate e;
     std::vector<Image> all;
     for (int k = 0; k < pictures; ++k)
-        all.push_back(render(scene, {.samples = scene.samples, .seed = std::uint64_t(k), .sampler = sampler, .one_of_many = true, .estimate_error = false}).image);
+        all.push_back(render(scene, {.samples = scene.samples,
+                                     .seed = std::uint64_t(k),
+                                     .sampler = sampler,
+                                     .one_of_many = true,
+                                     .estimate_error = false})
+                          .image);
     std::vector<Color> means;
     for (const Image& image : all) {
         Color mean{0};

@@ -10,7 +10,7 @@ using Long = glm::tvec3<long double>;
 
 long double length(Long v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
-Long at(const Ray& ray, Real t) { return Long(ray.origin) + (long double)(t) * Long(ray.direction); }
+Long at(const Ray& ray, Real t) { return Long(ray.origin) + (long double)(t)*Long(ray.direction); }
 
 /// A ray from some distance to a target, with a direction of any length.
 Ray ray_to(vec3 target, Real distance, Random& random) {

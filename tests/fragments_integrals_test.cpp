@@ -25,7 +25,8 @@ Real stratified(const Function& f, Real a, Real b, int n, Random& random) {
 Real monte_carlo(const Function& f, Real a, Real b, int n, Random& random) {
     std::vector<Real> x;
     for (int i = 0; i < n; ++i) x.push_back(random.between(a, b));
-    return integrate_monte_carlo(f, [=](Real) { return 1 / (b - a); }, x);
+    return integrate_monte_carlo(
+        f, [=](Real) { return 1 / (b - a); }, x);
 }
 
 Real rms_error(const std::function<Real()>& estimate, Real truth) {

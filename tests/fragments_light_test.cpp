@@ -64,7 +64,7 @@ TEST_CASE("light_sample: direction and distance lead to a point of the light") {
         } else {
             const vec3 q = point - light.sphere.center;
             CHECK(std::sqrt(dot(q, q)) == Approx(light.sphere.radius).margin(1e-6));  // a tangent loses half the digits
-            CHECK(dot(q, sample.direction) <= 1e-6);                                     // the near half
+            CHECK(dot(q, sample.direction) <= 1e-6);                                  // the near half
         }
     }
 }

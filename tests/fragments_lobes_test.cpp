@@ -55,8 +55,9 @@ TEST_CASE("glossy_reflection, translucency: the weight is BRDF x cosine / densit
             return through ? translucency(d, n, from, to, exponent, v) : glossy_reflection(d, n, exponent, v);
         };
         const Scattered sample = scattered(u);
-        INFO((through ? "translucency" : "glossy_reflection") << ", d " << text(d) << ", n " << text(n) << ", exponent "
-             << exponent << ", from " << from << " to " << to << ", u " << text(u));
+        INFO((through ? "translucency" : "glossy_reflection")
+             << ", d " << text(d) << ", n " << text(n) << ", exponent " << exponent << ", from " << from << " to " << to
+             << ", u " << text(u));
         const Real cosine = (through ? -1 : 1) * dot(sample.direction, n);
         if (axis == vec3(0) || cosine <= 0) {
             CHECK(sample.weight == Color(0));

@@ -154,10 +154,14 @@ TEST_CASE("sphere_cone: a sphere far away loses no digits") {
 TEST_CASE("scatter_direction: density, distribution, corners of the square; mean cosine g") {
     const Real g = GENERATE(-0.9, -0.3, 0.0, 0.5, 0.95);
     INFO("g " << g);
-    check_warp([=](vec2 u) { return scatter_direction({0, 0, 1}, g, u); }, [=](Real c) {
-        if (g == 0) return (c + 1) / 2;
-        return (1 - g * g) / (2 * g) * (1 / std::sqrt(1 + g * g - 2 * g * c) - 1 / (1 + g));
-    });
+    check_warp(
+        [=](vec2 u) {
+            return scatter_direction({0, 0, 1}, g, u);
+        },
+        [=](Real c) {
+            if (g == 0) return (c + 1) / 2;
+            return (1 - g * g) / (2 * g) * (1 / std::sqrt(1 + g * g - 2 * g * c) - 1 / (1 + g));
+        });
     Random random(6);
     for (int i = 0; i < 20; ++i) {
         const vec3 d = random.direction();

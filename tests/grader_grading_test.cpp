@@ -1,12 +1,12 @@
 #include <nlohmann/json.hpp>
 
-#include "files/files.h"
 #include "catch.h"
-#include "protocol/rows.h"
 #include "diagnosis/diagnosis.h"
-#include "report/json.h"
+#include "files/files.h"
 #include "judging/budget.h"
 #include "judging/grading.h"
+#include "protocol/rows.h"
+#include "report/json.h"
 #include "rt/files/scene_reader.h"
 
 using namespace grade;
@@ -211,11 +211,13 @@ TEST_CASE("a fragment that sleeps for ever is stopped") {
     const FragmentRecord fragment = graded_mirror(mirror("sleep(1000); return d;", "#include <unistd.h>\n"));
     CHECK(fragment.verdict == Verdict::timed_out);
     INFO(first_message(fragment));
-    CHECK(first_message(fragment).find("waits for something: no answer came within 5 s; the solution needs") != std::string::npos);
+    CHECK(first_message(fragment).find("waits for something: no answer came within 5 s; the solution needs") !=
+          std::string::npos);
 }
 
 TEST_CASE("a fragment that takes all memory or starts programs is told so") {
-    const FragmentRecord memory = graded_mirror(mirror("static std::vector<char> all; all.resize(3ull << 30, 1); return d;", "#include <vector>\n"));
+    const FragmentRecord memory = graded_mirror(
+        mirror("static std::vector<char> all; all.resize(3ull << 30, 1); return d;", "#include <vector>\n"));
     CHECK(memory.verdict == Verdict::crashed);
     INFO(first_message(memory));
     CHECK(first_message(memory).find("uses more than 2 GB of memory") != std::string::npos);
@@ -234,7 +236,7 @@ TEST_CASE("a fragment's budget is a time for whatever it does, and many times wh
     Budget budget;
     CHECK(budget.covers(mine, 4, needs(0)));
     CHECK(budget.covers(other, 4.9, needs(0)));
-    CHECK(asked == 0);                        // where it cannot matter, the solution does not run
+    CHECK(asked == 0);                                              // where it cannot matter, the solution does not run
     CHECK(budget.covers(mine, 1000, needs(1000 / Budget::times)));  // as the solution, on a machine that is much slower
     CHECK(budget.covers(other, 29, needs(0.01)));
     CHECK_FALSE(budget.covers(mine, 1010, needs(1000 / Budget::times)));

@@ -1,12 +1,12 @@
 #include <nlohmann/json.hpp>
 
-#include "programs/process.h"
 #include "catch.h"
-#include "protocol/rows.h"
-#include "report/json.h"
-#include "report/bar.h"
 #include "diagnosis/diagnosis.h"
+#include "programs/process.h"
+#include "protocol/rows.h"
+#include "report/bar.h"
 #include "report/escape.h"
+#include "report/json.h"
 #include "report/page.h"
 #include "report/picture.h"
 #include "report/terminal.h"
@@ -80,7 +80,8 @@ TEST_CASE("reports show what a picture costs and how noisy it is, beside the sol
 
 TEST_CASE("printable text keeps what people write and ends somewhere") {
     CHECK(printable("größer\tals\n§") == "größer\tals\n§");
-    CHECK(printable("a\rb\x01" "c") == "ab?c");
+    CHECK(printable("a\rb\x01"
+                    "c") == "ab?c");
     CHECK(printable(std::string(5000, 'x'), 100).size() < 110);
 }
 
@@ -156,8 +157,7 @@ TEST_CASE("a diagnosis says where to read, in the record, in the table and as a 
     CHECK(reading("lens_ray") == "handout.md, \"lens_ray\"");
     CHECK(anchor("What to use instead of an epsilon") == "what-to-use-instead-of-an-epsilon");
     CHECK(diagnose(fragment_with(Verdict::not_finite, "returned nan for (0)", {})).section == numbers_section);
-    CHECK(diagnose(fragment_with(Verdict::failed, "another result when it runs again", {})).section ==
-          rules_section);
+    CHECK(diagnose(fragment_with(Verdict::failed, "another result when it runs again", {})).section == rules_section);
     CHECK(diagnose(fragment_with(Verdict::failed, "", {failing("V0", "changes")})).section == rules_section);
     Record record;
     record.fragments = {wrong};

@@ -24,13 +24,16 @@ bool is_open_to_others(fs::path folder) {
 /// Every kind of sandbox that works on this machine.
 std::vector<Sandbox> sandboxes() {
     std::vector<Sandbox> all;
-    for (const auto& [kind, own_user] : {std::pair(Sandbox::Kind::host, false), {Sandbox::Kind::container, true}, {Sandbox::Kind::container, false}}) {
+    for (const auto& [kind, own_user] :
+         {std::pair(Sandbox::Kind::host, false), {Sandbox::Kind::container, true}, {Sandbox::Kind::container, false}}) {
         Sandbox sandbox{kind, {}, {}, own_user};
         if (own_user && (geteuid() != 0 || !is_open_to_others(fs::current_path()))) continue;
         const std::string fault = fault_of(sandbox, {});
         sandbox.description = fmt::format("kind {}, a user of its own: {}", int(kind), own_user);
-        if (fault.empty()) all.push_back(sandbox);
-        else WARN(sandbox.description << " does not work here: " << fault);
+        if (fault.empty())
+            all.push_back(sandbox);
+        else
+            WARN(sandbox.description << " does not work here: " << fault);
     }
     return all;
 }
@@ -45,7 +48,8 @@ struct Place {
     fs::path folder = outer.path() / "step";
 };
 
-Ending shell(const Sandbox& sandbox, const fs::path& folder, const std::string& text, bool is_tool = true, double wall = 20) {
+Ending shell(const Sandbox& sandbox, const fs::path& folder, const std::string& text, bool is_tool = true,
+             double wall = 20) {
     Step step{{"/bin/sh", "-c", text}, {}, folder, {}, is_tool};
     step.limits.wall_seconds = wall;
     return run(sandbox, step);
@@ -54,13 +58,14 @@ Ending shell(const Sandbox& sandbox, const fs::path& folder, const std::string& 
 int count_of(const std::string& word) {
     int count = 0;
     for (const auto& entry : fs::directory_iterator("/proc"))
-        if (const auto line = [&] {
-                std::string text(4096, '\0');
-                FILE* file = std::fopen((entry.path() / "cmdline").c_str(), "r");
-                text.resize(file ? std::fread(text.data(), 1, text.size(), file) : 0);
-                if (file) std::fclose(file);
-                return text;
-            }();
+        if (const auto line =
+                [&] {
+                    std::string text(4096, '\0');
+                    FILE* file = std::fopen((entry.path() / "cmdline").c_str(), "r");
+                    text.resize(file ? std::fread(text.data(), 1, text.size(), file) : 0);
+                    if (file) std::fclose(file);
+                    return text;
+                }();
             line.find(word) != line.npos)
             ++count;
     return count;
@@ -90,11 +95,15 @@ TEST_CASE("a step sees its own folder, and neither another nor a secret, nor the
         setenv("PENUMBRA_SECRET", "secret", 1);
         CHECK(shell(sandbox, place.folder, "cat mine").out == "mine");
         CHECK(shell(sandbox, place.folder, "cat " + (other.folder / "secret").string()).out.empty());
-        CHECK(shell(sandbox, place.folder, "cat solution/phong.cpp " + fs::absolute("solution/phong.cpp").string()).out.empty());
+        CHECK(shell(sandbox, place.folder, "cat solution/phong.cpp " + fs::absolute("solution/phong.cpp").string())
+                  .out.empty());
         CHECK(shell(sandbox, place.folder, "cat /etc/passwd /proc/1/environ /proc/self/maps").out.empty());
         CHECK(shell(sandbox, place.folder, "env").out.find("secret") == std::string::npos);
-        CHECK(shell(sandbox, place.folder, fmt::format("kill -9 {} && echo sent; kill -9 $PPID && echo sent; true", getpid())).out.empty());
-        shell(sandbox, place.folder, "echo x >" + (other.folder / "new").string() + "; echo x >/dev/shm/penumbra; echo x >/x");
+        CHECK(shell(sandbox, place.folder,
+                    fmt::format("kill -9 {} && echo sent; kill -9 $PPID && echo sent; true", getpid()))
+                  .out.empty());
+        shell(sandbox, place.folder,
+              "echo x >" + (other.folder / "new").string() + "; echo x >/dev/shm/penumbra; echo x >/x");
         CHECK_FALSE(fs::exists(other.folder / "new"));
         CHECK_FALSE(fs::exists("/dev/shm/penumbra"));
         CHECK_FALSE(fs::exists("/x"));
@@ -105,7 +114,9 @@ TEST_CASE("a tool writes into its folder, and nothing that it starts outlives it
     for (const Sandbox& sandbox : sandboxes()) {
         INFO(sandbox.description);
         const Place place;
-        CHECK(shell(sandbox, place.folder, "echo made >made && mkdir -p deep && mv made deep/made && chmod 700 deep/made").good());
+        CHECK(
+            shell(sandbox, place.folder, "echo made >made && mkdir -p deep && mv made deep/made && chmod 700 deep/made")
+                .good());
         CHECK(read_text(place.folder / "deep/made") == "made\n");
         const std::string seconds = fmt::format("{}.5", 700000 + getpid());
         for (const std::string start : {"sleep ", "setsid sleep ", "nohup sleep "})
@@ -141,7 +152,8 @@ TEST_CASE("nothing can be read again from where a step writes to", "[steps]") {
     for (const Sandbox& sandbox : sandboxes()) {
         INFO(sandbox.description);
         const Place place;
-        for (const std::string file : {"/dev/stdout", "/dev/stdin", "/dev/zero", "/dev/tty", "/proc/self/fd/1", "/proc/self/fd/0", "/dev/fd/2"}) {
+        for (const std::string file : {"/dev/stdout", "/dev/stdin", "/dev/zero", "/dev/tty", "/proc/self/fd/1",
+                                       "/proc/self/fd/0", "/dev/fd/2"}) {
             const Ending ending = shell(sandbox, place.folder, "exec cat " + file);
             INFO(file);
             CHECK(ending.how == Ending::How::exited);
@@ -153,7 +165,9 @@ TEST_CASE("nothing can be read again from where a step writes to", "[steps]") {
 
 TEST_CASE("a sandbox that does not work is told, and the grader goes no further", "[steps]") {
     CHECK_FALSE(fault_of({Sandbox::Kind::host, {}, {}}, {"/no/such/file"}).empty());
-    CHECK_THROWS_WITH(find_sandbox(false, {"/no/such/file"}), Catch::Matchers::ContainsSubstring("there is no sandbox here") && Catch::Matchers::ContainsSubstring("--trusted"));
+    CHECK_THROWS_WITH(find_sandbox(false, {"/no/such/file"}),
+                      Catch::Matchers::ContainsSubstring("there is no sandbox here") &&
+                          Catch::Matchers::ContainsSubstring("--trusted"));
     CHECK(find_sandbox(true, {"/no/such/file"}).kind == Sandbox::Kind::limits_only);
 }
 
@@ -175,13 +189,19 @@ TEST_CASE("a fragment compiles and links in every sandbox", "[steps]") {
 TEST_CASE("an object with sections that no compiler makes of a fragment goes no further", "[steps]") {
     for (const Sandbox& sandbox : sandboxes()) {
         INFO(sandbox.description);
-        for (const std::string section : {".gnu.lto_.opts", ".gnu.warning.x", ".interp", ".dynamic", ".preinit_array", ".gnu.debuglto_x", "penumbra", ".init", ".note.x"}) {
-            const Compiled result = compiled(sandbox, fmt::format("asm(\".section {},\\\"a\\\"\\n.byte 1\\n.text\\n\");\n{}", section, phong));
+        for (const std::string section : {".gnu.lto_.opts", ".gnu.warning.x", ".interp", ".dynamic", ".preinit_array",
+                                          ".gnu.debuglto_x", "penumbra", ".init", ".note.x"}) {
+            const Compiled result = compiled(
+                sandbox, fmt::format("asm(\".section {},\\\"a\\\"\\n.byte 1\\n.text\\n\");\n{}", section, phong));
             INFO(section);
             CHECK_FALSE(result.good);
             CHECK(result.message.find("a section " + section + " is made in it") != std::string::npos);
         }
-        CHECK(compiled(sandbox, "static struct A { A() { x = 1; } int x; ~A() { x = 2; } } a;\nthread_local int y = 3;\ninline int z = 2;\n" + phong).good);
+        CHECK(compiled(sandbox,
+                       "static struct A { A() { x = 1; } int x; ~A() { x = 2; } } a;\nthread_local int y = 3;\ninline "
+                       "int z = 2;\n" +
+                           phong)
+                  .good);
     }
 }
 
@@ -194,8 +214,10 @@ TEST_CASE("what cuts a compiler off is said in words, and is no fault of the com
             CHECK_FALSE(result.good);
             CHECK(result.message.find(file) != std::string::npos);
         }
-        for (const auto& [text, words] : {std::pair<std::string, std::string>("char big[3000000000] = {1};\n", "the compiler writes more than 32 MB for it"),
-                                          {"asm(\".fill 1000000000, 8, 1\");\n", "the compiler"}}) {
+        for (const auto& [text, words] :
+             {std::pair<std::string, std::string>("char big[3000000000] = {1};\n",
+                                                  "the compiler writes more than 32 MB for it"),
+              {"asm(\".fill 1000000000, 8, 1\");\n", "the compiler"}}) {
             const Compiled result = compiled(sandbox, text + phong);
             INFO(result.message);
             CHECK_FALSE(result.good);
@@ -224,7 +246,8 @@ TEST_CASE("tables of an object that lead out of it, or are cut off, are refused"
     const std::string object = read_text(chain().solution_objects.at("phong")).value();
     CHECK(object_fault(read_object(object)).empty());
     CHECK(std::ranges::count(read_object(object).defined, chain().symbols.at("phong")) == 1);
-    for (std::size_t size = 0; size < object.size(); size += 1 + size / 50) CHECK_THROWS_AS(read_object(object.substr(0, size)), BadObject);
+    for (std::size_t size = 0; size < object.size(); size += 1 + size / 50)
+        CHECK_THROWS_AS(read_object(object.substr(0, size)), BadObject);
     std::uint64_t random = 1;
     for (int trial = 0; trial < 20000; ++trial) {
         std::string changed = object;
@@ -235,23 +258,27 @@ TEST_CASE("tables of an object that lead out of it, or are cut off, are refused"
         }
         try {
             read_object(changed);
-        } catch (const BadObject&) {
-        }
+        } catch (const BadObject&) {}
     }
     CHECK_THROWS_AS(read_object("BC\xc0\xde and more of LLVM's own kind"), BadObject);
 }
 
 TEST_CASE("only the runner of steps starts processes", "[steps]") {
-    const std::vector<std::string> ways{"fork(", "vfork(", "clone(", "execv", "execl", "posix_spawn", "popen(", "system("};
+    const std::vector<std::string> ways{"fork(", "vfork(",      "clone(", "execv",
+                                        "execl", "posix_spawn", "popen(", "system("};
     std::vector<std::string> found;
     for (const auto& entry : fs::recursive_directory_iterator("grader")) {
         if (entry.path().extension() != ".cpp" && entry.path().extension() != ".h") continue;
         const std::string text = read_text(entry.path()).value_or("");
         for (const std::string& way : ways)
             for (std::size_t at = 0; (at = text.find(way, at)) != text.npos; ++at)
-                if (at == 0 || (std::isalnum(text[at - 1]) == 0 && text[at - 1] != '_')) found.push_back(entry.path().generic_string() + ": " + way);
+                if (at == 0 || (std::isalnum(text[at - 1]) == 0 && text[at - 1] != '_'))
+                    found.push_back(entry.path().generic_string() + ": " + way);
     }
     std::ranges::sort(found);
     // the first is the user's own code in view, the third becomes grade_studies, with the words that it was called with
-    CHECK(found == std::vector<std::string>{"grader/commands/call.cpp: execv", "grader/commands/call.cpp: fork(", "grader/commands/command_line.cpp: execv", "grader/programs/process.cpp: execv", "grader/programs/process.cpp: fork("});
+    CHECK(found == std::vector<std::string>{"grader/commands/call.cpp: execv", "grader/commands/call.cpp: fork(",
+                                            "grader/commands/command_line.cpp: execv",
+                                            "grader/programs/process.cpp: execv",
+                                            "grader/programs/process.cpp: fork("});
 }

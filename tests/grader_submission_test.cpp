@@ -1,12 +1,12 @@
 #include <archive.h>
 #include <archive_entry.h>
 
-#include "submission/code_only.h"
+#include "catch.h"
 #include "files/files.h"
+#include "submission/code_only.h"
 #include "submission/near_name.h"
 #include "submission/source_fault.h"
 #include "submission/submission.h"
-#include "catch.h"
 
 using namespace grade;
 
@@ -33,8 +33,10 @@ void pack(const fs::path& path, const std::vector<Entry>& entries, bool zip) {
         archive_entry_set_pathname(item, entry.path.c_str());
         archive_entry_set_filetype(item, unsigned(entry.type));
         archive_entry_set_perm(item, 0644);
-        if (entry.type == AE_IFLNK) archive_entry_set_symlink(item, entry.text.c_str());
-        else archive_entry_set_size(item, la_int64_t(entry.text.size()));
+        if (entry.type == AE_IFLNK)
+            archive_entry_set_symlink(item, entry.text.c_str());
+        else
+            archive_entry_set_size(item, la_int64_t(entry.text.size()));
         archive_write_header(out, item);
         if (entry.type == AE_IFREG) archive_write_data(out, entry.text.data(), entry.text.size());
         archive_entry_free(item);
@@ -98,10 +100,12 @@ TEST_CASE("what is no submission is an error that fragments_of_hand_in it") {
 TEST_CASE("an archive with thousands of copies of a fragment is refused before they fill the memory") {
     const TemporaryFolder folder;
     std::vector<Entry> entries;
-    for (int i = 0; i < 200; ++i) entries.push_back({std::to_string(i) + "/moved.cpp", std::string(most_source_bytes, ' ')});
+    for (int i = 0; i < 200; ++i)
+        entries.push_back({std::to_string(i) + "/moved.cpp", std::string(most_source_bytes, ' ')});
     for (const bool zip : {true, false}) {
         pack(folder.path() / "many", entries, zip);
-        CHECK_THROWS_WITH(read_submission(folder.path() / "many", fragments_of_hand_in), Catch::Matchers::ContainsSubstring("named like fragments"));
+        CHECK_THROWS_WITH(read_submission(folder.path() / "many", fragments_of_hand_in),
+                          Catch::Matchers::ContainsSubstring("named like fragments"));
     }
 }
 
@@ -120,12 +124,14 @@ TEST_CASE("a folder that its owner may not read goes as well, and one that is in
 TEST_CASE("a disk without room is an error") {
     const TemporaryFolder folder;
     CHECK_NOTHROW(require_room(folder.path(), 1));
-    CHECK_THROWS_WITH(require_room(folder.path(), std::uintmax_t(-1)), Catch::Matchers::ContainsSubstring("the disk is full"));
+    CHECK_THROWS_WITH(require_room(folder.path(), std::uintmax_t(-1)),
+                      Catch::Matchers::ContainsSubstring("the disk is full"));
 }
 
 TEST_CASE("comments, white space, line ends and byte order marks are not code") {
     CHECK(code_only("a = 1; // one\n/* two\n*/ b") == "a=1;b");
-    CHECK(code_only("\xef\xbb\xbf" "a\r\n= b") == "a=b");
+    CHECK(code_only("\xef\xbb\xbf"
+                    "a\r\n= b") == "a=b");
     CHECK(code_only("s = \"// a b\"; c = ' ';") == "s=\"// a b\";c=' ';");
     CHECK(code_only("1'000 // '\n+ 2") == "1'000+2");
     CHECK(code_only("\"\\\" // x\" y").size() == 10);
@@ -133,43 +139,76 @@ TEST_CASE("comments, white space, line ends and byte order marks are not code") 
     CHECK(code_only("a b") != code_only("a c"));
 }
 
-TEST_CASE("each of the archives that were refused or misread is graded, or told what was nearly right", "[submission]") {
+TEST_CASE("each of the archives that were refused or misread is graded, or told what was nearly right",
+          "[submission]") {
     const std::vector<std::string> all{"hit_sphere", "mirror_direction", "phong"};
     const auto read = [&](const char* name) { return read_submission(fs::path("tests/cases/archives") / name, all); };
     const Submission utf8 = read("name_of_student.zip");
     CHECK(utf8.texts.contains("hit_sphere"));
-    CHECK(utf8.folder == "HW3_Garc\xc3\xad" "a/fragments/");
+    CHECK(utf8.folder ==
+          "HW3_Garc\xc3\xad"
+          "a/fragments/");
 
     const Submission suffix = read("browser_suffix.zip");
     CHECK(suffix.texts.contains("mirror_direction"));
     CHECK(suffix.complaints.at("hit_sphere") ==
           "not in the submission; there is fragments/hit_sphere (1).cpp: rename it to hit_sphere.cpp");
     CHECK_FALSE(suffix.complaints.contains("phong"));
-    CHECK(read("case.zip").complaints.at("hit_sphere").find("there is fragments/Hit_Sphere.cpp: rename it") != std::string::npos);
+    CHECK(read("case.zip").complaints.at("hit_sphere").find("there is fragments/Hit_Sphere.cpp: rename it") !=
+          std::string::npos);
 
     const Submission copies = read("old_copy.zip");
     CHECK(copies.folder == "starter/fragments/");
     CHECK(copies.texts.at("hit_sphere").size() == 1725);
     REQUIRE(copies.notes.size() == 1);
-    CHECK(copies.notes[0] == "hit_sphere.cpp, mirror_direction.cpp are in starter/fragments/ and in old/; what is in "
-                             "starter/fragments/ was taken: old/ looks set aside by its name");
+    CHECK(copies.notes[0] ==
+          "hit_sphere.cpp, mirror_direction.cpp are in starter/fragments/ and in old/; what is in "
+          "starter/fragments/ was taken: old/ looks set aside by its name");
 }
 
 TEST_CASE("names as browsers, learning systems and hands change them are near to their fragments'", "[submission]") {
-    const std::vector<std::string> all{"hit_sphere", "hit_quad", "phong", "phong_lobe", "moved", "lens_ray", "camera_ray", "whitted"};
-    for (const char* file : {"hit_sphere-1.cpp", "hit_sphere (1).cpp", "hit_sphere(2).cpp", "Hit_Sphere.cpp", "HIT_SPHERE.CPP", "hitsphere.cpp",
-                             "HitSphere.cpp", "hit-sphere.cpp", "hit sphere.cpp", "hit_sphere.cpp.txt", "hit_sphere.cc", "hit_sphere.c",
-                             "hit_sphere.h", "hit_sphere.txt", "hit_sphere_final.cpp", "hit_sphere2.cpp", "hit_sphere copy.cpp", "hit_sphere - Copy.cpp",
-                             "Copy of hit_sphere.cpp", "Kopie von hit_sphere.cpp", "garcia_4711_815_hit_sphere.cpp", "hit_sphere.cpp.bak",
-                             "hit_sphere.cpp (1)", "hit_sphere.cpp~", "hit_shpere.cpp", "hit_spere.cpp", "hit_spheres.cpp", "hit_sphere_.cpp", " hit_sphere.cpp",
-                             "hit_sphere .cpp", "hit_sphere\xe2\x80\x8b.cpp", "hit_sphere_v2-3.cpp"}) {
+    const std::vector<std::string> all{"hit_sphere", "hit_quad", "phong",      "phong_lobe",
+                                       "moved",      "lens_ray", "camera_ray", "whitted"};
+    for (const char* file : {"hit_sphere-1.cpp",
+                             "hit_sphere (1).cpp",
+                             "hit_sphere(2).cpp",
+                             "Hit_Sphere.cpp",
+                             "HIT_SPHERE.CPP",
+                             "hitsphere.cpp",
+                             "HitSphere.cpp",
+                             "hit-sphere.cpp",
+                             "hit sphere.cpp",
+                             "hit_sphere.cpp.txt",
+                             "hit_sphere.cc",
+                             "hit_sphere.c",
+                             "hit_sphere.h",
+                             "hit_sphere.txt",
+                             "hit_sphere_final.cpp",
+                             "hit_sphere2.cpp",
+                             "hit_sphere copy.cpp",
+                             "hit_sphere - Copy.cpp",
+                             "Copy of hit_sphere.cpp",
+                             "Kopie von hit_sphere.cpp",
+                             "garcia_4711_815_hit_sphere.cpp",
+                             "hit_sphere.cpp.bak",
+                             "hit_sphere.cpp (1)",
+                             "hit_sphere.cpp~",
+                             "hit_shpere.cpp",
+                             "hit_spere.cpp",
+                             "hit_spheres.cpp",
+                             "hit_sphere_.cpp",
+                             " hit_sphere.cpp",
+                             "hit_sphere .cpp",
+                             "hit_sphere\xe2\x80\x8b.cpp",
+                             "hit_sphere_v2-3.cpp"}) {
         INFO(file);
         CHECK(nearly_named(file, all) == "hit_sphere");
     }
     CHECK(nearly_named("phong_lobe (1).cpp", all) == "phong_lobe");
     CHECK(nearly_named("phong-1.cpp", all) == "phong");
-    for (const char* file : {"hit_sphere.cpp", "phong_lobe.cpp", "removed.cpp", "camera.cpp", "main.cpp", "hit_sphere.o", "hit_sphere.png", "report.txt",
-                             "._hit_sphere.cpp", "README.md", "Makefile", "ray.cpp", ""}) {
+    for (const char* file :
+         {"hit_sphere.cpp", "phong_lobe.cpp", "removed.cpp", "camera.cpp", "main.cpp", "hit_sphere.o", "hit_sphere.png",
+          "report.txt", "._hit_sphere.cpp", "README.md", "Makefile", "ray.cpp", ""}) {
         INFO(file);
         CHECK_FALSE(nearly_named(file, all));
     }
@@ -189,7 +228,8 @@ TEST_CASE("of several copies one is taken, and it is said which and why", "[subm
     s = taken({{"x/moved.cpp", "moved"}, {"x/phong.cpp", "phong"}, {"y/fragments/moved.cpp", "other"}});
     CHECK(s.texts.at("moved") == "moved");
     CHECK(s.notes.at(0) == "moved.cpp is in x/ and in y/fragments/; what is in x/ was taken: it holds more fragments");
-    s = taken({{"fragments_old/moved.cpp", "other"}, {"fragments_old/phong.cpp", "other"}, {"fragments/moved.cpp", "moved"}});
+    s = taken(
+        {{"fragments_old/moved.cpp", "other"}, {"fragments_old/phong.cpp", "other"}, {"fragments/moved.cpp", "moved"}});
     CHECK(s.texts.at("moved") == "moved");
     CHECK(s.complaints.at("phong") == "not in fragments/; there is fragments_old/phong.cpp: put it there");
     s = taken({{"old/fragments/moved.cpp", "moved"}});  // the only one, whatever its name
@@ -203,16 +243,28 @@ TEST_CASE("of several copies one is taken, and it is said which and why", "[subm
     CHECK(s.notes.at(0) == "fragments/moved (1).cpp was left out: moved.cpp is there as well");
     s = taken({{"hw\\fragments\\moved.cpp", "moved"}});
     CHECK(s.texts.at("moved") == "moved");
-    s = taken({{"\xc3\xbc bung/\xe8\xaf\xbe/moved.cpp", "moved"}, {"b\xe9" "b\xe9/notes.txt", "no UTF-8"}});
+    s = taken({{"\xc3\xbc bung/\xe8\xaf\xbe/moved.cpp", "moved"},
+               {"b\xe9"
+                "b\xe9/notes.txt",
+                "no UTF-8"}});
     CHECK(s.texts.at("moved") == "moved");
-    CHECK_THROWS_WITH(taken({{"a/hw.zip", "zip"}}), Catch::Matchers::ContainsSubstring("another archive, a/hw.zip: unpack it"));
+    CHECK_THROWS_WITH(taken({{"a/hw.zip", "zip"}}),
+                      Catch::Matchers::ContainsSubstring("another archive, a/hw.zip: unpack it"));
 }
 
 TEST_CASE("an unpacked archive is found in its only folder", "[submission]") {
     const TemporaryFolder folder;
-    fs::create_directories(folder.path() / "HW3_Garc\xc3\xad" "a/work/fragments");
-    write_text(folder.path() / "HW3_Garc\xc3\xad" "a/work/fragments/moved.cpp", "moved");
-    write_text(folder.path() / "HW3_Garc\xc3\xad" "a/work/fragments/Phong.cpp", "phong");
+    fs::create_directories(folder.path() /
+                           "HW3_Garc\xc3\xad"
+                           "a/work/fragments");
+    write_text(folder.path() /
+                   "HW3_Garc\xc3\xad"
+                   "a/work/fragments/moved.cpp",
+               "moved");
+    write_text(folder.path() /
+                   "HW3_Garc\xc3\xad"
+                   "a/work/fragments/Phong.cpp",
+               "phong");
     const Submission s = read_submission(folder.path(), fragments_of_hand_in);
     CHECK(s.texts.at("moved") == "moved");
     CHECK(s.complaints.at("phong").find("Phong.cpp: rename it to phong.cpp") != std::string::npos);
@@ -220,18 +272,24 @@ TEST_CASE("an unpacked archive is found in its only folder", "[submission]") {
 
 TEST_CASE("what is no C++ at all is named in one sentence", "[submission]") {
     const auto fault = [](const std::string& text) { return source_fault(text, "f/moved.cpp"); };
-    const std::string good = "#include \"rt/fragments.h\"\nnamespace rt {\nvec3 moved(vec3 p, vec3 v, Real t) { return p + t * v; }\n}\n";
+    const std::string good =
+        "#include \"rt/fragments.h\"\nnamespace rt {\nvec3 moved(vec3 p, vec3 v, Real t) { return p + t * v; }\n}\n";
     CHECK(fault(good) == "");
     CHECK(fault("\xef\xbb\xbf" + good) == "");
-    CHECK(fault("const char* a = \"/*\"; char b = '\"'; // /* \nauto c = R\"x( /* \" )x\"; int d = 1'000; /* closed */\n") == "");
+    CHECK(fault("const char* a = \"/*\"; char b = '\"'; // /* \nauto c = R\"x( /* \" )x\"; int d = 1'000; /* closed "
+                "*/\n") == "");
     std::string wide = "\xff\xfe";
     for (const char c : good) wide += c, wide += '\0';
-    CHECK(fault(wide) == "f/moved.cpp:1:1: error: the file is UTF-16 text, which no compiler reads; expected UTF-8: save it again as such\n");
+    CHECK(fault(wide) ==
+          "f/moved.cpp:1:1: error: the file is UTF-16 text, which no compiler reads; expected UTF-8: save it again as "
+          "such\n");
     CHECK(fault(wide.substr(2)).find("UTF-16") != std::string::npos);
-    CHECK(fault(good + "/* the end") == "f/moved.cpp:5:1: error: the comment that starts here has no end; expected */\n");
+    CHECK(fault(good + "/* the end") ==
+          "f/moved.cpp:5:1: error: the comment that starts here has no end; expected */\n");
     CHECK(fault("int a; /* one\nint b;").starts_with("f/moved.cpp:1:8: "));
     CHECK(fault("a\n<<<<<<< HEAD\nb\n=======\nc\n>>>>>>> theirs\n")
-              .starts_with("f/moved.cpp:2:1: error: a merge conflict is not resolved: git has left the line '<<<<<<< HEAD'; expected one of"));
+              .starts_with("f/moved.cpp:2:1: error: a merge conflict is not resolved: git has left the line '<<<<<<< "
+                           "HEAD'; expected one of"));
     CHECK(fault("<!DOCTYPE html>\n<html>").find("web page") != std::string::npos);
     CHECK(fault("{\\rtf1\\ansi").find("RTF") != std::string::npos);
     CHECK(fault("```cpp\n" + good + "```\n").find("Markdown") != std::string::npos);

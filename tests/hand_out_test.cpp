@@ -4,12 +4,12 @@
 #include <map>
 
 #include "assignment/assignment.h"
-#include "submission/code_only.h"
+#include "assignment/strip.h"
+#include "catch.h"
 #include "files/files.h"
 #include "programs/process.h"
-#include "assignment/strip.h"
 #include "programs/toolchain.h"
-#include "catch.h"
+#include "submission/code_only.h"
 
 using namespace grade;
 
@@ -30,7 +30,8 @@ fs::path built_kit() { return fs::path(GRADE_TOOLCHAIN).parent_path() / "kit.tom
 
 /// Every name that an object defines, for itself or for others.
 std::vector<std::string> names_in(const fs::path& object) {
-    const Ending nm = run({"/usr/bin/nm", "--debug-syms", "--defined-only", "--format=posix", object.string()}, Limits{}, "/");
+    const Ending nm =
+        run({"/usr/bin/nm", "--debug-syms", "--defined-only", "--format=posix", object.string()}, Limits{}, "/");
     REQUIRE(nm.good());
     std::vector<std::string> names;
     std::istringstream lines(nm.out);
@@ -47,7 +48,8 @@ TEST_CASE("students get a kit, and nothing of what they must write is in it") {
     const fs::path folder = temporary.path() / "handed_out", machine = folder / "grader" / kind_of_machine();
     hand_out(".", assignment, built_kit(), folder);
 
-    for (const char* there : {"grade", "handout.md", "scenes/whitted.toml", "starter/rt/math.h", "grader/include/glm/glm.hpp"})
+    for (const char* there :
+         {"grade", "handout.md", "scenes/whitted.toml", "starter/rt/math.h", "grader/include/glm/glm.hpp"})
         CHECK(fs::is_regular_file(folder / there));
     for (const char* there : {"grade", "grade_studies", "libchild.a", "librt.a", "reference/phong.o", "toolchain.toml"})
         CHECK(fs::is_regular_file(machine / there));
@@ -85,7 +87,8 @@ TEST_CASE("students get a kit, and nothing of what they must write is in it") {
             const std::size_t start = text.rfind('\n', at) + 1, end = text.find('\n', at);
             const bool whole = !is_source || trimmed(text.substr(start, end - start)) == line;
             INFO(entry.path() << " holds a line of " << file << ": " << line);
-            CHECK_FALSE((whole && entry.path().extension() != ".md" && entry.path().string().find("/glm/") == std::string::npos));
+            CHECK_FALSE((whole && entry.path().extension() != ".md" &&
+                         entry.path().string().find("/glm/") == std::string::npos));
         }
     }
     CHECK(bytes < 20'000'000);
@@ -124,6 +127,7 @@ TEST_CASE("the grader of a kit from another kind of machine comes along, unless 
     CHECK(fs::exists(both / "grader" / kind_of_machine() / "toolchain.toml"));
 
     std::ofstream(other / "assignment.toml", std::ios::app) << "# of last year\n";
-    CHECK_THROWS_WITH(hand_out(".", assignment, built_kit(), temporary.path() / "mixed", {other}),
-                      other.string() + ": its assignment.toml is another one; expected a hand-out of this very project");
+    CHECK_THROWS_WITH(
+        hand_out(".", assignment, built_kit(), temporary.path() / "mixed", {other}),
+        other.string() + ": its assignment.toml is another one; expected a hand-out of this very project");
 }

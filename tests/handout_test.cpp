@@ -7,8 +7,8 @@
 #include "assignment/strip.h"
 #include "catch.h"
 #include "checks/kit/check.h"
-#include "report/describe.h"
 #include "diagnosis/diagnosis.h"
+#include "report/describe.h"
 
 using namespace grade;
 namespace fs = std::filesystem;

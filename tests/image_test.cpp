@@ -71,9 +71,12 @@ TEST_CASE("an EXR keeps every float, beyond what a half can hold", "[image]") {
                 const double in = image.at(x, y)[i], out = back.at(x, y)[i];
                 INFO("pixel " << x << ' ' << y << " channel " << i << ": " << in << " becomes " << out);
                 const double most = std::numeric_limits<float>::max();
-                if (std::isnan(in)) CHECK(std::isnan(out));
-                else if (std::isinf(in)) CHECK(out == in);
-                else CHECK(out == double(float(std::clamp(in, -most, most))));
+                if (std::isnan(in))
+                    CHECK(std::isnan(out));
+                else if (std::isinf(in))
+                    CHECK(out == in);
+                else
+                    CHECK(out == double(float(std::clamp(in, -most, most))));
             }
     CHECK(folder.count() == 1);
 }
@@ -168,7 +171,8 @@ TEST_CASE("a part of a film keeps its place in the file, and reads back as the p
 TEST_CASE("what a file says of its picture reads back as it was", "[image]") {
     const Folder folder;
     rt::Label label;
-    label.attributes = {{"error", 0.125}, {"passes", -3}, {"scene", std::string("a \"b\" ü.toml")}, {"seed", std::string()}};
+    label.attributes = {
+        {"error", 0.125}, {"passes", -3}, {"scene", std::string("a \"b\" ü.toml")}, {"seed", std::string()}};
     rt::write_exr(folder / "a.exr", rt::Image(2, 2), label);
     CHECK(rt::read_label(folder / "a.exr").attributes == label.attributes);
 }

@@ -4,8 +4,8 @@
 
 #include "catch.h"
 #include "estimate.h"
-#include "rt/sampler.h"
 #include "rt/files/scene_reader.h"
+#include "rt/sampler.h"
 
 using namespace rt;
 
@@ -116,7 +116,8 @@ TEST_CASE("the density of a lamp is that of light_sample") {
         for (int i = 0; i < 200; ++i) {
             const LightSample sample = light_sample(emitter, p, numbers(i));
             CAPTURE(int(emitter.kind), i);
-            CHECK(light_density(world, world.surfaces[std::size_t(lamp)], {p, sample.direction, 0, inf}, sample.distance) == Approx(sample.density));
+            CHECK(light_density(world, world.surfaces[std::size_t(lamp)], {p, sample.direction, 0, inf},
+                                sample.distance) == Approx(sample.density));
         }
     }
 }

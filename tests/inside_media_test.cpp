@@ -36,8 +36,10 @@ Means means_of(const Scene& scene) { return means_of(scene, scene.samples); }
 Means means_of(const std::string& text) { return means_of(parse_scene(text, "scenes/inside_media_test.toml")); }
 
 /// A scene with fog of an extinction of 0.5, and a lamp of radiance 1 before the eye, 4 m away.
-std::string lamp_in_fog(const std::string& eye, const std::string& shapes, const std::string& fog = "", const std::string& camera = "") {
-    return "[render]\nsamples = 4096\n[camera]\neye = " + eye + "\ntarget = [0, 0, 0]\nvfov = 1\nsize = [4, 4]\n" + camera + R"(
+std::string lamp_in_fog(const std::string& eye, const std::string& shapes, const std::string& fog = "",
+                        const std::string& camera = "") {
+    return "[render]\nsamples = 4096\n[camera]\neye = " + eye + "\ntarget = [0, 0, 0]\nvfov = 1\nsize = [4, 4]\n" +
+           camera + R"(
 [materials.lamp]
 emission = 1
 [materials.fog]
@@ -59,17 +61,20 @@ material = "lamp"
 }
 
 std::string ball(const std::string& center, double radius, const std::string& material = "fog") {
-    return "[[shape]]\ntype = \"sphere\"\ncenter = " + center + "\nradius = " + std::to_string(radius) + "\nmaterial = \"" + material + "\"\n";
+    return "[[shape]]\ntype = \"sphere\"\ncenter = " + center + "\nradius = " + std::to_string(radius) +
+           "\nmaterial = \"" + material + "\"\n";
 }
 
 /// The six walls of a box about the origin, their fronts outside.
 std::string box(double half, const std::string& material) {
     const auto wall = [&](const char* center, const char* u, const char* v) {
         const auto scaled = [&](std::string text) {
-            for (auto at = text.find('h'); at != text.npos; at = text.find('h')) text.replace(at, 1, std::to_string(half));
+            for (auto at = text.find('h'); at != text.npos; at = text.find('h'))
+                text.replace(at, 1, std::to_string(half));
             return text;
         };
-        return "[[shape]]\ntype = \"quad\"\ncenter = " + scaled(center) + "\nu = " + scaled(u) + "\nv = " + scaled(v) + "\nmaterial = \"" + material + "\"\n";
+        return "[[shape]]\ntype = \"quad\"\ncenter = " + scaled(center) + "\nu = " + scaled(u) + "\nv = " + scaled(v) +
+               "\nmaterial = \"" + material + "\"\n";
     };
     return wall("[0, 0, h]", "[h, 0, 0]", "[0, h, 0]") + wall("[0, 0, -h]", "[-h, 0, 0]", "[0, h, 0]") +
            wall("[h, 0, 0]", "[0, 0, -h]", "[0, h, 0]") + wall("[-h, 0, 0]", "[0, 0, h]", "[0, h, 0]") +
@@ -81,7 +86,9 @@ constexpr Real through = 0.01;  // what 65,536 paths of one picture leave uncert
 }  // namespace
 
 TEST_CASE("each of the scenes that were drawn wrongly has its value", "[inside]") {
-    const auto mean = [](const char* name) { return means_of(read_scene(std::string("tests/cases/scenes/") + name + ".toml")); };
+    const auto mean = [](const char* name) {
+        return means_of(read_scene(std::string("tests/cases/scenes/") + name + ".toml"));
+    };
     CHECK(std::abs(mean("camera_in_fog").mean - std::exp(-2.0)) < 0.003);
     CHECK(std::abs(mean("point_light_in_fog").mean / 0.03946 - 1) < 0.01);
     CHECK(mean("inside_sphere_lamp").most == 0);
@@ -96,8 +103,9 @@ TEST_CASE("an eye in fog sees through as much of it as there is before it, whate
     const auto sees = [&](const std::string& text) { return means_of(text).mean; };
     const Real e = std::exp(1.0);
     // 4 m of it
-    for (const std::string& fog : {ball("[0, 0, 0]", 10), ball("[3, 2, 1]", 20), box(6, "fog"), ball("[0, 0, 4]", 5),
-                                   ball("[0, 0, 0]", 10) + ball("[0, 0, 1]", 7), ball("[0, 0, 0]", 10) + box(5, "fog")}) {
+    for (const std::string& fog :
+         {ball("[0, 0, 0]", 10), ball("[3, 2, 1]", 20), box(6, "fog"), ball("[0, 0, 4]", 5),
+          ball("[0, 0, 0]", 10) + ball("[0, 0, 1]", 7), ball("[0, 0, 0]", 10) + box(5, "fog")}) {
         INFO(fog);
         CHECK(std::abs(sees(lamp_in_fog(at, fog)) - std::pow(e, -2)) < through);
     }
@@ -106,10 +114,12 @@ TEST_CASE("an eye in fog sees through as much of it as there is before it, whate
     CHECK(std::abs(sees(lamp_in_fog(at, fog + ball("[0, 0, 2]", 1, "clear"))) - std::pow(e, -1)) < through);
     CHECK(std::abs(sees(lamp_in_fog(at, ball("[0, 0, 4]", 1, "clear") + fog)) - std::pow(e, -1.5)) < through);
     CHECK(std::abs(sees(lamp_in_fog(at, fog + ball("[0, 0, 2]", 1, "thick"))) - std::pow(e, -3)) < through);
-    CHECK(std::abs(sees(lamp_in_fog(at, fog + ball("[0, 0, 2]", 1, "thick") + ball("[0, 0, 2]", 0.5, "clear"))) - std::pow(e, -2)) < through);
+    CHECK(std::abs(sees(lamp_in_fog(at, fog + ball("[0, 0, 2]", 1, "thick") + ball("[0, 0, 2]", 0.5, "clear"))) -
+                   std::pow(e, -2)) < through);
     CHECK(std::abs(sees(lamp_in_fog(at, fog + box(2, "clear"))) - std::pow(e, -1)) < through);
     // two that overlap: the smaller one is what is there
-    CHECK(std::abs(sees(lamp_in_fog(at, ball("[0, 0, 4]", 2.5) + ball("[0, 0, 1]", 1.5, "thick"))) - std::pow(e, -0.75 - 2.5)) < through);
+    CHECK(std::abs(sees(lamp_in_fog(at, ball("[0, 0, 4]", 2.5) + ball("[0, 0, 1]", 1.5, "thick"))) -
+                   std::pow(e, -0.75 - 2.5)) < through);
     // outside of it, and with more of it behind the eye
     CHECK(std::abs(sees(lamp_in_fog(at, ball("[0, 0, 8]", 3))) - 1) < 1e-12);
     CHECK(std::abs(sees(lamp_in_fog(at, ball("[0, 0, 2]", 1))) - std::pow(e, -1)) < through);
@@ -125,7 +135,9 @@ TEST_CASE("an eye on a boundary is on the side to which it looks", "[inside]") {
     CHECK(std::abs(sees(lamp_in_fog("[0.7, 1.1, 3.9]", ball("[0, 0, 0]", std::sqrt(0.49 + 1.21 + 15.21)), "", "")) -
                    std::exp(-0.5 * std::sqrt(0.49 + 1.21 + 15.21))) < through);
     // glass: Fresnel's law is not asked, for the eye is in it
-    CHECK(means_of(lamp_in_fog("[0, 0, 4]", ball("[0, 0, 0]", 4, "glass"), "[materials.glass]\nreflectance = 1\ntransmittance = 1\nior = 1.5\n")).least == 1);
+    CHECK(means_of(lamp_in_fog("[0, 0, 4]", ball("[0, 0, 0]", 4, "glass"),
+                               "[materials.glass]\nreflectance = 1\ntransmittance = 1\nior = 1.5\n"))
+              .least == 1);
 }
 
 TEST_CASE("a lens that a boundary cuts, and a boundary in motion: each ray knows where it starts", "[inside]") {
@@ -161,8 +173,9 @@ close = 1
 
 TEST_CASE("lights outside of fog reach what is in it, dimmed by their way through", "[inside]") {
     const auto floor_lit_by = [](const std::string& light, const std::string& fog, int bounces = 0) {
-        return means_of("environment = " + std::string(light == "environment" ? "1" : "0") + "\n[render]\nsamples = 1024\nbounces = " +
-                        std::to_string(bounces) + "\n[camera]\neye = [0, 2, 0.001]\ntarget = [0, 0, 0]\nvfov = 0.5\nsize = [8, 8]\n" + R"(
+        return means_of("environment = " + std::string(light == "environment" ? "1" : "0") +
+                        "\n[render]\nsamples = 1024\nbounces = " + std::to_string(bounces) +
+                        "\n[camera]\neye = [0, 2, 0.001]\ntarget = [0, 0, 0]\nvfov = 0.5\nsize = [8, 8]\n" + R"(
 [materials.white]
 albedo = 0.5
 [materials.lamp]
@@ -178,11 +191,15 @@ center = [0, 0, 0]
 u = [0.5, 0, 0]
 v = [0, 0, -0.5]
 material = "white"
-)" + (light == "environment" ? "" : light) + fog).mean;
+)" + (light == "environment" ? "" : light) +
+                        fog)
+            .mean;
     };
-    const std::string point = "[[light]]\ntype = \"point\"\nposition = [0, 5, 0]\nintensity = 10\n",
-                      sun = "[[light]]\ntype = \"directional\"\ntoward = [0, 1, 0]\nirradiance = 10\n",
-                      lamp = "[[shape]]\ntype = \"disc\"\ncenter = [0, 5, 0]\nnormal = [0, -1, 0]\nradius = 0.1\nmaterial = \"lamp\"\n";
+    const std::string
+        point = "[[light]]\ntype = \"point\"\nposition = [0, 5, 0]\nintensity = 10\n",
+        sun = "[[light]]\ntype = \"directional\"\ntoward = [0, 1, 0]\nirradiance = 10\n",
+        lamp =
+            "[[shape]]\ntype = \"disc\"\ncenter = [0, 5, 0]\nnormal = [0, -1, 0]\nradius = 0.1\nmaterial = \"lamp\"\n";
     // The way of the light through the fog, and that to the camera, in means free paths.
     const auto dims = [&](const std::string& light, const std::string& fog, Real depth) {
         const Real clear = floor_lit_by(light, ""), dim = floor_lit_by(light, fog);
@@ -200,7 +217,8 @@ material = "white"
     dims("environment", ball("[0, 0, 0]", 1), 0.3 * (1 + 1));
     // Rays that bounce find the lamp and the sky as well, and must not count them once more.
     for (const std::string& light : {lamp, std::string("environment")})
-        CHECK(std::abs(floor_lit_by(light, ball("[0, 0, 0]", 1), 3) / floor_lit_by(light, ball("[0, 0, 0]", 1), 0) - 1) < 0.02);
+        CHECK(std::abs(floor_lit_by(light, ball("[0, 0, 0]", 1), 3) / floor_lit_by(light, ball("[0, 0, 0]", 1), 0) -
+                       1) < 0.02);
 }
 
 TEST_CASE("which regions a point is in: spheres, boxes, closed meshes; not behind a single pane", "[inside]") {
@@ -218,7 +236,10 @@ TEST_CASE("which regions a point is in: spheres, boxes, closed meshes; not behin
     CHECK(start("[0, 0, 4]", ball("[0, 0, 0]", 9, "thick") + mesh) == "thick");
     CHECK(start("[0, 0, 2]", box(3, "fog")) == "fog");
     CHECK(start("[0, 0, 4]", box(3, "fog")) == "");
-    CHECK(start("[0, 0, 2]", "[[shape]]\ntype = \"quad\"\ncenter = [0, 0, 5]\nu = [50, 0, 0]\nv = [0, 50, 0]\nmaterial = \"fog\"\n") == "");
+    CHECK(
+        start("[0, 0, 2]",
+              "[[shape]]\ntype = \"quad\"\ncenter = [0, 0, 5]\nu = [50, 0, 0]\nv = [0, 50, 0]\nmaterial = \"fog\"\n") ==
+        "");
 }
 
 TEST_CASE("regions side by side in one number: entered and left in any order", "[inside]") {
@@ -240,12 +261,15 @@ TEST_CASE("regions side by side in one number: entered and left in any order", "
 }
 
 TEST_CASE("mirrors and glass with interpolated normals lose no light", "[inside]") {
-    for (const char* material : {"reflectance = 1", "reflectance = 1\ntransmittance = 1\nior = 1.5",
-                                 "reflectance = 1\ntransmittance = 1\nior = 2.4", "reflectance = 1\ntransmittance = 1\nior = 0.7"}) {
+    for (const char* material :
+         {"reflectance = 1", "reflectance = 1\ntransmittance = 1\nior = 1.5",
+          "reflectance = 1\ntransmittance = 1\nior = 2.4", "reflectance = 1\ntransmittance = 1\nior = 0.7"}) {
         INFO(material);
-        const Means m = means_of("environment = 1\n[render]\nsamples = 64\ndepth = 1000\n[camera]\neye = [0, 0, 5]\ntarget = [0, 0, 0]\n"
-                                 "vfov = 30\nsize = [64, 64]\n[materials.m]\n" + std::string(material) +
-                                 "\n[[shape]]\ntype = \"mesh\"\nfile = \"icosahedron.obj\"\nmaterial = \"m\"\nsmooth = true\n");
+        const Means m = means_of(
+            "environment = 1\n[render]\nsamples = 64\ndepth = 1000\n[camera]\neye = [0, 0, 5]\ntarget = [0, 0, 0]\n"
+            "vfov = 30\nsize = [64, 64]\n[materials.m]\n" +
+            std::string(material) +
+            "\n[[shape]]\ntype = \"mesh\"\nfile = \"icosahedron.obj\"\nmaterial = \"m\"\nsmooth = true\n");
         CHECK(m.below == 0);
         CHECK(std::abs(m.mean - 1) < 1e-9);
     }
@@ -261,8 +285,10 @@ TEST_CASE("radiance that no picture can hold is refused", "[inside]") {
             return std::string(error.what());
         }
     };
-    CHECK(complaint("environment = 1e39\n" + camera).starts_with("s.toml:1:15: 'environment' is 1e+39; expected a number from 0 to 3.4e38"));
+    CHECK(complaint("environment = 1e39\n" + camera)
+              .starts_with("s.toml:1:15: 'environment' is 1e+39; expected a number from 0 to 3.4e38"));
     CHECK(complaint("background = 1e39\n" + camera).starts_with("s.toml:1:14: 'background' is 1e+39"));
-    CHECK(complaint(camera + "[materials.m]\nemission = [0, 1e39, 0]\n").starts_with("s.toml:5:16: 'emission' is 1e+39"));
+    CHECK(
+        complaint(camera + "[materials.m]\nemission = [0, 1e39, 0]\n").starts_with("s.toml:5:16: 'emission' is 1e+39"));
     CHECK(complaint("environment = 3.4e38\n" + camera) == "");
 }

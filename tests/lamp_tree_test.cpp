@@ -42,7 +42,8 @@ type = "sphere"
 center = [0, 0.6, 0]
 radius = 0.6
 material = "glossy"
-)", "many.toml");
+)",
+                              "many.toml");
     for (int k = 0; k < count; ++k) {
         Material lamp;
         lamp.emission = std::exp(4 * share(engine)) * Color(1, 0.8, 0.6);

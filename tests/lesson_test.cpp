@@ -43,7 +43,7 @@ TEST_CASE("a plot's guides have their slopes, and what is too small stands on it
     // the plot's area is 454 wide and 340 high, from 76, 44
     const std::string svg = log_log(plot);
     INFO(svg);
-    CHECK(svg.find("M76.0 44.0L530.0 384.0") != std::string::npos);   // the guide: two decades down in two
+    CHECK(svg.find("M76.0 44.0L530.0 384.0") != std::string::npos);              // the guide: two decades down in two
     CHECK(svg.find("M76.0 44.0L303.0 214.0L530.0 384.0") != std::string::npos);  // the line
     CHECK(svg.find("1e-30") == std::string::npos);
 

@@ -4,10 +4,10 @@
 #include <set>
 
 #include "assignment/assignment.h"
-#include "files/files.h"
 #include "catch.h"
 #include "checks/kit/check.h"
 #include "child/probes.h"
+#include "files/files.h"
 
 using namespace grade;
 

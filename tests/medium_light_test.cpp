@@ -1,7 +1,7 @@
 #include "catch.h"
 
-#include "rt/render.h"
 #include "rt/files/scene_reader.h"
+#include "rt/render.h"
 
 namespace {
 

@@ -45,9 +45,11 @@ TEST_CASE("what Mitsuba has no words for is named") {
     using Catch::Matchers::ContainsSubstring;
     CHECK_THAT(complaint(scene_of("", "[materials.shiny]\nspecular = 0.5\n")),
                ContainsSubstring("material \"shiny\": Phong's highlight"));
-    CHECK_THAT(complaint(scene_of("ambient = 1", "[materials.a]\nambient = 0.5\n")), ContainsSubstring("ambient light"));
+    CHECK_THAT(complaint(scene_of("ambient = 1", "[materials.a]\nambient = 0.5\n")),
+               ContainsSubstring("ambient light"));
     CHECK_THAT(complaint(scene_of("background = 1", diffuse)), ContainsSubstring("'background'"));
-    CHECK_THAT(complaint(scene_of("", "[materials.a]\nalbedo = 0.5\nreflectance = 0.2\n")), ContainsSubstring("perfect mirror"));
+    CHECK_THAT(complaint(scene_of("", "[materials.a]\nalbedo = 0.5\nreflectance = 0.2\n")),
+               ContainsSubstring("perfect mirror"));
     CHECK_THAT(complaint(scene_of("", "[materials.a]\nalbedo = 0.5\nreflectance = 0.6\nexponent = 9\n")),
                ContainsSubstring("above 1 together"));
     CHECK_THAT(complaint(scene_of("", diffuse + lamp + mirror)), ContainsSubstring("bounces = 0"));

@@ -48,7 +48,8 @@ bool is_square(const rt::Mesh& mesh) {
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    for (auto at = text.find(from); at != text.npos; at = text.find(from, at + to.size())) text.replace(at, from.size(), to);
+    for (auto at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
     return text;
 }
 
@@ -173,7 +174,9 @@ TEST_CASE("what is no mesh is refused at its line and column, with the reason", 
         {square, "1:1: there is no face with an area in the file; expected "},
         {square + "f 1 1 2\nf 1 2 1", "1:1: there is no face with an area in the file; expected "},
         {"", "1:1: there is no face"},
-        {"\x7f" "ELF\x01\xff", "1:1: '?ELF?\xff' is no word of the format; expected "},
+        {"\x7f"
+         "ELF\x01\xff",
+         "1:1: '?ELF?\xff' is no word of the format; expected "},
     };
     for (const auto& [text, expected] : files) {
         INFO(text);
@@ -185,12 +188,12 @@ TEST_CASE("what is no mesh is refused at its line and column, with the reason", 
 TEST_CASE("polygons become triangles that cover them once, whichever corner comes first", "[obj]") {
     const std::vector<std::vector<rt::vec2>> outlines = {
         {{0, 0}, {4, 0}, {4, 4}, {0, 4}},
-        {{0, 0}, {4, 0}, {1, 1}, {0, 4}},                                          // an arrow
-        {{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}},                          // an L
-        {{0, 0}, {5, 0}, {5, 5}, {4, 5}, {4, 1}, {1, 1}, {1, 5}, {0, 5}},          // a U
-        {{0, 0}, {2, 0}, {4, 0}, {4, 4}, {2, 4}, {2, 2}, {0, 4}, {0, 2}},          // with corners on straight lines
+        {{0, 0}, {4, 0}, {1, 1}, {0, 4}},                                  // an arrow
+        {{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}},                  // an L
+        {{0, 0}, {5, 0}, {5, 5}, {4, 5}, {4, 1}, {1, 1}, {1, 5}, {0, 5}},  // a U
+        {{0, 0}, {2, 0}, {4, 0}, {4, 4}, {2, 4}, {2, 2}, {0, 4}, {0, 2}},  // with corners on straight lines
         {{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 0}, {2, 2}, {2, 4}, {4, 4}, {4, 2}, {2, 2}},  // a hole, by a slit
-        {{3, 0}, {3.5, 2}, {6, 3}, {3.5, 4}, {3, 6}, {2.5, 4}, {0, 3}, {2.5, 2}},  // a star
+        {{3, 0}, {3.5, 2}, {6, 3}, {3.5, 4}, {3, 6}, {2.5, 4}, {0, 3}, {2.5, 2}},          // a star
     };
     for (const auto& outline : outlines)
         for (std::size_t first = 0; first < outline.size(); ++first)
@@ -199,7 +202,8 @@ TEST_CASE("polygons become triangles that cover them once, whichever corner come
                     std::vector<rt::vec3> corners;
                     double area = 0;
                     for (std::size_t i = 0; i < outline.size(); ++i) {
-                        const rt::vec2 p = outline[(first + i) % outline.size()], q = outline[(first + i + 1) % outline.size()];
+                        const rt::vec2 p = outline[(first + i) % outline.size()],
+                                       q = outline[(first + i + 1) % outline.size()];
                         corners.push_back(size * rt::vec3(p.x, p.y * std::cos(tilt), p.y * std::sin(tilt)));
                         area += (p.x * q.y - p.y * q.x) / 2;
                     }

@@ -59,7 +59,8 @@ TEST_CASE("any two dimensions of an orthogonal array have one sample in each cel
         const int n = 1 << (2 * h), pairs = 1 << (h - 1);
         std::vector<std::vector<Real>> dimensions;
         for (int pair = 0; pair < pairs; ++pair)
-            for (int axis = 0; axis < 2; ++axis) dimensions.push_back(coordinate(points<Sampler::orthogonal>(5, n, pair), axis));
+            for (int axis = 0; axis < 2; ++axis)
+                dimensions.push_back(coordinate(points<Sampler::orthogonal>(5, n, pair), axis));
         for (std::size_t a = 0; a < dimensions.size(); ++a)
             for (std::size_t b = a + 1; b < dimensions.size(); ++b) {
                 CAPTURE(n, a, b);
@@ -69,7 +70,8 @@ TEST_CASE("any two dimensions of an orthogonal array have one sample in each cel
 }
 
 TEST_CASE("scrambled points are uniform, and pairs do not go together") {
-    // Over many keys: the first two moments of a sample, and its product with one of another pair, also of a later array.
+    // Over many keys: the first two moments of a sample, and its product with one of another pair, also of a later
+    // array.
     constexpr int keys = 200'000, n = 16;
     const Dimension first(0, 0, n);
     for (const int pair : {1, 2, 9}) {
@@ -91,7 +93,8 @@ TEST_CASE("scrambled points are uniform, and pairs do not go together") {
     }
 }
 
-TEST_CASE("dimensions of one orthogonal array leave a fifth of the noise of random pairs, those of two no more than these") {
+TEST_CASE(
+    "dimensions of one orthogonal array leave a fifth of the noise of random pairs, those of two no more than these") {
     // The variance of a mean of products over dimensions of two arrays.
     constexpr int n = 64, keys = 4000;
     for (const int pair : {1, 5, 9}) {

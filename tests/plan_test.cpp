@@ -5,12 +5,12 @@
 #include <filesystem>
 #include <set>
 
-#include "files/files.h"
 #include "catch.h"
+#include "files/files.h"
 #include "rt/calls.h"
+#include "rt/files/scene_reader.h"
 #include "rt/render.h"
 #include "rt/trace.h"
-#include "rt/files/scene_reader.h"
 
 using namespace rt;
 
@@ -125,15 +125,18 @@ material = "lamp"
 
     const std::string camera = "vfov = 40\n", sphere = "radius = 0.7\n", grey = "albedo = [0.5, 0.4, 0.3]\n";
     CHECK(same(plain, drawn(changed(text, camera, camera + "lens_radius = 0\nfocus = 3\n"))));
-    CHECK(same(plain, drawn(changed(text, sphere, sphere + "velocity = [0, 0, 0]\n") + "[shutter]\nopen = 0\nclose = 1\n")));
-    CHECK(same(plain, drawn(changed(text, sphere, sphere + "velocity = [3, 2, 1]\n") + "[shutter]\nopen = 0\nclose = 0\n")));
+    CHECK(same(plain,
+               drawn(changed(text, sphere, sphere + "velocity = [0, 0, 0]\n") + "[shutter]\nopen = 0\nclose = 1\n")));
+    CHECK(same(plain,
+               drawn(changed(text, sphere, sphere + "velocity = [3, 2, 1]\n") + "[shutter]\nopen = 0\nclose = 0\n")));
     CHECK(same(plain, drawn(changed(text, grey, grey + "emission = [0, 0, 0]\n"))));
     CHECK(same(plain, drawn(changed(text, grey, grey + "reflectance = 0\ntransmittance = 0\nexponent = 20\n"))));
     CHECK(same(plain, drawn("environment = 0\nbackground = 0\nambient = 0\n" + text)));
     // a material that no shape has
-    CHECK(same(plain, drawn(changed(text, "[materials.mirror]",
-                                    "[materials.unused]\nalbedo = 0.1\nreflectance = 0.2\ntransmittance = 0.5\nexponent = 5\n"
-                                    "emission = [1, 1, 1]\n[materials.mirror]"))));
+    CHECK(same(plain,
+               drawn(changed(text, "[materials.mirror]",
+                             "[materials.unused]\nalbedo = 0.1\nreflectance = 0.2\ntransmittance = 0.5\nexponent = 5\n"
+                             "emission = [1, 1, 1]\n[materials.mirror]"))));
     // and what is really there does
     CHECK(!same(plain, drawn(changed(text, camera, camera + "lens_radius = 0.1\nfocus = 3\n"))));
 }
@@ -236,8 +239,9 @@ TEST_CASE("the plan names the fragments that its stages call") {
         return called(make_plan(read_scene("scenes/" + scene + ".toml"), sampling));
     };
     using Names = std::set<std::string>;
-    Names whitted{"camera_ray", "hit_sphere", "hit_quad", "point_irradiance", "phong", "shadow_ray",
-                  "mirror_direction", "refracted_direction", "fresnel_dielectric", "whitted"};
+    Names whitted{
+        "camera_ray",       "hit_sphere",          "hit_quad",           "point_irradiance", "phong", "shadow_ray",
+        "mirror_direction", "refracted_direction", "fresnel_dielectric", "whitted"};
     CHECK(names("whitted", {1, false, Sampler::stratified}) == whitted);
     whitted.insert({"film_sample", "pixel_mean"});
     CHECK(names("whitted", {4, false, Sampler::stratified}) == whitted);

@@ -259,10 +259,35 @@ TEST_CASE("the default focus is the distance of the target", "[reader]") {
 }
 
 TEST_CASE("any value may be replaced by any other: the answer is a scene or a located error", "[reader]") {
-    const std::string others[] = {
-        "nan",    "-nan", "inf",  "-inf", "1e400", "-1e400", "1e308",     "1e-400",      "4.9e-324",  "-0.0",
-        "0",      "-1",   "0x10", "true", "[]",    "{}",     "[[1]]",     "[nan, 0, 0]", "[0, 0, 0]", "[1, 2, 3]",
-        "[1, 2]", "''",   "",     "\"\"", "[[]]",  "[{}]",   "{ x = 1 }", "1979-05-27",  "99999999999999999999"};
+    const std::string others[] = {"nan",
+                                  "-nan",
+                                  "inf",
+                                  "-inf",
+                                  "1e400",
+                                  "-1e400",
+                                  "1e308",
+                                  "1e-400",
+                                  "4.9e-324",
+                                  "-0.0",
+                                  "0",
+                                  "-1",
+                                  "0x10",
+                                  "true",
+                                  "[]",
+                                  "{}",
+                                  "[[1]]",
+                                  "[nan, 0, 0]",
+                                  "[0, 0, 0]",
+                                  "[1, 2, 3]",
+                                  "[1, 2]",
+                                  "''",
+                                  "",
+                                  "\"\"",
+                                  "[[]]",
+                                  "[{}]",
+                                  "{ x = 1 }",
+                                  "1979-05-27",
+                                  "99999999999999999999"};
     for (const auto& [start, length] : values(small_scene))
         for (const std::string& other : others) {
             const std::string text = std::string(small_scene).replace(start, length, other);
@@ -292,9 +317,12 @@ TEST_CASE("no sequence of bytes crashes the reader", "[reader]") {
         std::string text = small_scene;
         for (auto edits = 1 + below(6); edits > 0; --edits) {
             const auto place = below(text.size());
-            if (below(3) == 0) text.erase(place, 1 + below(20));
-            else if (below(2) == 0) text.insert(place, 1, bytes[below(bytes.size())]);
-            else text[place] = bytes[below(bytes.size())];
+            if (below(3) == 0)
+                text.erase(place, 1 + below(20));
+            else if (below(2) == 0)
+                text.insert(place, 1, bytes[below(bytes.size())]);
+            else
+                text[place] = bytes[below(bytes.size())];
             if (text.empty()) text = "x";
         }
         const std::string message = complaint(text);
@@ -309,10 +337,10 @@ TEST_CASE("deep nesting of any kind is an error", "[reader]") {
         for (int i = 0; i < n; ++i) text += piece;
         return text;
     };
-    for (const std::string& text : {repeat("a.", 100000) + "a = 1", "[" + repeat("a.", 100000) + "a]",
-                                    repeat("a . ", 100000) + "a = 1", repeat("'a'.", 100000) + "a = 1",
-                                    "a = " + repeat("[", 100000), "a = " + repeat("{a=", 100000),
-                                    "a = {" + repeat("a.", 100000) + "a = 1}"})
+    for (const std::string& text :
+         {repeat("a.", 100000) + "a = 1", "[" + repeat("a.", 100000) + "a]", repeat("a . ", 100000) + "a = 1",
+          repeat("'a'.", 100000) + "a = 1", "a = " + repeat("[", 100000), "a = " + repeat("{a=", 100000),
+          "a = {" + repeat("a.", 100000) + "a = 1}"})
         CHECK(is_located(complaint(text)));
 }
 
@@ -367,7 +395,8 @@ TEST_CASE("what is wrong in an OBJ file is told with its line", "[reader]") {
     CHECK(obj_complaint("v 0 0 0\nf 1 1 1 -2\n").rfind(":2:9: ", 0) == 0);
     CHECK(obj_complaint("v 0 0 0\nf 1 1 99999999999\n").rfind(":2:7: ", 0) == 0);
     CHECK(obj_complaint("") != "");
-    CHECK(obj_complaint("\x7f" "ELF\x01\xff\n\xfe") != "");
+    CHECK(obj_complaint("\x7f"
+                        "ELF\x01\xff\n\xfe") != "");
 }
 
 TEST_CASE("every scene of the project is a scene", "[reader]") {

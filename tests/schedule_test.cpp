@@ -40,7 +40,8 @@ TEST_CASE("passes fill the time within ten per cent, however long a sample takes
         const Real limit = random.scale(0.01, 1e4), per_sample = limit * random.scale(1e-5, 0.05);
         int passes = 0;
         const SoFar s = run({limit, 0}, per_sample, 0.5, passes, &random);
-        INFO("limit " << limit << " s, a sample " << per_sample << " s: " << s.seconds << " s in " << passes << " passes");
+        INFO("limit " << limit << " s, a sample " << per_sample << " s: " << s.seconds << " s in " << passes
+                      << " passes");
         CHECK((s.seconds > 0.9 * limit && s.seconds < 1.03 * limit));
         CHECK(passes < 60);
     }
@@ -53,7 +54,8 @@ TEST_CASE("where one sample of each pixel takes long, none is begun that does no
     CHECK(run({1, 0}, 5, 0.5, passes).samples == 1);
 }
 
-TEST_CASE("an error is reached, with an eighth more samples than it takes, or three times as many where it falls fast", "[schedule]") {
+TEST_CASE("an error is reached, with an eighth more samples than it takes, or three times as many where it falls fast",
+          "[schedule]") {
     Random random(2);
     for (int k = 0; k < 300; ++k) {
         const Real error = random.scale(1e-4, 0.2), rate = k % 2 ? 0.5 : 1;
@@ -94,7 +96,8 @@ TEST_CASE("passes that go on make the picture that one pass with all samples mak
     CHECK(std::abs(passes.rmse / at_once.rmse - 1) < 1e-9);
 }
 
-TEST_CASE("with any sampler, the error that is estimated is the error, and the mean is that of many samples", "[schedule]") {
+TEST_CASE("with any sampler, the error that is estimated is the error, and the mean is that of many samples",
+          "[schedule]") {
     const Scene scene = scene_of_file("scenes/gallery/cornell.toml");
     RenderSettings fine;
     fine.samples = 1 << 14;
@@ -119,7 +122,8 @@ TEST_CASE("with any sampler, the error that is estimated is the error, and the m
             }
         }
         const Real error = std::sqrt(squares.value()), estimate = std::sqrt(estimates.value());
-        INFO(sampler_names[std::size_t(sampler)] << ": error " << error << ", estimated " << estimate << ", bias " << bias.value());
+        INFO(sampler_names[std::size_t(sampler)] << ": error " << error << ", estimated " << estimate << ", bias "
+                                                 << bias.value());
         CHECK((error > 0.85 * estimate && error < 1.25 * estimate));
         CHECK(std::abs(bias.value()) < 4 * 0.04 / std::sqrt(Real(truth.pixels.size()) * pictures));
     }

@@ -83,8 +83,13 @@ TEST_CASE("half blocks: ink above, ground below, colours said once", "[show]") {
 }
 
 TEST_CASE("base64 is that of RFC 4648", "[show]") {
-    for (const auto& [plain, coded] : {std::pair("", ""), {"f", "Zg=="}, {"fo", "Zm8="}, {"foo", "Zm9v"}, {"foob", "Zm9vYg=="},
-                                       {"fooba", "Zm9vYmE="}, {"foobar", "Zm9vYmFy"}})
+    for (const auto& [plain, coded] : {std::pair("", ""),
+                                       {"f", "Zg=="},
+                                       {"fo", "Zm8="},
+                                       {"foo", "Zm9v"},
+                                       {"foob", "Zm9vYg=="},
+                                       {"fooba", "Zm9vYmE="},
+                                       {"foobar", "Zm9vYmFy"}})
         CHECK(base64(plain) == coded);
     CHECK(base64(std::string("\xff\xfe\x00", 3)) == "//4A");
 }
@@ -97,7 +102,8 @@ TEST_CASE("kitty: pieces of 4096 characters, all but the last with more to come,
         for (; !text.empty(); ++pieces) {
             REQUIRE(text.rfind("\033_G", 0) == 0);
             const auto semicolon = text.find(';'), end = text.find("\033\\");
-            const std::string head = text.substr(3, semicolon - 3), piece = text.substr(semicolon + 1, end - semicolon - 1);
+            const std::string head = text.substr(3, semicolon - 3),
+                              piece = text.substr(semicolon + 1, end - semicolon - 1);
             CHECK((head.find("a=T") != std::string::npos) == (pieces == 0));
             CHECK(piece.size() <= 4096);
             text = text.substr(end + 2);
@@ -134,7 +140,8 @@ TEST_CASE("what a terminal answers says how it draws", "[show]") {
     CHECK(graphics_of("\033_Gi=31;OK\033\\\033[?62;c") == Graphics::kitty);
     CHECK(graphics_of("\033[?62;4;22c") == Graphics::sixel);
     CHECK(graphics_of("\033[?65;1;9;4c") == Graphics::sixel);
-    for (const char* other : {"", "\033[?1;2c", "\033[?64;14;40c", "\033[?4c", "\033_Gi=31;ENOTSUPPORTED\033\\\033[?62c", "garbage;4"})
+    for (const char* other :
+         {"", "\033[?1;2c", "\033[?64;14;40c", "\033[?4c", "\033_Gi=31;ENOTSUPPORTED\033\\\033[?62c", "garbage;4"})
         CHECK(graphics_of(other) == Graphics::blocks);
 }
 
@@ -147,7 +154,8 @@ TEST_CASE("a frame fits the terminal and ends below the picture", "[show]") {
             if (graphics != Graphics::blocks) continue;
             const auto count = [&](const std::string& what) {
                 int n = 0;
-                for (auto at = drawing.text.find(what); at != std::string::npos; at = drawing.text.find(what, at + 1)) ++n;
+                for (auto at = drawing.text.find(what); at != std::string::npos; at = drawing.text.find(what, at + 1))
+                    ++n;
                 return n;
             };
             CHECK(count("\r\n") == drawing.rows);
@@ -160,14 +168,15 @@ TEST_CASE("an address of tev is HOST:PORT", "[show]") {
     REQUIRE(address);
     CHECK((address->host == "::1" && address->port == "14158"));
     CHECK(tev_address("localhost:1"));
-    for (const char* wrong : {"", "localhost", ":14158", "localhost:", "localhost:x", "localhost:0", "localhost:65536", "localhost:-1",
-                              "::1:5", "[]:5", "localhost:123456"}) {
+    for (const char* wrong : {"", "localhost", ":14158", "localhost:", "localhost:x", "localhost:0", "localhost:65536",
+                              "localhost:-1", "::1:5", "[]:5", "localhost:123456"}) {
         INFO(wrong);
         CHECK(!tev_address(wrong));
     }
 }
 
-TEST_CASE("a number that is none is reported with the command that shows its sample, whichever pass it was in", "[show]") {
+TEST_CASE("a number that is none is reported with the command that shows its sample, whichever pass it was in",
+          "[show]") {
     RenderSettings settings;
     settings.sampler = Sampler::orthogonal;
     settings.seed = 7;
@@ -176,10 +185,13 @@ TEST_CASE("a number that is none is reported with the command that shows its sam
     bad.slice = next_slice(settings.sampler, settings.seed, 6, 64, 64);
     CHECK(report_bad_sample("a.toml", {10, 20}, settings, bad) ==
           "a.toml: pixel 3,4, sample 100: radiance nan 0 0; expected a finite number\n"
-          "To see how it came about: raytrace a.toml --pixel 3,4 --seed 7 --samples 128 --sampler sobol --size 10x20 --time-limit 1\n");
+          "To see how it came about: raytrace a.toml --pixel 3,4 --seed 7 --samples 128 --sampler sobol --size 10x20 "
+          "--time-limit 1\n");
     bad.sample.reset();
-    CHECK(report_bad_sample("a.toml", {10, 20}, settings, bad)
-              .starts_with("a.toml: pixel 3,4: the mean is no finite number, though every sample is; expected a finite number\n"));
+    CHECK(
+        report_bad_sample("a.toml", {10, 20}, settings, bad)
+            .starts_with(
+                "a.toml: pixel 3,4: the mean is no finite number, though every sample is; expected a finite number\n"));
 }
 
 TEST_CASE("a picture that ends long before its time limit says why, unless it was reached or stopped", "[show]") {

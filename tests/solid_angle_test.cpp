@@ -5,9 +5,9 @@
 
 #include "catch.h"
 #include "estimate.h"
+#include "rt/files/scene_reader.h"
 #include "rt/lamps/importance.h"
 #include "rt/sampler.h"
-#include "rt/files/scene_reader.h"
 
 using namespace rt;
 
@@ -95,7 +95,7 @@ TEST_CASE("solid angle: that of a quad, and points that share it evenly") {
     for (int k = 0; k < 100'000; ++k) {
         const auto [quad, p] = any_place(engine);
         const SeenQuad seen = seen_from(quad, p);
-        behind += seen.height < 0, narrow += seen.height > 0 && !seen.is_wide(), wide += seen.is_wide();
+        behind += seen.height<0, narrow += seen.height> 0 && !seen.is_wide(), wide += seen.is_wide();
         if (!seen.is_wide()) continue;
         const vec2 u(share(engine), share(engine));
         const long double whole = solid_angle(seen, seen.x1);
@@ -119,7 +119,9 @@ TEST_CASE("solid angle: that of a quad, and points that share it evenly") {
     CHECK(behind > 1'000);
 }
 
-TEST_CASE("solid angle: on the plane, at edges and corners, and where numbers end, a point of the area is asked for or all is finite") {
+TEST_CASE(
+    "solid angle: on the plane, at edges and corners, and where numbers end, a point of the area is asked for or all "
+    "is finite") {
     for (const Real size : {1e-200, 1e-100, 1e-6, 1., 1e6, 1e100, 1e200}) {
         const Quad quad{{0, 0, 0}, {size, 0, 0}, {0, size, 0}};
         for (const Real x : {-2., -1., 0., 1., 3.})
@@ -149,7 +151,8 @@ TEST_CASE("solid angle: the same picture, alone and with multiple importance sam
             scene.solid_angle = true;
             const Estimate by_angle = estimate(scene, sampler, 40);
             CAPTURE(both, int(sampler), by_area.mean.x, by_angle.mean.x);
-            CHECK(std::abs(by_area.mean.x - by_angle.mean.x) < 4.5 * std::sqrt(by_area.variance.x + by_angle.variance.x));
+            CHECK(std::abs(by_area.mean.x - by_angle.mean.x) <
+                  4.5 * std::sqrt(by_area.variance.x + by_angle.variance.x));
         }
 }
 
@@ -174,7 +177,8 @@ TEST_CASE("solid angle: the density with which multiple importance sampling weig
             const vec2 u = sobol_2d(5, std::uint32_t(i), 2);
             const LightSample s = seen.is_wide() ? sample_by_angle(seen, u) : light_sample(world.emitters[0], p, u);
             CAPTURE(p.y, i);
-            CHECK(light_density(world, world.surfaces[std::size_t(lamp)], {p, s.direction, 0, inf}, s.distance) == Approx(s.density));
+            CHECK(light_density(world, world.surfaces[std::size_t(lamp)], {p, s.direction, 0, inf}, s.distance) ==
+                  Approx(s.density));
         }
     }
 }

@@ -75,7 +75,8 @@ TEST_CASE("a given fragment is filled in, the others are blank; drift names the 
     fs::create_directories(folder / "solution");
     for (const char* name : {"one", "two"})
         std::ofstream(folder / "solution" / (std::string(name) + ".cpp"))
-            << "// BEGIN SOLUTION\n" << name << "();\n// END SOLUTION: return 0;\n";
+            << "// BEGIN SOLUTION\n"
+            << name << "();\n// END SOLUTION: return 0;\n";
 
     const auto files = make_starter((folder / "solution").string(), {"two"});
     CHECK(files.at("one.cpp") == "// YOUR CODE HERE\nreturn 0;\n");

@@ -47,12 +47,14 @@ std::vector<std::string> lines_of(const std::string& text) {
 /// The vector that follows a word in a line.
 bool vector_after(const std::string& line, const char* word, rt::vec3& v) {
     const auto at = line.find(word);
-    return at != std::string::npos && std::sscanf(line.c_str() + at + std::strlen(word), " (%lf, %lf, %lf)", &v.x, &v.y, &v.z) == 3;
+    return at != std::string::npos &&
+           std::sscanf(line.c_str() + at + std::strlen(word), " (%lf, %lf, %lf)", &v.x, &v.y, &v.z) == 3;
 }
 
 }  // namespace
 
-TEST_CASE("a trace tells of the picture's own light: what it says is added is the sample, and the mean is the pixel", "[trace]") {
+TEST_CASE("a trace tells of the picture's own light: what it says is added is the sample, and the mean is the pixel",
+          "[trace]") {
     int lit = 0;
     for (const fs::path& file : all_scenes())
         for_pixels(file, [&](const rt::Scene& scene, rt::RenderSettings settings, int x, int y) {
@@ -63,8 +65,9 @@ TEST_CASE("a trace tells of the picture's own light: what it says is added is th
             REQUIRE(traced.radiance.size() == traced.trace.samples.size());
             for (std::size_t k = 0; k < traced.radiance.size(); ++k) {
                 const rt::Color told = traced.trace.samples[k].light, found = traced.radiance[k];
-                INFO("sample " << k << " told " << told.x << ' ' << told.y << ' ' << told.z << " found " << found.x << ' ' << found.y
-                               << ' ' << found.z << '\n' << traced.trace.samples[k].text);
+                INFO("sample " << k << " told " << told.x << ' ' << told.y << ' ' << told.z << " found " << found.x
+                               << ' ' << found.y << ' ' << found.z << '\n'
+                               << traced.trace.samples[k].text);
                 const bool same = length(told - found) <= 1e-12 * length(found);
                 CHECK(same);
                 lit += found != rt::Color(0);
@@ -107,15 +110,18 @@ TEST_CASE("the direction that a fragment is told to answer is the one that the p
                         }
                         from = v, fragment.clear();
                     }
-                    for (const char* way : {"mirror_direction", "refracted_direction", "glossy_reflection", "translucency", "color_bleeding"})
-                        if (name == way && (vector_after(line, "direction", direction) || vector_after(line, ":", direction) ||
-                                            vector_after(line, "mirror_direction   ", direction)))
+                    for (const char* way : {"mirror_direction", "refracted_direction", "glossy_reflection",
+                                            "translucency", "color_bleeding"})
+                        if (name == way &&
+                            (vector_after(line, "direction", direction) || vector_after(line, ":", direction) ||
+                             vector_after(line, "mirror_direction   ", direction)))
                             fragment = name;
                     if (name == "scatter_direction") fragment.clear();
                 }
             }
         });
-    for (const char* way : {"mirror_direction", "refracted_direction", "glossy_reflection", "translucency", "color_bleeding"}) {
+    for (const char* way :
+         {"mirror_direction", "refracted_direction", "glossy_reflection", "translucency", "color_bleeding"}) {
         INFO(way);
         CHECK(seen[way] > 0);
     }
@@ -126,9 +132,10 @@ TEST_CASE("a trace says of each point of a lamp whether its shadow ray arrives, 
     rt::RenderSettings settings;
     settings.samples = 4;
     std::string text;
-    for (int x = 0; x < scene.camera.size.x; x += 8) text += rt::trace_pixel(scene, settings, x, scene.camera.size.y * 2 / 3);
-    for (const char* words : {"camera_ray", "film_sample", "light_sample", "direct_light", "shadow_ray", ": arrives", ": stopped by shape ",
-                              "density ", "distance ", "pixel_mean"}) {
+    for (int x = 0; x < scene.camera.size.x; x += 8)
+        text += rt::trace_pixel(scene, settings, x, scene.camera.size.y * 2 / 3);
+    for (const char* words : {"camera_ray", "film_sample", "light_sample", "direct_light", "shadow_ray", ": arrives",
+                              ": stopped by shape ", "density ", "distance ", "pixel_mean"}) {
         INFO(words);
         CHECK(text.find(words) != std::string::npos);
     }

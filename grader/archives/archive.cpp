@@ -105,7 +105,8 @@ Found look_into_archive(const fs::path& path, const std::vector<std::string>& fr
         text.resize(have);
         text.shrink_to_fit();
         if ((taken += std::int64_t(have)) > most_taken)
-            throw SubmissionError(fmt::format("{}: holds more than {} MiB in files that are named like fragments", path.string(), most_taken >> 20));
+            throw SubmissionError(fmt::format("{}: holds more than {} MiB in files that are named like fragments",
+                                              path.string(), most_taken >> 20));
         const auto [place, fresh] = found.texts.try_emplace(name, text);
         if (!fresh && place->second != text) found.doubled.insert(name);
         place->second = std::move(text);

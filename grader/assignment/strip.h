@@ -16,8 +16,8 @@ namespace grade {
 /// A solution file in its three pieces.
 struct Marked {
     std::vector<std::string> before, region, after;  // lines; the markers are in none of them
-    std::string indent;    // of the first marker
-    std::string fallback;  // what the last marker says
+    std::string indent;                              // of the first marker
+    std::string fallback;                            // what the last marker says
 };
 
 /// Finds the region. path is for errors: throws rt::InputError where a marker is missing, repeated or out of order.

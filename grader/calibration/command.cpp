@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "files/files.h"
 #include "calibration/real.h"
 #include "calibration/report.h"
-#include "studies/studies.h"
+#include "files/files.h"
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
+#include "studies/studies.h"
 
 namespace grade::calibration {
 

@@ -12,13 +12,13 @@ class App;
 namespace grade::calibration {
 
 struct CalibrateArguments {
-    std::string results;              // folder; empty: calibration/ in the build's folder
-    std::string out;                  // folder of the report; empty: that of the results
+    std::string results;  // folder; empty: calibration/ in the build's folder
+    std::string out;      // folder of the report; empty: that of the results
     std::string shard = "1/1";
     bool fast = false, report = false;
     Amount amount;
     int jobs = 0;
-    std::vector<std::string> names;   // of variants or fragments; empty: all
+    std::vector<std::string> names;  // of variants or fragments; empty: all
 };
 
 CLI::App* add_calibrate_command(CLI::App& app, CalibrateArguments& arguments);

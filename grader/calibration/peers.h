@@ -16,9 +16,9 @@ struct PixelMoments {
 
 /// Whether a picture passes the simple rules by which others judge one, against the mean of the reference's pictures.
 struct PeerRules {
-    bool z_test = true;          // of each pixel and channel: 99.75 % must pass at 1 %, corrected for their number
-    bool mean_difference = true; // mean absolute difference of all pixels below 0.1
-    bool global_mean = true;     // mean of the picture within 2.5 %
+    bool z_test = true;           // of each pixel and channel: 99.75 % must pass at 1 %, corrected for their number
+    bool mean_difference = true;  // mean absolute difference of all pixels below 0.1
+    bool global_mean = true;      // mean of the picture within 2.5 %
 };
 
 /// picture    mean of `pictures` pictures of the submission

@@ -8,9 +8,9 @@
 
 #include "diagnosis/diagnosis.h"
 #include "files/files.h"
-#include "report/json.h"
 #include "judging/grading.h"
 #include "judging/judge_check.h"
+#include "report/json.h"
 
 namespace grade::calibration {
 

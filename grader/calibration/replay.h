@@ -33,8 +33,8 @@ struct Tally {
 Tally replay(const std::vector<PooledChecks>& seeds, const Settings& settings, long gradings, std::uint64_t random);
 
 /// The same with a test of fixed size, of the same alpha and beta, in place of the code that stops when it is certain:
-/// a statistic fails where Student's test rejects |m| <= delta0, passes where |m| <= delta is shown, and is inconclusive
-/// otherwise.
+/// a statistic fails where Student's test rejects |m| <= delta0, passes where |m| <= delta is shown, and is
+/// inconclusive otherwise.
 ///
 /// replicates  of each check, at least 2
 Tally replay_fixed(const std::vector<PooledChecks>& seeds, const Settings& settings, int replicates, long gradings,

@@ -49,7 +49,7 @@ double open_rate(const VariantSummary& v) {
 }
 
 /// Statistics whose observed rate of rejection is off the nominal one by more than a factor of two.
-long outside(const std::vector<Nominal>& rates, double Nominal::* at, bool above) {
+long outside(const std::vector<Nominal>& rates, double Nominal::*at, bool above) {
     return std::ranges::count_if(rates, [&](const Nominal& n) { return above ? n.*at > 2 : n.*at < 0.5; });
 }
 
@@ -120,11 +120,10 @@ std::string budget_table(const std::vector<Budget>& budgets, const std::string& 
         "|\n|---|---|---|---|---|---|\n",
         heading);
     for (const Budget& b : budgets)
-        text += fmt::format("| {} | {:.2f} | {} | {:.3f} | {:.2e} | {:.2e} {} |\n", b.replicates,
-                            b.right.seconds_per_grading(), rate(b.right.gradings - b.right.passed, b.right.gradings),
-                            b.wrong.seconds_per_grading(),
-                            b.wrong.gradings > 0 ? 1 - double(b.wrong.failed) / double(b.wrong.gradings) : 0,
-                            b.worst_wrong, b.worst);
+        text += fmt::format(
+            "| {} | {:.2f} | {} | {:.3f} | {:.2e} | {:.2e} {} |\n", b.replicates, b.right.seconds_per_grading(),
+            rate(b.right.gradings - b.right.passed, b.right.gradings), b.wrong.seconds_per_grading(),
+            b.wrong.gradings > 0 ? 1 - double(b.wrong.failed) / double(b.wrong.gradings) : 0, b.worst_wrong, b.worst);
     return text;
 }
 
@@ -154,7 +153,7 @@ std::string peer_table(const Summary& s) {
     const auto shown = [](const std::vector<VariantSummary>& rows) {
         return std::ranges::count_if(rows, [](const auto& v) { return v.pictures > 0; });
     };
-    const auto caught = [](const std::vector<VariantSummary>& rows, bool PeerRules::* rule) {
+    const auto caught = [](const std::vector<VariantSummary>& rows, bool PeerRules::*rule) {
         return std::ranges::count_if(rows, [&](const auto& v) { return v.pictures > 0 && !(v.peers.*rule); });
     };
     const auto ours = [](const std::vector<VariantSummary>& rows) {
@@ -257,8 +256,10 @@ std::string calibration_report(const Summary& s, const std::string& command, con
 }
 
 Plot budget_plot(const Summary& s, int fragments) {
-    Plot plot{"Error of the verdict against run time", "CPU seconds of a whole submission's checks",
-              "probability of a wrong verdict", {}};
+    Plot plot{"Error of the verdict against run time",
+              "CPU seconds of a whole submission's checks",
+              "probability of a wrong verdict",
+              {}};
     const auto add = [&](const std::vector<Budget>& budgets, const std::string& rule, bool dashed) {
         Series right{"right, " + rule, {}, dashed}, wrong{"wrong, " + rule, {}, dashed};
         for (const Budget& b : budgets) {

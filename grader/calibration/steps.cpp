@@ -4,11 +4,11 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "files/files.h"
 #include "calibration/peers.h"
 #include "calibration/pool.h"
 #include "calibration/real.h"
 #include "calibration/results.h"
+#include "files/files.h"
 #include "judging/experiment.h"
 
 namespace grade::calibration {
@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double patience_with_picture = 30;      // CPU seconds of a picture
+constexpr double patience_with_picture = 30;  // CPU seconds of a picture
 constexpr int pictures_of_a_variant = 16, pictures_of_the_solution = 64;
 constexpr std::size_t gradings_at_once = 25;  // of one compilation
 
@@ -187,7 +187,9 @@ Step load_step(const Workshop& workshop, const Bundle& bundle) {
                 {
                     std::vector<std::jthread> load;
                     for (unsigned i = 0; i < std::thread::hardware_concurrency(); ++i)
-                        load.emplace_back([&] { while (on) {} });
+                        load.emplace_back([&] {
+                            while (on) {}
+                        });
                     busy = grade_changed(workshop, texts, {1}, workshop.fragments(), 7).at(0).record;
                     on = false;
                 }

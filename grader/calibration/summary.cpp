@@ -7,8 +7,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "files/files.h"
 #include "calibration/results.h"
+#include "files/files.h"
 #include "judging/grading.h"
 #include "judging/judge_check.h"
 #include "programs/parallel.h"
@@ -229,9 +229,10 @@ private:
     void replay_variant(VariantSummary& row) {
         read_peers(workshop_, row);
         const Variant& variant = *row.variant;
-        // Few replicates have a mean of their own, off the truth: many draws from them would be of another, wrong program.
-        const Stores stores = stores_of(workshop_, variant.name, {variant.fragment},
-                                        variant.kind == Variant::Kind::right ? enough_ : 0);
+        // Few replicates have a mean of their own, off the truth: many draws from them would be of another, wrong
+        // program.
+        const Stores stores =
+            stores_of(workshop_, variant.name, {variant.fragment}, variant.kind == Variant::Kind::right ? enough_ : 0);
         if (stores.seeds.empty()) return;
         row.replayed = replay(stores.seeds, settings_, draws_ / 10, 3);
         for (const PooledCheck& stored : stores.seeds.front())

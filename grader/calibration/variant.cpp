@@ -46,11 +46,16 @@ Variant read_variant(const fs::path& path, Variant::Kind kind) {
         const auto colon = text.find(": ");
         const std::string key = text.substr(0, colon),
                           value = colon == text.npos ? "" : trimmed(text.substr(colon + 2));
-        if (number == 1) variant.what = text;
-        else if (key == "fragment") variant.fragment = value;
-        else if (key == "says") variant.says = split(value, '|');
-        else if (key == "scene") variant.scene = value;
-        else if (key == "doses") variant.doses = split(value, ' ');
+        if (number == 1)
+            variant.what = text;
+        else if (key == "fragment")
+            variant.fragment = value;
+        else if (key == "says")
+            variant.says = split(value, '|');
+        else if (key == "scene")
+            variant.scene = value;
+        else if (key == "doses")
+            variant.doses = split(value, ' ');
         else
             throw rt::InputError(fmt::format("{}:{}:3: unknown key {}; expected fragment, says, scene or doses",
                                              path.string(), number, key));

@@ -18,12 +18,12 @@ namespace fs = std::filesystem;
 struct Variant {
     enum class Kind { right, wrong, dose, confined };
     Kind kind = Kind::right;
-    std::string name;      // "wrong/31_no_surface_cosine": its path
-    std::string what;      // its first line
+    std::string name;  // "wrong/31_no_surface_cosine": its path
+    std::string what;  // its first line
     std::string fragment;
     std::vector<std::string> says, doses;
     std::string scene;
-    std::string patch;     // the whole file
+    std::string patch;  // the whole file
 };
 
 /// Every patch of tests/variants, by folder, those with numbers in their order. Throws rt::InputError for a patch that

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "programs/compile.h"
 #include "files/files.h"
 #include "files/stamp.h"
+#include "programs/compile.h"
 #include "programs/parallel.h"
 #include "programs/progress.h"
 

@@ -8,20 +8,20 @@
 #include <vector>
 
 #include "assignment/assignment.h"
-#include "programs/sandbox.h"
-#include "programs/toolchain.h"
 #include "calibration/variant.h"
 #include "checks/kit/check.h"
+#include "programs/sandbox.h"
+#include "programs/toolchain.h"
 
 namespace grade::calibration {
 
 /// How much is measured.
 struct Amount {
-    int seeds = 4;          // grading seeds, over which the replicates are spread
-    int replicates = 4096;  // of each check of each variant, for replays
-    int gradings = 300;     // real ones, of whole right submissions
-    int wrong_seeds = 3;    // real gradings of each wrong variant
-    long draws = 1'000'000; // replayed gradings of the solution; a tenth for each variant
+    int seeds = 4;           // grading seeds, over which the replicates are spread
+    int replicates = 4096;   // of each check of each variant, for replays
+    int gradings = 300;      // real ones, of whole right submissions
+    int wrong_seeds = 3;     // real gradings of each wrong variant
+    long draws = 1'000'000;  // replayed gradings of the solution; a tenth for each variant
 };
 
 /// What all steps of a calibration share: variants, checks, programs, and the folder where results are kept.

@@ -55,18 +55,16 @@ Statistic film_point() {
                     [](const Camera&, vec2 p) { return glm::floor(p); }),
             suspect("the film point is shifted by half a pixel: it is a point already, no pixel's index",
                     [](const Camera&, vec2 p) { return p + 0.5; }),
-            suspect("the picture is scaled by size - 1; expected size",
-                    [=](const Camera& c, vec2 p) {
-                        return middle(c) + (p / (vec2(c.size) - 1.0) - 0.5) * vec2(c.size);
-                    }),
+            suspect(
+                "the picture is scaled by size - 1; expected size",
+                [=](const Camera& c, vec2 p) { return middle(c) + (p / (vec2(c.size) - 1.0) - 0.5) * vec2(c.size); }),
             suspect("the picture is scaled by size - 1 and shifted; expected size",
                     [=](const Camera& c, vec2 p) {
                         return middle(c) + (p - 0.5 * (vec2(c.size) - 1.0)) * (c.size.y / (c.size.y - 1.0));
                     }),
-            suspect("the aspect ratio is missing: x is scaled by the width; expected the height",
-                    [=](const Camera& c, vec2 p) {
-                        return vec2(0.5 * c.size.x + (p.x / c.size.x - 0.5) * c.size.y, p.y);
-                    }),
+            suspect(
+                "the aspect ratio is missing: x is scaled by the width; expected the height",
+                [=](const Camera& c, vec2 p) { return vec2(0.5 * c.size.x + (p.x / c.size.x - 0.5) * c.size.y, p.y); }),
             suspect("tan_half_fov is that of half the film; the whole film was given it",
                     [=](const Camera& c, vec2 p) { return middle(c) + 0.5 * (p - middle(c)); }),
             suspect("all rays go straight ahead", [=](const Camera& c, vec2) { return middle(c); }),
@@ -75,16 +73,19 @@ Statistic film_point() {
                  upright.right = {1, 0, 0}, upright.up = {0, 1, 0}, upright.back = {0, 0, 1};
                  return row(view_direction(upright, argument<rt::camera_ray, 1>(in)));
              }}}});
-    return {.id = "A1", .what = "film point of the ray, off by [pixel]",
+    return {.id = "A1",
+            .what = "film point of the ray, off by [pixel]",
             .measure = property({.violation = of_call<rt::camera_ray>(pixels_off)}).measure,
-            .truth = 0, .delta = 0.01, .exact = true,
-            .hint = [](double value, double) {
-                return fmt::format("the ray misses its film point by up to {:.3g} pixels", value);
-            },
-            .cause = [cause = directions.cause](Observation seen) {
-                for (Row& out : seen.outputs) out = row(vec3(rt::unit(result<rt::camera_ray>(out).direction)));
-                return cause(seen);
-            }};
+            .truth = 0,
+            .delta = 0.01,
+            .exact = true,
+            .hint = [](double value,
+                       double) { return fmt::format("the ray misses its film point by up to {:.3g} pixels", value); },
+            .cause =
+                [cause = directions.cause](Observation seen) {
+                    for (Row& out : seen.outputs) out = row(vec3(rt::unit(result<rt::camera_ray>(out).direction)));
+                    return cause(seen);
+                }};
 }
 
 }  // namespace
@@ -94,15 +95,16 @@ Checks check_camera_ray(Generator& random) {
         const Camera camera = any_pinhole(draw);
         return row(camera, square(draw) * vec2(camera.size));
     });
-    const Statistic origin = property(
-        {.id = "A1", .what = "distance of the origin from the eye",
-         .violation = of_call<rt::camera_ray>(
-             [](const Ray& ray, const Camera& camera, vec2) { return rt::largest(ray.origin - camera.eye); }),
-         .tolerance = 1e-3,
-         .says = "the ray does not start at camera.eye"});
-    return {probe_check("film_point", inputs,
-                        {film_point(), origin, unit_direction<rt::camera_ray>("A1", 1e-3),
-                         whole_ray<rt::camera_ray>("A1")}),
+    const Statistic origin =
+        property({.id = "A1",
+                  .what = "distance of the origin from the eye",
+                  .violation = of_call<rt::camera_ray>(
+                      [](const Ray& ray, const Camera& camera, vec2) { return rt::largest(ray.origin - camera.eye); }),
+                  .tolerance = 1e-3,
+                  .says = "the ray does not start at camera.eye"});
+    return {probe_check(
+                "film_point", inputs,
+                {film_point(), origin, unit_direction<rt::camera_ray>("A1", 1e-3), whole_ray<rt::camera_ray>("A1")}),
             slanted_quad(random)};
 }
 

@@ -26,7 +26,8 @@ RowNumber tint_error(Tint tint) {
 
 Statistic tint() {
     return property(
-        {.id = "F2", .what = "colour of the weight, off by",
+        {.id = "F2",
+         .what = "colour of the weight, off by",
          .violation = tint_error([](Color a) { return a; }),
          .tolerance = 1e-3,
          .says = "the weight does not have the colour of the albedo",
@@ -67,7 +68,8 @@ Check estimates(Generator& random) {
             [=](const Scattered& s) { return sum(s.weight) / sum(albedo) * f(s.direction); });
     };
     const Statistic light = find_half_a_percent(mean_of(
-        {.id = "F1", .what = "mean weight over the albedo",
+        {.id = "F1",
+         .what = "mean weight over the albedo",
          .number = estimate([](vec3) { return 1.0; }),
          .hint = by_ratio(
              "the mean weight",
@@ -78,15 +80,17 @@ Check estimates(Generator& random) {
               {2, "is the density half of what it must be? Of uniform directions it is 1/(2 pi)"},
               {0.5, "is the density twice what it must be? Of uniform directions it is 1/(2 pi)"}}),
          .cause = unpaid_roulette}));
-    const Statistic upwards = mean_of(
-        {.id = "V3", .what = "mean of weight x cosine over the albedo",
-         .number = estimate([=](vec3 d) { return rt::dot(d, n); }),
-         .truth = 2.0 / 3,
-         .hint = by_ratio("the mean of weight x cosine",
-                          {{0.75, "are directions uniform, but weighted as if their density were cos/pi?"}},
-                          "directions and weights do not go together")});
+    const Statistic upwards =
+        mean_of({.id = "V3",
+                 .what = "mean of weight x cosine over the albedo",
+                 .number = estimate([=](vec3 d) { return rt::dot(d, n); }),
+                 .truth = 2.0 / 3,
+                 .hint = by_ratio("the mean of weight x cosine",
+                                  {{0.75, "are directions uniform, but weighted as if their density were cos/pi?"}},
+                                  "directions and weights do not go together")});
     const auto lopsided = [&](const std::string& what, auto f) {
-        return mean_of({.id = "V3", .what = "mean of weight x " + what,
+        return mean_of({.id = "V3",
+                        .what = "mean of weight x " + what,
                         .number = estimate(f),
                         .truth = 0,
                         .hint = always("more light comes from one side than from the other: each coordinate of u must "
@@ -106,18 +110,19 @@ Check any_surface() {
         const Color albedo = any_albedo(random);
         return row(n, albedo, square(random));
     });
-    const Statistic below = property(
-        {.id = "V3", .what = "direction below the surface by",
-         .violation = of_call<rt::color_bleeding>(
-             [](const Scattered& s, vec3 n, Color, vec2) { return std::max(0.0, -rt::dot(s.direction, n)); }),
-         .tolerance = 1e-6,
-         .says = "the direction goes below the surface: is it turned from its own frame into that about n?"});
-    const Statistic negative =
-        property({.id = "V3", .what = "weight below 0 by",
-                  .violation = of_call<rt::color_bleeding>([](const Scattered& s) {
-                      return std::max({0.0, -s.weight.r, -s.weight.g, -s.weight.b});
-                  }),
-                  .says = "a weight is negative"});
+    const Statistic below =
+        property({.id = "V3",
+                  .what = "direction below the surface by",
+                  .violation = of_call<rt::color_bleeding>(
+                      [](const Scattered& s, vec3 n, Color, vec2) { return std::max(0.0, -rt::dot(s.direction, n)); }),
+                  .tolerance = 1e-6,
+                  .says = "the direction goes below the surface: is it turned from its own frame into that about n?"});
+    const Statistic negative = property({.id = "V3",
+                                         .what = "weight below 0 by",
+                                         .violation = of_call<rt::color_bleeding>([](const Scattered& s) {
+                                             return std::max({0.0, -s.weight.r, -s.weight.g, -s.weight.b});
+                                         }),
+                                         .says = "a weight is negative"});
     return probe_check("any_surface", inputs, {tint(), unit_direction<rt::color_bleeding>("V3"), below, negative});
 }
 
@@ -131,16 +136,16 @@ Check hollow_sphere(Generator& random) {
     const int bounces = whole_between(random, 2, 4);
     const View view{
         place(radius * box(random, -0.3, 0.3)), place({0, 0, 2 * radius}), place.turned({0, 1, 0}), 40, {24, 24}};
-    const std::string scene = scene_table("[render]", {{"bounces", bounces}}) + toml(view) +
-                              material("wall", {{"albedo", albedo}}) +
-                              point_light(place({0, 0, 0}), rt::pi * radius * radius) +
-                              sphere("wall", place({0, 0, 0}), radius);
+    const std::string scene =
+        scene_table("[render]", {{"bounces", bounces}}) + toml(view) + material("wall", {{"albedo", albedo}}) +
+        point_light(place({0, 0, 0}), rt::pi * radius * radius) + sphere("wall", place({0, 0, 0}), radius);
     const auto after = [](double a, int k) { return a * furnace_radiance(1, a, k); };
     return render_check(
         "hollow_sphere", {scene, 16, "sobol"}, rgb([&](int c, const std::string& name) {
             const double a = albedo[c], truth = after(a, bounces);
             return of_picture(
-                {.id = "F2", .what = name + " radiance after some bounces, over what must be",
+                {.id = "F2",
+                 .what = name + " radiance after some bounces, over what must be",
                  .number = [=](const rt::Image& image) { return region_mean(image, whole(image))[c] / truth; },
                  .delta = 0.02,
                  .hint = by_ratio(fmt::format("the {} light in a hollow sphere after {} bounces", name, bounces),
@@ -171,29 +176,30 @@ Check beside_wall(Generator& random) {
     const auto spot = [=](vec2 film) { return seen_on_plane(camera, film, place.origin, axes.z); };
     const auto light_at = [&](const std::string& where, double low, double high, double delta,
                               const std::string& else_words) {
-        return of_picture(
-            {.id = "F2", .what = "light from a wall on the floor " + where + ", over what must be",
-             .number = light_over_due(
-                 camera.size,
-                 [=](int x, int y) {
-                     const double away = rt::dot(spot({x + 0.5, y + 0.5}) - place.origin, axes.x);
-                     return away >= low && away <= high;
-                 },
-                 [=](Color c) { return sum(c / (floor * paint)) / 3; },
-                 [=](int x, int y) {
-                     return light * toward.x / rt::sqr(rt::pi) *
-                            over_pixel(x, y, [&](vec2 film) { return quad_irradiance(wall, spot(film), axes.z); });
-                 }),
-             .delta = delta,
-             .hint = by_ratio(
-                 "the light that a wall throws on the floor " + where,
-                 {{1 / rt::pi, "is the weight divided by pi?"}, {rt::pi, "is the 1/pi of the BRDF missing?"}},
-                 else_words)});
+        return of_picture({.id = "F2",
+                           .what = "light from a wall on the floor " + where + ", over what must be",
+                           .number = light_over_due(
+                               camera.size,
+                               [=](int x, int y) {
+                                   const double away = rt::dot(spot({x + 0.5, y + 0.5}) - place.origin, axes.x);
+                                   return away >= low && away <= high;
+                               },
+                               [=](Color c) { return sum(c / (floor * paint)) / 3; },
+                               [=](int x, int y) {
+                                   return light * toward.x / rt::sqr(rt::pi) * over_pixel(x, y, [&](vec2 film) {
+                                              return quad_irradiance(wall, spot(film), axes.z);
+                                          });
+                               }),
+                           .delta = delta,
+                           .hint = by_ratio("the light that a wall throws on the floor " + where,
+                                            {{1 / rt::pi, "is the weight divided by pi?"},
+                                             {rt::pi, "is the 1/pi of the BRDF missing?"}},
+                                            else_words)});
     };
-    return render_check("beside_wall", {scene, 64, "sobol"},
-                        {light_at("close to it", 0.5, 0.8, 0.06, ""),
-                         light_at("further away", 1.2, 1.5, 0.08,
-                                  "are the directions distributed as the weight supposes?")});
+    return render_check(
+        "beside_wall", {scene, 64, "sobol"},
+        {light_at("close to it", 0.5, 0.8, 0.06, ""),
+         light_at("further away", 1.2, 1.5, 0.08, "are the directions distributed as the weight supposes?")});
 }
 
 }  // namespace

@@ -15,21 +15,25 @@ Check open_sky(Generator& random) {
                               toml(View{place({2, 1, 3}), place({0, 0, 0}), place.axes.z, 30, {24, 24}}) +
                               material("floor", {{"albedo", albedo}}) + place.floor("floor", 50);
     const Statistic light = of_picture(
-        {.id = "F1", .what = "radiance of the floor, over its albedo",
+        {.id = "F1",
+         .what = "radiance of the floor, over its albedo",
          .number = [=](const rt::Image& image) { return brightness(region_mean(image, whole(image))) / albedo; },
          .delta = 0.01,
          .hint = by_ratio("the light of a floor under an even sky",
                           {{0.5, "is the density twice too large?"}, {2, "is the density twice too small?"}},
                           "the density is cos(theta)/pi of the direction that is returned")});
     const Statistic noise = of_picture(
-        {.id = "V1", .what = "largest deviation of a pixel from the albedo",
+        {.id = "V1",
+         .what = "largest deviation of a pixel from the albedo",
          .number =
              [=](const rt::Image& image) {
                  double most = 0;
                  for (const rt::Color& c : image.pixels) most = std::max(most, std::abs(c.x / albedo - 1));
                  return most;
              },
-         .truth = 0, .delta = 2e-3, .exact = true,
+         .truth = 0,
+         .delta = 2e-3,
+         .exact = true,
          .hint = always("directions drawn as the cosine leave no noise under an even sky: is the density that of the "
                         "direction?")});
     return render_check("open_sky", {scene, 4, "random"}, {light, noise});
@@ -39,17 +43,19 @@ Check open_sky(Generator& random) {
 
 Checks check_cosine_hemisphere(Generator& random) {
     const auto inputs = with_repeats(rows_of(1024, [](Generator& draw) { return row(square(draw)); }));
-    const Statistic above = property({.id = "V3", .what = "directions below the surface",
+    const Statistic above = property({.id = "V3",
+                                      .what = "directions below the surface",
                                       .violation = of_call<rt::cosine_hemisphere>(
                                           [](const DirectionSample& s) { return std::max(0.0, -s.direction.z); }),
                                       .tolerance = 1e-6,
                                       .says = "directions with z < 0 leave the hemisphere"});
-    const Statistic density = right_density<rt::cosine_hemisphere>(
-        [](const DirectionSample& s) { return s.direction.z / rt::pi; }, 1e-3,
-        {{2, "is the hemisphere's density twice too large?"},
-         {rt::pi, "1/pi is missing: the density is cos(theta)/pi"}});
+    const Statistic density =
+        right_density<rt::cosine_hemisphere>([](const DirectionSample& s) { return s.direction.z / rt::pi; }, 1e-3,
+                                             {{2, "is the hemisphere's density twice too large?"},
+                                              {rt::pi, "1/pi is missing: the density is cos(theta)/pi"}});
     const Statistic cosine = mean_of(
-        {.id = "V3", .what = "mean cosine",
+        {.id = "V3",
+         .what = "mean cosine",
          .number = of_call<rt::cosine_hemisphere>([](const DirectionSample& s) { return s.direction.z; }),
          .truth = 2.0 / 3,
          .hint = by_ratio("the mean cosine",
@@ -61,7 +67,8 @@ Checks check_cosine_hemisphere(Generator& random) {
         return rt::vec2(1 - z * z, turn(x, y));
     });
     const Statistic spread =
-        uniform_in_square({.id = "V3", .what = "chi-squared of directions",
+        uniform_in_square({.id = "V3",
+                           .what = "chi-squared of directions",
                            .point = cell,
                            .hint = always("the directions are not distributed as cos(theta)/pi: do height and angle "
                                           "each use a number of their own?"),

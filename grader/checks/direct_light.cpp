@@ -76,7 +76,8 @@ Check lit_floor(Generator& random) {
         return fit_line(log_cosine, y);
     };
     std::vector<Statistic> statistics = rgb([&](int c, const std::string& name) {
-        return of_picture({.id = "L1", .what = name + " light of the floor, a factor off",
+        return of_picture({.id = "L1",
+                           .what = name + " light of the floor, a factor off",
                            .number = [=](const rt::Image& i) { return std::exp(line(i, c).intercept.value); },
                            .delta = 0.06,
                            .hint = by_ratio("the " + name + " light of a floor",
@@ -90,9 +91,11 @@ Check lit_floor(Generator& random) {
     });
     statistics.insert(
         statistics.begin(),
-        of_picture({.id = "L2", .what = "exponent of the cosine that is too many or missing",
+        of_picture({.id = "L2",
+                    .what = "exponent of the cosine that is too many or missing",
                     .number = [=](const rt::Image& i) { return line(i, -1).slope.value; },
-                    .truth = 0, .delta = 0.1,
+                    .truth = 0,
+                    .delta = 0.1,
                     .hint = by_value("the light of a floor, over what it must be, goes with the cosine to the power",
                                      {{-1, "is the cosine at the surface missing?"},
                                       {1, "does the cosine at the surface come twice?"}},
@@ -136,7 +139,8 @@ Check lamp_highlight(Generator& random) {
     const auto width_of = [&](double exponent) { return due(exponent).radial_square / right.radial_square; };
     return render_check(
         "highlight", {scene, 32, "sobol"},
-        {of_picture({.id = "L1", .what = "light of the highlight, over what must be",
+        {of_picture({.id = "L1",
+                     .what = "light of the highlight, over what must be",
                      .number = [=](const rt::Image& i) { return seen(i).mass / right.mass; },
                      .delta = 0.06,
                      .hint = by_ratio("the light of the highlight",
@@ -144,14 +148,15 @@ Check lamp_highlight(Generator& random) {
                                        {1 / rt::pi, "is the highlight divided by pi?"},
                                        {std::cos(angle), "does the highlight have a cosine too many?"}},
                                       "expected r_s (r . c)^a x radiance / density")}),
-         of_picture({.id = "L1", .what = "mean square width of the highlight, over what must be",
-                     .number = [=](const rt::Image& i) { return seen(i).radial_square / right.radial_square; },
-                     .delta = 0.05,
-                     .hint = by_ratio("the mean square width of the highlight",
-                                      {{width_of(2 * shininess), "is the exponent 2a?"},
-                                       {width_of(shininess / 2), "is the exponent a/2?"},
-                                       {width_of(shininess / 4),
-                                        "is it Blinn's (n . h)^a? Expected Phong's (r . c)^a"}})})});
+         of_picture(
+             {.id = "L1",
+              .what = "mean square width of the highlight, over what must be",
+              .number = [=](const rt::Image& i) { return seen(i).radial_square / right.radial_square; },
+              .delta = 0.05,
+              .hint = by_ratio("the mean square width of the highlight",
+                               {{width_of(2 * shininess), "is the exponent 2a?"},
+                                {width_of(shininess / 2), "is the exponent a/2?"},
+                                {width_of(shininess / 4), "is it Blinn's (n . h)^a? Expected Phong's (r . c)^a"}})})});
 }
 
 }  // namespace
@@ -179,34 +184,36 @@ Checks check_direct_light(Generator& random) {
         return rows;
     };
     Formula<rt::direct_light> radiance{
-        .id = "L1", .what = "radiance, off by", .tolerance = 1e-4,
+        .id = "L1",
+        .what = "radiance, off by",
+        .tolerance = 1e-4,
         .right = estimate({}),
-        .suspects = {
-            {"the density is ignored: the sample must be divided by it",
-             times([](const LightSample& s) { return s.density; })},
-            {"the sample is multiplied by its density; expected divided",
-             times([](const LightSample& s) { return s.density * s.density; })},
-            {"1/r^2 counts twice: it is part of the density per solid angle",
-             times([](const LightSample& s) { return 1 / (s.distance * s.distance); })},
-            {"the highlight is not divided by the density",
-             [](Color right, const Material& m, Color l, const LightSample& s, vec3 n, vec3 c) {
-                 if (s.density <= 0) return right;
-                 const Color highlight = reflected(m, n, s.direction, c, {.diffuse = false}) * l;
-                 return right - highlight / s.density + highlight;
-             }},
-            {"a sample with density 0 must add nothing: it gives inf or nan",
-             [](Color right, const Material&, Color, const LightSample& s, vec3, vec3) {
-                 return s.density > 0 ? right : Color(NAN);
-             }}}};
+        .suspects = {{"the density is ignored: the sample must be divided by it",
+                      times([](const LightSample& s) { return s.density; })},
+                     {"the sample is multiplied by its density; expected divided",
+                      times([](const LightSample& s) { return s.density * s.density; })},
+                     {"1/r^2 counts twice: it is part of the density per solid angle",
+                      times([](const LightSample& s) { return 1 / (s.distance * s.distance); })},
+                     {"the highlight is not divided by the density",
+                      [](Color right, const Material& m, Color l, const LightSample& s, vec3 n, vec3 c) {
+                          if (s.density <= 0) return right;
+                          const Color highlight = reflected(m, n, s.direction, c, {.diffuse = false}) * l;
+                          return right - highlight / s.density + highlight;
+                      }},
+                     {"a sample with density 0 must add nothing: it gives inf or nan",
+                      [](Color right, const Material&, Color, const LightSample& s, vec3, vec3) {
+                          return s.density > 0 ? right : Color(NAN);
+                      }}}};
     for (const ModelMistake& mistake : reflection_mistakes)
         if (mistake.model.ambient) radiance.suspects.push_back({mistake.words, estimate(mistake.model)});
-    const Statistic horizon = property(
-        {.id = "L4", .what = "radiance of light below the horizon",
-         .violation = of_call<rt::direct_light>(
-             [](Color seen, const Material&, Color, const LightSample& s, vec3 n, vec3) {
-                 return rt::dot(s.direction, n) < 0 ? rt::largest(seen) : 0.0;
-             }),
-         .says = "light from below the horizon must give exactly 0, diffuse and highlight"});
+    const Statistic horizon =
+        property({.id = "L4",
+                  .what = "radiance of light below the horizon",
+                  .violation = of_call<rt::direct_light>(
+                      [](Color seen, const Material&, Color, const LightSample& s, vec3 n, vec3) {
+                          return rt::dot(s.direction, n) < 0 ? rt::largest(seen) : 0.0;
+                      }),
+                  .says = "light from below the horizon must give exactly 0, diffuse and highlight"});
     return {probe_check("one_sample", inputs, {formula(radiance), horizon}), lit_floor(random), lamp_highlight(random)};
 }
 

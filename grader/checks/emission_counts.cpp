@@ -20,7 +20,8 @@ Check truth_table() {
         return [kind](bool right, Event e, bool sampled) { return right && !(sampled && e == kind); };
     };
     Statistic right = formula<rt::emission_counts>(
-        {.id = "F1", .what = "wrong answers",
+        {.id = "F1",
+         .what = "wrong answers",
          .right = [](Event e, bool sampled) { return e != Event::diffuse || !sampled; },
          .suspects = {
              {"every emitter counts: a diffuse ray gathers again what shadow rays have gathered",
@@ -80,7 +81,8 @@ Check floor_under_lamp(Generator& random, const FloorUnderLamp& setting) {
             due += albedo / rt::pi * radiance * sight / (view.size.x * view.size.y);
         }
     const Statistic light =
-        of_picture({.id = "F1", .what = "light of the floor, over what must be",
+        of_picture({.id = "F1",
+                    .what = "light of the floor, over what must be",
                     .number = [=](const rt::Image& image) { return region_mean(image, whole(image)).r / due; },
                     .delta = 0.05,
                     .hint = by_ratio("the light of a floor under a lamp" + setting.where, {setting.known})});
@@ -90,19 +92,18 @@ Check floor_under_lamp(Generator& random, const FloorUnderLamp& setting) {
 }  // namespace
 
 Checks check_emission_counts(Generator& random) {
-    return {truth_table(),
-            floor_under_lamp(random,
-                             {.name = "nothing_twice",
-                              .known = {2, "shadow rays gather the lamp, and diffuse rays that hit it again"}}),
-            floor_under_lamp(random, {.name = "nothing_lost",
-                                      .sampled = false,
-                                      .where = " that no shadow ray looks for",
-                                      .known = {0, "only diffuse rays can find the lamp: it must count for them"}}),
-            floor_under_lamp(random,
-                             {.name = "caustic",
-                              .pane = true,
-                              .where = " behind glass",
-                              .known = {0, "shadow rays end at the glass: what a ray hits behind it must count"}})};
+    return {
+        truth_table(),
+        floor_under_lamp(random, {.name = "nothing_twice",
+                                  .known = {2, "shadow rays gather the lamp, and diffuse rays that hit it again"}}),
+        floor_under_lamp(random, {.name = "nothing_lost",
+                                  .sampled = false,
+                                  .where = " that no shadow ray looks for",
+                                  .known = {0, "only diffuse rays can find the lamp: it must count for them"}}),
+        floor_under_lamp(random, {.name = "caustic",
+                                  .pane = true,
+                                  .where = " behind glass",
+                                  .known = {0, "shadow rays end at the glass: what a ray hits behind it must count"}})};
 }
 
 }  // namespace grade

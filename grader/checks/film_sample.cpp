@@ -57,33 +57,40 @@ Check even_in_the_pixel(int n, const std::function<Rows(Generator&)>& inputs) {
         };
     };
     std::vector<Statistic> statistics = {
-        mean_of({.id = "A1", .what = "mean weight",
+        mean_of({.id = "A1",
+                 .what = "mean weight",
                  .number = moment(0, 0),
                  .hint = by_ratio("the mean weight", {{1.0 / n, "the framework divides by the number of samples"},
                                                       {double(n), "a sample counts as 1, not as n"}})})};
     for (const int axis : {0, 1})
         statistics.push_back(mean_of(
-            {.id = "A1", .what = fmt::format("mean {}, from the middle of the pixel [pixel]", "xy"[axis]),
+            {.id = "A1",
+             .what = fmt::format("mean {}, from the middle of the pixel [pixel]", "xy"[axis]),
              .number = moment(axis, 1),
-             .truth = 0, .unit = 0.2,
+             .truth = 0,
+             .unit = 0.2,
              .hint = [](double value, double) -> std::string {
                  if (std::abs(std::abs(value) - 0.5) < 0.1) return "the picture is shifted by half a pixel";
                  return "samples are not spread evenly about the middle of the pixel: is a stratum computed by integer "
                         "division?";
              }}));
     for (const int axis : {0, 1})
-        statistics.push_back(
-            mean_of({.id = "A1", .what = fmt::format("variance of {} [pixel^2]", "xy"[axis]),
-                     .number = moment(axis, 2),
-                     .truth = 1.0 / 12,
-                     .hint = by_ratio("the variance of the samples in a pixel",
-                                      {{0, "all samples are at one point: edges stay jagged"},
-                                       {4, "the samples spread over two pixels"},
-                                       {0.25, "the samples fill half of the pixel's width"}})}));
+        statistics.push_back(mean_of({.id = "A1",
+                                      .what = fmt::format("variance of {} [pixel^2]", "xy"[axis]),
+                                      .number = moment(axis, 2),
+                                      .truth = 1.0 / 12,
+                                      .hint = by_ratio("the variance of the samples in a pixel",
+                                                       {{0, "all samples are at one point: edges stay jagged"},
+                                                        {4, "the samples spread over two pixels"},
+                                                        {0.25, "the samples fill half of the pixel's width"}})}));
     // stratified points are more even than random ones
-    statistics.push_back(uniform_in_square({.id = "A1", .what = "chi-squared of equal parts of the pixel",
+    statistics.push_back(uniform_in_square({.id = "A1",
+                                            .what = "chi-squared of equal parts of the pixel",
                                             .point = place_in_pixel,
-                                            .columns = 4, .rows = 4, .delta0 = 1, .delta = 1.5,
+                                            .columns = 4,
+                                            .rows = 4,
+                                            .delta0 = 1,
+                                            .delta = 1.5,
                                             .hint = always("the samples do not fill the pixel evenly")}));
     statistics.push_back(purity());
     return probe_check("even_in_the_pixel", inputs, statistics);
@@ -91,7 +98,8 @@ Check even_in_the_pixel(int n, const std::function<Rows(Generator&)>& inputs) {
 
 /// n Var(mean of the pixel's x) / (1/12) is 1 for independent samples, and 1/n for cells of a grid.
 Statistic dispersion_of_mean(int n) {
-    return {.id = "G2", .what = "dispersion of a pixel's mean position",
+    return {.id = "G2",
+            .what = "dispersion of a pixel's mean position",
             .measure =
                 [n](const Observation& seen) {
                     double square_sum = 0;
@@ -103,19 +111,21 @@ Statistic dispersion_of_mean(int n) {
                     }
                     return 12 * square_sum / pixels;
                 },
-            .truth = 1.0 / n, .delta0 = 0.35, .delta = 0.6,
+            .truth = 1.0 / n,
+            .delta0 = 0.35,
+            .delta = 0.6,
             .hint = [](double value, double truth) -> std::string {
                 if (value > 0.8 && value < 1.2)
                     return "the samples are independent: each must fall in a cell of its own, see stratified_2d";
-                return value > truth
-                           ? "the samples of a pixel move together: is one position drawn for all of them?"
-                           : "the samples hardly move from render to render: is u used?";
+                return value > truth ? "the samples of a pixel move together: is one position drawn for all of them?"
+                                     : "the samples hardly move from render to render: is u used?";
             }};
 }
 
 /// One sample moves in a cell of 1/n of the pixel: n 12 Var(x) is 1, and the same for y.
 Statistic variance_of_sample(int n) {
-    return {.id = "G2", .what = "variance of one sample, over that of a cell",
+    return {.id = "G2",
+            .what = "variance of one sample, over that of a cell",
             .measure =
                 [n](const Observation& seen) {
                     double variance = 0;
@@ -129,18 +139,23 @@ Statistic variance_of_sample(int n) {
                     }
                     return 12 * n * variance;
                 },
-            .truth = 1, .delta0 = 0.05, .delta = 0.5,
-            .hint = [n](double value, double) {
-                if (value < 0.1)
-                    return fmt::format("with new random numbers a sample hardly moves, by {:.3g} of its cell's "
-                                       "variance: is u, its jitter, ignored, drawn once, or the same in all pixels?",
-                                       value);
-                const double cells = n / value;
-                if (cells < 1.2)
-                    return std::string("each sample falls anywhere in the pixel: it must fall in a cell of its own, "
-                                       "see stratified_2d");
-                return fmt::format("a sample moves as if the pixel had {:.3g} cells; expected n = {}", cells, n);
-            }};
+            .truth = 1,
+            .delta0 = 0.05,
+            .delta = 0.5,
+            .hint =
+                [n](double value, double) {
+                    if (value < 0.1)
+                        return fmt::format(
+                            "with new random numbers a sample hardly moves, by {:.3g} of its cell's "
+                            "variance: is u, its jitter, ignored, drawn once, or the same in all pixels?",
+                            value);
+                    const double cells = n / value;
+                    if (cells < 1.2)
+                        return std::string(
+                            "each sample falls anywhere in the pixel: it must fall in a cell of its own, "
+                            "see stratified_2d");
+                    return fmt::format("a sample moves as if the pixel had {:.3g} cells; expected n = {}", cells, n);
+                }};
 }
 
 }  // namespace
@@ -163,7 +178,8 @@ Checks check_film_sample(Generator& random) {
             for (int i = 0; i < n; ++i) rows.push_back(row(pixel, i, n, square(draws)));
         return rows;
     };
-    const Statistic inside = property({.id = "A1", .what = "distance outside the pixel, in its size",
+    const Statistic inside = property({.id = "A1",
+                                       .what = "distance outside the pixel, in its size",
                                        .violation =
                                            [](const Row& in, const Row& out) {
                                                const vec2 s = place_in_pixel(in, out);
@@ -180,14 +196,20 @@ Checks check_film_sample(Generator& random) {
         }};
     // a single sample of a pixel: its two coordinates must not go together
     const auto single = rows_over_square(24, [](vec2 u) { return row(Extent{vec2(3, 5), vec2(4, 6)}, 0, 1, u); });
-    const Statistic together = mean_of({.id = "A1", .what = "covariance of the two coordinates of a single sample, over their variance",
-                                        .number = [](const Row& in, const Row& out) {
-                                            const vec2 s = place_in_pixel(in, out) - 0.5;
-                                            return 12 * s.x * s.y;
-                                        },
-                                        .truth = 0, .delta0 = 0.02, .delta = 0.2,
-                                        .hint = always("x and y of a sample go together: each needs a coordinate of u of its own")});
-    return {probe_check("in_the_pixel", inputs, {inside}), probe_check("single_sample", single, {together}),
+    const Statistic together =
+        mean_of({.id = "A1",
+                 .what = "covariance of the two coordinates of a single sample, over their variance",
+                 .number =
+                     [](const Row& in, const Row& out) {
+                         const vec2 s = place_in_pixel(in, out) - 0.5;
+                         return 12 * s.x * s.y;
+                     },
+                 .truth = 0,
+                 .delta0 = 0.02,
+                 .delta = 0.2,
+                 .hint = always("x and y of a sample go together: each needs a coordinate of u of its own")});
+    return {probe_check("in_the_pixel", inputs, {inside}),
+            probe_check("single_sample", single, {together}),
             probe_check("stratified", one_pixel, {variance_of_sample(n), dispersion_of_mean(n)}),
             even_in_the_pixel(n, inputs),
             slanted_edges(random),

@@ -11,7 +11,8 @@ Check distances(Generator& random) {
     const double extinction = chance(random, 0.5) ? between(random, 2, 6) : between(random, 0.15, 0.5);
     const auto inputs = rows_of(2048, [=](Generator& draw) { return row(extinction, between(draw, 0, 1)); });
     const Statistic mean = mean_of(
-        {.id = "B1", .what = "mean distance times the extinction",
+        {.id = "B1",
+         .what = "mean distance times the extinction",
          .number = of_call<rt::free_flight>([](double t, double s, double) { return t * s; }),
          .delta = 0.08,
          .hint = by_ratio(
@@ -21,12 +22,14 @@ Check distances(Generator& random) {
               {1 / std::log(2), "is the logarithm of base 2? Expected the natural one"},
               {1 / std::log(10), "is the logarithm of base 10? Expected the natural one"},
               {0.5, "are distances uniform? -log(1 - u) is not"}})});
-    const Statistic spread = uniform_in_square(
-        {.id = "V3", .what = "chi squared of the distances per degree of freedom",
-         .point = of_call<rt::free_flight>(
-             [](double t, double s, double) { return rt::vec2(-std::expm1(-t * s), 0.5); }),
-         .columns = 32, .rows = 1,
-         .hint = always("the distances are not distributed as s exp(-s t)")});
+    const Statistic spread = uniform_in_square({.id = "V3",
+                                                .what = "chi squared of the distances per degree of freedom",
+                                                .point = of_call<rt::free_flight>([](double t, double s, double) {
+                                                    return rt::vec2(-std::expm1(-t * s), 0.5);
+                                                }),
+                                                .columns = 32,
+                                                .rows = 1,
+                                                .hint = always("the distances are not distributed as s exp(-s t)")});
     return probe_check("distances", inputs, {mean, spread});
 }
 
@@ -38,7 +41,8 @@ Check ends() {
         return row(extinction, ends[whole_between(random, 0, 4)]);
     });
     return probe_check("ends", inputs,
-                       {property({.id = "B1", .what = "distances below 0",
+                       {property({.id = "B1",
+                                  .what = "distances below 0",
                                   .violation = of_call<rt::free_flight>([](double t) { return t >= 0 ? 0.0 : 1.0; }),
                                   .says = "a distance is negative: log of a number below 1 is"})});
 }
@@ -54,9 +58,11 @@ Check any_extinction() {
         return rows;
     };
     return probe_check("any_extinction", inputs,
-                       {mean_of({.id = "B1", .what = "mean distance times the extinction, from 0.001 to 10,000 per metre",
+                       {mean_of({.id = "B1",
+                                 .what = "mean distance times the extinction, from 0.001 to 10,000 per metre",
                                  .number = of_call<rt::free_flight>([](double t, double s, double) { return t * s; }),
-                                 .delta0 = 0.002, .delta = 0.012,
+                                 .delta0 = 0.002,
+                                 .delta = 0.012,
                                  .hint = by_ratio("the mean distance of extinctions from 0.001 to 10,000 per metre", {},
                                                   "is the extinction clamped, or has it a factor?")})});
 }
@@ -88,14 +94,15 @@ Check attenuation(Generator& random) {
             [=](int x, int y) {
                 return over_pixel(x, y, [&](rt::vec2 film) { return std::exp(-extinction * way_through(film)); });
             });
-        return of_picture({.id = "B1", .what = "light left after a " + which + " way, over exp(-s l)",
-                           .number = [=](const rt::Image& image) { return over_due(image) / around; },
-                           .delta = delta,
-                           .hint = by_ratio(
-                               "the light left after a " + which + " way",
-                               {{std::exp(-typical * radius * (1 / extinction - extinction)),
-                                 "is the distance multiplied by the extinction? It must be divided by it"},
-                                {std::exp(-typical * radius * (1 - extinction)), "is the extinction used?"}})});
+        return of_picture(
+            {.id = "B1",
+             .what = "light left after a " + which + " way, over exp(-s l)",
+             .number = [=](const rt::Image& image) { return over_due(image) / around; },
+             .delta = delta,
+             .hint = by_ratio("the light left after a " + which + " way",
+                              {{std::exp(-typical * radius * (1 / extinction - extinction)),
+                                "is the distance multiplied by the extinction? It must be divided by it"},
+                               {std::exp(-typical * radius * (1 - extinction)), "is the extinction used?"}})});
     };
     return render_check("attenuation", {scene, 16, "sobol"},
                         {left_after("short", 0.7, 1.3, 1, 0.05), left_after("long", 1.8, 2, 1.93, 0.06)});

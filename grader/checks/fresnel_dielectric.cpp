@@ -55,22 +55,24 @@ Checks check_fresnel_dielectric(Generator& random) {
         return rows;
     };
     const Statistic reflectance = formula<rt::fresnel_dielectric>(
-        {.id = "F3", .what = "reflectance, off by", .tolerance = 1e-3,
+        {.id = "F3",
+         .what = "reflectance, off by",
+         .tolerance = 1e-3,
          .right = law(0.5, 0.5, 1),
-         .suspects = {{"total internal reflection gives 0; expected 1", law(0.5, 0.5, 0)},
-                      {"total internal reflection gives nan; expected 1", law(0.5, 0.5, NAN)},
-                      {"the indices are inverted: ior_from and ior_to are exchanged",
-                       [](double c, double from, double to) { return fresnel(c, to, from, 0.5, 0.5, 1); }},
-                      {"the factor 1/2 is missing: unpolarised light is the mean of s and p", law(1, 1, 1)},
-                      {"only s-polarised light is counted: expected the mean of s and p", law(1, 0, 1)},
-                      {"only p-polarised light is counted: expected the mean of s and p", law(0, 1, 1)},
-                      {"the transmitted share is returned; expected the reflected one",
-                       [](double right) { return 1 - right; }},
-                      {"this is Schlick's approximation; expected Fresnel's formula", schlick},
-                      {"this is Schlick's approximation; expected Fresnel's formula",
-                       [](double right, double c, double from, double to) {
-                           return right == 1 || from == to ? right : schlick(c, from, to);
-                       }}}});
+         .suspects = {
+             {"total internal reflection gives 0; expected 1", law(0.5, 0.5, 0)},
+             {"total internal reflection gives nan; expected 1", law(0.5, 0.5, NAN)},
+             {"the indices are inverted: ior_from and ior_to are exchanged",
+              [](double c, double from, double to) { return fresnel(c, to, from, 0.5, 0.5, 1); }},
+             {"the factor 1/2 is missing: unpolarised light is the mean of s and p", law(1, 1, 1)},
+             {"only s-polarised light is counted: expected the mean of s and p", law(1, 0, 1)},
+             {"only p-polarised light is counted: expected the mean of s and p", law(0, 1, 1)},
+             {"the transmitted share is returned; expected the reflected one", [](double right) { return 1 - right; }},
+             {"this is Schlick's approximation; expected Fresnel's formula", schlick},
+             {"this is Schlick's approximation; expected Fresnel's formula",
+              [](double right, double c, double from, double to) {
+                  return right == 1 || from == to ? right : schlick(c, from, to);
+              }}}});
     return {probe_check("reflectance", inputs, {reflectance}), slab(random, "light_through_a_slab"),
             invisible_glass(random)};
 }

@@ -64,8 +64,8 @@ Check mirrored_lamp(Generator& random) {
                               sphere("lamp", shining.center, shining.radius) + place.floor("floor", 100);
     const vec3 up = place.axes.z;
     const LobeSurface floor{camera_of(scene), place.origin, up, [=](vec3 d, double exponent) {
-        return Lobe{d - 2 * rt::dot(d, up) * up, up, exponent, 1};
-    }};
+                                return Lobe{d - 2 * rt::dot(d, up) * up, up, exponent, 1};
+                            }};
     return render_check("lamp", {scene, 64, "sobol"}, blurred_lamp(floor, shining, n, "the mirror direction"));
 }
 
@@ -74,14 +74,14 @@ Check rays(Generator& random, const std::string& name, double angle) {
     const vec3 normal = direction(random), d = -tilted(random, normal, angle);
     const vec3 axis = rt::unit(d - 2 * rt::dot(d, normal) * normal);
     const auto inputs = with_repeats(rows_over_square(32, [=](rt::vec2 u) { return row(d, normal, n, u); }));
-    return probe_check(name, inputs,
-                       lobe_statistics({.axis = axis,
-                                        .outward = normal,
-                                        .exponent = n,
-                                        .lobe_about = "the mirror direction",
-                                        .suspects = {lobe_about(
-                                            "the lobe is about the normal; expected about the mirror direction", normal,
-                                            normal, n, (n + 2) / (n + 1))}}));
+    return probe_check(
+        name, inputs,
+        lobe_statistics({.axis = axis,
+                         .outward = normal,
+                         .exponent = n,
+                         .lobe_about = "the mirror direction",
+                         .suspects = {lobe_about("the lobe is about the normal; expected about the mirror direction",
+                                                 normal, normal, n, (n + 2) / (n + 1))}}));
 }
 
 }  // namespace
@@ -90,7 +90,8 @@ Checks check_glossy_reflection(Generator& random) {
     Checks checks = {rays(random, "head_on", 0)};
     const double angle = between(random, 0.9, 1.2);
     checks.push_back(rays(random, "at_an_angle", angle));
-    for (Check& check : lobe_of_any_exponent(true, [](vec3 d, vec3 n, double exponent, rt::vec2 u) { return row(d, n, exponent, u); }))
+    for (Check& check :
+         lobe_of_any_exponent(true, [](vec3 d, vec3 n, double exponent, rt::vec2 u) { return row(d, n, exponent, u); }))
         checks.push_back(std::move(check));
     checks.push_back(ball(random));
     checks.push_back(mirrored_lamp(random));

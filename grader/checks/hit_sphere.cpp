@@ -37,7 +37,7 @@ Row ordinary_sphere(Generator& random, bool clipped) {
     const Sphere sphere{box(random, -5, 5), log_between(random, 0.1, 10)};
     const rt::vec3 d = direction(random);
     const bool at_rim = chance(random, 0.35);
-    const double passing = at_rim                  ? 1 + close_to_zero(random, 1e-6)
+    const double passing = at_rim                ? 1 + close_to_zero(random, 1e-6)
                            : chance(random, 0.2) ? between(random, 1.1, 2)
                                                  : between(random, 0, 0.95);
     const rt::vec3 beside = passing * sphere.radius * tilted(random, d, rt::pi / 2);
@@ -89,7 +89,9 @@ Statistic distance_to_sphere(const std::string& what) {
     const Allowed before_far = [](double t, const Ray& ray) { return t > 0 && t < ray.far; };
     const Allowed after_near = [](double t, const Ray& ray) { return t > ray.near; };
     return formula<rt::hit_sphere>(
-        {.id = "W1", .what = what, .tolerance = 1e-3,
+        {.id = "W1",
+         .what = what,
+         .tolerance = 1e-3,
          .right = first(inside, inside),
          .suspects = {{"the far crossing is returned where the near one counts", first(never, inside)},
                       {"crossings behind the ray's origin count as hits", first(anywhere, anywhere)},
@@ -105,13 +107,12 @@ Statistic distance_to_sphere(const std::string& what) {
                        [](double right, const Sphere& s, const Ray& r) {
                            return std::isnan(crossings(s, r)[0]) ? double(NAN) : right;
                        }}},
-         .circumstances = {
-             {"only rays whose direction is no unit vector are wrong: d . d is not 1",
-              [](const Sphere&, const Ray& r) { return std::abs(glm::length(r.direction) - 1) > 1e-6; }},
-             {"only rays that start inside the sphere are wrong",
-              [](const Sphere& s, const Ray& r) { return glm::length(r.origin - s.center) < s.radius; }},
-             {"only rays that pass the sphere are wrong: the square root's argument is negative there",
-              [](const Sphere& s, const Ray& r) { return std::isnan(crossings(s, r)[0]); }}}});
+         .circumstances = {{"only rays whose direction is no unit vector are wrong: d . d is not 1",
+                            [](const Sphere&, const Ray& r) { return std::abs(glm::length(r.direction) - 1) > 1e-6; }},
+                           {"only rays that start inside the sphere are wrong",
+                            [](const Sphere& s, const Ray& r) { return glm::length(r.origin - s.center) < s.radius; }},
+                           {"only rays that pass the sphere are wrong: the square root's argument is negative there",
+                            [](const Sphere& s, const Ray& r) { return std::isnan(crossings(s, r)[0]); }}}});
 }
 
 }  // namespace
@@ -120,7 +121,8 @@ Checks check_hit_sphere(Generator& random) {
     const auto unclipped = rows_of(96, [](Generator& draw) { return ordinary_sphere(draw, false); });
     const auto clipped = rows_of(96, [](Generator& draw) { return ordinary_sphere(draw, true); });
     return {probe_check("nearest_crossing", unclipped, {distance_to_sphere("distance, off by")}),
-            probe_check("small_spheres", rows_of(96, small_sphere), {distance_to_sphere("distance to a small sphere, off by")}),
+            probe_check("small_spheres", rows_of(96, small_sphere),
+                        {distance_to_sphere("distance to a small sphere, off by")}),
             probe_check("interval", clipped, {distance_to_sphere("distance within the interval, off by")}),
             silhouette(random)};
 }

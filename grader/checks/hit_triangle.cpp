@@ -56,7 +56,8 @@ Row small_triangle(Generator& random) {
     }
     const rt::Frame frame = rt::frame_about(direction(random));
     const vec3 center = size * box(random, -1, 1);
-    const Triangle t{center - size * frame.x - size * frame.y, center + size * frame.x - size * frame.y, center + size * frame.y};
+    const Triangle t{center - size * frame.x - size * frame.y, center + size * frame.x - size * frame.y,
+                     center + size * frame.y};
     const double x = between(random, -0.3, 0.3), y = between(random, -0.7, 0.3) - (chance(random, 0.3) ? 2 : 0);
     return row(t, near_ray(random, center + size * (x * frame.x + y * frame.y), frame.z, size));
 }
@@ -69,14 +70,17 @@ Check two_triangles(Generator& random) {
                               triangle("lamp", a, b, c) + triangle("lamp", a, c, d);
     Check check = figure_check("two_triangles", scene, "pair of triangles",
                                [q](const rt::Camera& camera) { return sight_of(q, camera); });
-    check.statistics.push_back(of_picture({.id = "A1", .what = "brightest pixel, off 1 by",
+    check.statistics.push_back(of_picture({.id = "A1",
+                                           .what = "brightest pixel, off 1 by",
                                            .number =
                                                [](const rt::Image& image) {
                                                    double most = 0;
                                                    for (const rt::Color& c : image.pixels) most = std::max(most, c.x);
                                                    return std::abs(most - 1);
                                                },
-                                           .truth = 0, .delta = 1e-9, .exact = true,
+                                           .truth = 0,
+                                           .delta = 1e-9,
+                                           .exact = true,
                                            .hint = always("the figure's radiance is 1")}));
     return check;
 }
@@ -123,7 +127,8 @@ Checks check_hit_triangle(Generator& random) {
     Checks checks = flat_checks<rt::hit_triangle>(flat, triangle_suspects(flat), ordinary_triangle, small_triangle);
     checks.push_back(probe_check(
         "no_area", nothing,
-        {property({.id = "W1", .what = "a triangle without area is hit",
+        {property({.id = "W1",
+                   .what = "a triangle without area is hit",
                    .violation = of_call<rt::hit_triangle>([](double t) { return t == rt::inf ? 0.0 : 1.0; }),
                    .says = "a triangle whose corners coincide must give inf, not nan or a hit"})}));
     checks.push_back(two_triangles(random));

@@ -42,21 +42,20 @@ Check wave_and_peak(Generator& random) {
     });
     // twice the mean over all rows is the mean over those of one kind
     const auto mean_estimate = [=](const std::string& what, const std::string& known_as, Kind kind, double integral) {
-        return mean_of(
-            {.id = "I1", .what = "mean estimate of " + what + ", over the integral",
-             .number = of_call<rt::integrate_monte_carlo>(
-                 [=](double mean, const Integrand& f, const Integrand&, const Points&) {
-                     return f.kind == kind ? 2 * mean / integral : 0.0;
-                 }),
-             .delta = 0.25,
-             .hint = by_ratio("the mean estimate of " + known_as,
-                              {{double(count), "is the division by the number of points missing?"}},
-                              "expected f(x_i)/Q(x_i), over the number of points")});
+        return mean_of({.id = "I1",
+                        .what = "mean estimate of " + what + ", over the integral",
+                        .number = of_call<rt::integrate_monte_carlo>(
+                            [=](double mean, const Integrand& f, const Integrand&, const Points&) {
+                                return f.kind == kind ? 2 * mean / integral : 0.0;
+                            }),
+                        .delta = 0.25,
+                        .hint = by_ratio("the mean estimate of " + known_as,
+                                         {{double(count), "is the division by the number of points missing?"}},
+                                         "expected f(x_i)/Q(x_i), over the number of points")});
     };
-    return probe_check(
-        "wave_and_peak", inputs,
-        {mean_estimate("a wave that regular points do not see", "a wave", Kind::cosine, span),
-         mean_estimate("a sharp peak", "a sharp peak", Kind::gaussian, width * std::sqrt(2 * rt::pi))});
+    return probe_check("wave_and_peak", inputs,
+                       {mean_estimate("a wave that regular points do not see", "a wave", Kind::cosine, span),
+                        mean_estimate("a sharp peak", "a sharp peak", Kind::gaussian, width * std::sqrt(2 * rt::pi))});
 }
 
 std::vector<double> drawn(Generator& random, int count, double rate) {
@@ -67,7 +66,9 @@ std::vector<double> drawn(Generator& random, int count, double rate) {
 
 Statistic given_estimate() {
     return formula<rt::integrate_monte_carlo>(
-        {.id = "I1", .what = "estimate from given points, off by", .tolerance = 1e-4,
+        {.id = "I1",
+         .what = "estimate from given points, off by",
+         .tolerance = 1e-4,
          .right = estimate_with(-1),
          .suspects = {{"f is multiplied by the density; expected the weight 1/Q", estimate_with(1)},
                       {"the density is ignored; expected the weight 1/Q(x_i)", estimate_with(0)},
@@ -103,7 +104,8 @@ Checks check_integrate_monte_carlo(Generator& random) {
         return row(f, q, drawn(draw, 32, other));
     });
     const Statistic mean =
-        mean_of({.id = "I1", .what = "mean estimate over the integral",
+        mean_of({.id = "I1",
+                 .what = "mean estimate over the integral",
                  .number = of_call<rt::integrate_monte_carlo>([=](double mean) { return mean * rate / 2; }),
                  .hint = by_ratio("the mean estimate", {{32, "is the division by the number of points missing?"}})});
 
@@ -118,14 +120,15 @@ Checks check_integrate_monte_carlo(Generator& random) {
             }
         return rows;
     };
-    const Statistic order = error_order(
-        "power of N with which the error falls", random_levels, repeats,
-        of_call<rt::integrate_monte_carlo>([=](double mean) { return mean - 2 / rate; }), -0.5,
-        [](double value, double) {
-            return fmt::format("the error falls as N^{:.2f} with N points; expected N^-0.5: is the sum divided by N, "
-                               "with the weight 1/Q(x_i) of each point?",
-                               value);
-        });
+    const Statistic order =
+        error_order("power of N with which the error falls", random_levels, repeats,
+                    of_call<rt::integrate_monte_carlo>([=](double mean) { return mean - 2 / rate; }), -0.5,
+                    [](double value, double) {
+                        return fmt::format(
+                            "the error falls as N^{:.2f} with N points; expected N^-0.5: is the sum divided by N, "
+                            "with the weight 1/Q(x_i) of each point?",
+                            value);
+                    });
     return {probe_check("given_points", inputs, {given_estimate()}), probe_check("unbiased", repeated, {mean}),
             wave_and_peak(random), probe_check("convergence", more_points, {order})};
 }

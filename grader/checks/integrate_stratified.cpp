@@ -58,18 +58,20 @@ Check wave(Generator& random) {
     const double low = between(random, -1, 1), span = between(random, 1, 2);
     const Integrand f{Integrand::Kind::cosine, {1, 1, count / span, between(random, 0, 6)}};
     const auto inputs = rows_of(96, [=](Generator& draw) { return row(f, equal_strata(draw, low, span, count)); });
-    return probe_check(
-        "wave", inputs,
-        {mean_of({.id = "I1", .what = "mean estimate of a wave with a period to a stratum, over the integral",
-                  .number = of_call<rt::integrate_stratified>([=](double sum) { return sum / span; }),
-                  .hint = by_ratio("the mean estimate of a wave",
-                                   {{1.0 / count, "are the strata averaged? Expected their sum"},
-                                    {count / span, "is the width of the strata missing?"}})})});
+    return probe_check("wave", inputs,
+                       {mean_of({.id = "I1",
+                                 .what = "mean estimate of a wave with a period to a stratum, over the integral",
+                                 .number = of_call<rt::integrate_stratified>([=](double sum) { return sum / span; }),
+                                 .hint = by_ratio("the mean estimate of a wave",
+                                                  {{1.0 / count, "are the strata averaged? Expected their sum"},
+                                                   {count / span, "is the width of the strata missing?"}})})});
 }
 
 Statistic sum_of_given() {
     return formula<rt::integrate_stratified>(
-        {.id = "I1", .what = "sum over the strata, off by", .tolerance = 1e-4,
+        {.id = "I1",
+         .what = "sum over the strata, off by",
+         .tolerance = 1e-4,
          .right = sum_over_strata([](const StratumOf&, const Strata&) { return 1.0; }),
          .suspects = {
              {"the sum of each stratum is divided by the number of all points; expected its own number N_t",
@@ -114,7 +116,8 @@ Checks check_integrate_stratified(Generator& random) {
         }
         return rows;
     };
-    const Statistic calls = property({.id = "I1", .what = "points used",
+    const Statistic calls = property({.id = "I1",
+                                      .what = "points used",
                                       .violation =
                                           [](const Row& in, const Row& out) {
                                               const Strata strata = argument<rt::integrate_stratified, 1>(in);

@@ -27,7 +27,9 @@ auto shifted(double shift) {
 
 Statistic regular_sum() {
     return formula<rt::integrate_uniform>(
-        {.id = "I1", .what = "sum over regular points, off by", .tolerance = 1e-4,
+        {.id = "I1",
+         .what = "sum over regular points, off by",
+         .tolerance = 1e-4,
          .right = shifted(0.5),
          .suspects = {
              {"the sum runs over left end points, x_i = a + i D/n; expected the middle of each interval", shifted(0)},
@@ -58,18 +60,19 @@ Checks check_integrate_uniform(Generator&) {
     });
 
     // the probe also says how often f was called, and between which x
-    const Statistic points = property(
-        {.id = "I1", .what = "points used",
-         .violation =
-             [](const Row& in, const Row& out) {
-                 return of_arguments<rt::integrate_uniform>([&](const Integrand&, double a, double b, int n) {
-                     const double h = (b - a) / n;
-                     return std::max({std::abs(out[1] - n), std::abs(out[2] - (a + h / 2)) / h,
-                                      std::abs(out[3] - (b - h / 2)) / h});
-                 })(in);
-             },
-         .tolerance = 1e-3,
-         .says = "f is not evaluated once at each of the N midpoints, from a + D/2N to b - D/2N"});
+    const Statistic points =
+        property({.id = "I1",
+                  .what = "points used",
+                  .violation =
+                      [](const Row& in, const Row& out) {
+                          return of_arguments<rt::integrate_uniform>([&](const Integrand&, double a, double b, int n) {
+                              const double h = (b - a) / n;
+                              return std::max({std::abs(out[1] - n), std::abs(out[2] - (a + h / 2)) / h,
+                                               std::abs(out[3] - (b - h / 2)) / h});
+                          })(in);
+                      },
+                  .tolerance = 1e-3,
+                  .says = "f is not evaluated once at each of the N midpoints, from a + D/2N to b - D/2N"});
     constexpr int repeats = 4;
     const auto more_points = [=](Generator& random) {
         std::vector<Row> functions;
@@ -109,8 +112,7 @@ Checks check_integrate_uniform(Generator&) {
         return rows;
     };
     return {probe_check("regular_points", inputs, {regular_sum(), points}),
-            probe_check("backwards", backwards, {regular_sum()}),
-            probe_check("convergence", more_points, {order})};
+            probe_check("backwards", backwards, {regular_sum()}), probe_check("convergence", more_points, {order})};
 }
 
 }  // namespace grade

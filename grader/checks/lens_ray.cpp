@@ -55,7 +55,8 @@ Check in_focus() {
         return lens_row(camera, random);
     });
     const Statistic point = property(
-        {.id = "D3", .what = "angle by which rays miss the point in focus",
+        {.id = "D3",
+         .what = "angle by which rays miss the point in focus",
          .violation = miss(plane_in_focus),
          .tolerance = 1e-4,
          .says = "rays do not meet the pinhole's ray in the plane in focus",
@@ -84,7 +85,8 @@ Check rays_of_lens(Generator& random) {
     const Camera camera = any_lens_camera(random);
     const auto inputs = rows_of(1024, [=](Generator& draw) { return lens_row(camera, draw); });
     const Statistic plane = property(
-        {.id = "D1", .what = "origin off the plane of the lens by [lens radius]",
+        {.id = "D1",
+         .what = "origin off the plane of the lens by [lens radius]",
          .violation = of_call<rt::lens_ray>([](const Ray& ray, const Camera& camera, const Ray&, vec2) {
              return std::abs(rt::dot(ray.origin - camera.eye, camera.back)) / camera.lens_radius;
          }),
@@ -94,7 +96,8 @@ Check rays_of_lens(Generator& random) {
     const auto from_middle = [](vec2 p) { return p.x * p.x + p.y * p.y; };
     const RowPoint start = of_call<rt::lens_ray>(on_lens);
     const Statistic size =
-        mean_of({.id = "D2", .what = "mean square of the distance from the middle of the lens [lens radius^2]",
+        mean_of({.id = "D2",
+                 .what = "mean square of the distance from the middle of the lens [lens radius^2]",
                  .number = [=](const Row& in, const Row& out) { return from_middle(start(in, out)); },
                  .truth = 0.5,
                  .hint = by_value("the mean square of the distance from the middle of the lens, in lens radii,",
@@ -108,7 +111,8 @@ Check rays_of_lens(Generator& random) {
                                    {0, "is u used? All rays start in the middle"}},
                                   0.04)});
     const Statistic spread = uniform_in_square(
-        {.id = "V3", .what = "chi squared of the points on the lens per degree of freedom",
+        {.id = "V3",
+         .what = "chi squared of the points on the lens per degree of freedom",
          .point =
              [=](const Row& in, const Row& out) {
                  const vec2 p = start(in, out);
@@ -116,9 +120,8 @@ Check rays_of_lens(Generator& random) {
              },
          .hint = always("the points are not spread evenly over the lens, the disc about camera.eye along right and up: "
                         "both coordinates of u are needed, independent of each other")});
-    return probe_check(
-        "lens", inputs,
-        {plane, unit_direction<rt::lens_ray>("D1"), whole_ray<rt::lens_ray>("D1"), size, spread});
+    return probe_check("lens", inputs,
+                       {plane, unit_direction<rt::lens_ray>("D1"), whole_ray<rt::lens_ray>("D1"), size, spread});
 }
 
 /// A lamp of so many pixels' radius at a film point, at distance z along the axis: a disc parallel to the film, whose
@@ -150,9 +153,12 @@ Blur blur(const rt::Image& image, const Region& region, double lamp_radius) {
 
 /// What is sharp has no blur, but for how its rim falls on the pixels.
 Statistic sharp(const std::string& where, Region region, double lamp_radius, Hint hint) {
-    return of_picture({.id = "D3", .what = "blur in " + where + " [pixel^2]",
+    return of_picture({.id = "D3",
+                       .what = "blur in " + where + " [pixel^2]",
                        .number = [=](const rt::Image& image) { return blur(image, region, lamp_radius).square; },
-                       .truth = 0, .delta = 0.8, .delta0 = 0.2,
+                       .truth = 0,
+                       .delta = 0.8,
+                       .delta0 = 0.2,
                        .hint = std::move(hint)});
 }
 
@@ -176,29 +182,31 @@ Check depths(Generator& random) {
                               lamp_at(camera, {left[2] + 16, 16}, behind, size);
 
     const auto radius = [&](const std::string& where, int x, double z) {
-        return of_picture(
-            {.id = "D1", .what = "radius of the blur disc " + where + " the plane in focus, over what must be",
-             .number =
-                 [=](const rt::Image& image) {
-                     return blur(image, {x, 0, 32, 32}, size).radius() / blur_radius(camera, z);
-                 },
-             .delta = 0.08,
-             .hint = by_ratio("the blur disc of a lamp " + where + " the plane in focus",
-                              {{0.5, "is the lens radius taken for its diameter?"},
-                               {2, "is the lens's diameter taken for its radius?"},
-                               {std::sqrt(2.0 / 3), "is the square root of u missing?"},
-                               {std::sqrt(4.0 / 3), "is the lens a square?"},
-                               {std::sqrt(2.0), "do all rays start on the rim of the lens?"},
-                               {0, "is the lens used?"}})});
+        return of_picture({.id = "D1",
+                           .what = "radius of the blur disc " + where + " the plane in focus, over what must be",
+                           .number =
+                               [=](const rt::Image& image) {
+                                   return blur(image, {x, 0, 32, 32}, size).radius() / blur_radius(camera, z);
+                               },
+                           .delta = 0.08,
+                           .hint = by_ratio("the blur disc of a lamp " + where + " the plane in focus",
+                                            {{0.5, "is the lens radius taken for its diameter?"},
+                                             {2, "is the lens's diameter taken for its radius?"},
+                                             {std::sqrt(2.0 / 3), "is the square root of u missing?"},
+                                             {std::sqrt(4.0 / 3), "is the lens a square?"},
+                                             {std::sqrt(2.0), "do all rays start on the rim of the lens?"},
+                                             {0, "is the lens used?"}})});
     };
     const Statistic shape = of_picture(
-        {.id = "D2", .what = "mean fourth power over squared mean square of the blur",
+        {.id = "D2",
+         .what = "mean fourth power over squared mean square of the blur",
          .number =
              [=](const rt::Image& image) {
                  const Blur b = blur(image, {left[0], 0, 32, 32}, size);
                  return b.fourth / rt::sqr(b.square);
              },
-         .truth = 4.0 / 3, .delta = 0.12,
+         .truth = 4.0 / 3,
+         .delta = 0.12,
          .hint = by_value("the blur disc's mean fourth power over its squared mean square, 4/3 for a uniform disc,",
                           {{1.8, "is the square root of u missing? The middle of the lens gets too much"},
                            {1.4, "is the lens a square?"},
@@ -223,13 +231,13 @@ Check corner(Generator& random) {
     const Camera camera = camera_of(lens_scene(view));
     const std::string scene = lens_scene(view) + lamp_at(camera, {right ? 40 : 8, low ? 40 : 8}, view.focus, size);
     const Region region{right ? 32 : 0, low ? 32 : 0, 16, 16};
-    return render_check(
-        "corner", {scene, 16, "sobol"},
-        {sharp("the corner of the plane in focus", region, size, [](double value, double) {
-            return fmt::format("in the corner of the picture, what is in focus is blurred to a disc of radius {:.3g} "
-                               "pixels: is the focus measured along the ray? It is along the axis",
-                               std::sqrt(2 * std::max(value, 0.0)));
-        })});
+    return render_check("corner", {scene, 16, "sobol"},
+                        {sharp("the corner of the plane in focus", region, size, [](double value, double) {
+                            return fmt::format(
+                                "in the corner of the picture, what is in focus is blurred to a disc of radius {:.3g} "
+                                "pixels: is the focus measured along the ray? It is along the axis",
+                                std::sqrt(2 * std::max(value, 0.0)));
+                        })});
 }
 
 }  // namespace

@@ -60,7 +60,8 @@ double off_light(const LightSample& s, const Emitter& light, vec3 p, vec2) {
 }
 
 Statistic samples_on_light(const std::string& unit, const std::string& says) {
-    return property({.id = "L1", .what = "distance of the samples from the light, in its " + unit,
+    return property({.id = "L1",
+                     .what = "distance of the samples from the light, in its " + unit,
                      .violation = of_call<rt::light_sample>(off_light),
                      .tolerance = 1e-3,
                      .says = says});
@@ -99,7 +100,8 @@ std::string one_point(const Observation& seen) {
 /// Where on a flat light samples are: their mean, and their mean squares.
 std::vector<Statistic> places_on_light(double area, bool quad) {
     const auto mean = [&](const std::string& axis, int k) {
-        return mean_of({.id = "L3", .what = "mean point on the light, " + axis,
+        return mean_of({.id = "L3",
+                        .what = "mean point on the light, " + axis,
                         .number = moment_on_light([=](vec2 q) { return q[k] / area; }),
                         .truth = 0,
                         .hint =
@@ -113,7 +115,8 @@ std::vector<Statistic> places_on_light(double area, bool quad) {
     };
     const auto mean_square = [&](const std::string& axis, int k) {
         return mean_of(
-            {.id = "L3", .what = "mean square of the point on the light, " + axis,
+            {.id = "L3",
+             .what = "mean square of the point on the light, " + axis,
              .number = moment_on_light([=](vec2 q) { return q[k] * q[k]; }),
              .truth = area / (quad ? 3 : 4),
              .hint = by_ratio("the mean square of the point on the light",
@@ -126,7 +129,8 @@ std::vector<Statistic> places_on_light(double area, bool quad) {
              .cause = one_point});
     };
     const Statistic covariance =
-        mean_of({.id = "L3", .what = "covariance of the point on the light",
+        mean_of({.id = "L3",
+                 .what = "covariance of the point on the light",
                  .number = moment_on_light([=](vec2 q) { return q.x * q.y / area; }),
                  .truth = 0,
                  .hint = always("the two coordinates depend on each other: one needs u.x and the other u.y")});
@@ -144,20 +148,21 @@ Check flat_light(Generator& random, Emitter::Kind kind, const char* name) {
                        "`distance` along the unit direction"
                      : "samples lie beside the light: its points are within the radius of the centre, at `distance` "
                        "along the unit direction");
-    const Statistic size = find_half_a_percent(
-        mean_of({.id = "L1", .what = "light gathered, as an area [m2]",
-                 .number = moment_on_light([](vec2) { return 1.0; }),
-                 .truth = area,
-                 .hint = by_ratio("the light that is gathered",
-                                  {{0.25, quad ? "u and v are half edges: the area is 4 |u x v|"
-                                               : "is the radius used as the diameter?"},
-                                   {4, "the density is that of an area 4 times too large"},
-                                   {1 / area, "the light's area is missing from the density"},
-                                   {2, "is a density halved?"},
-                                   {0.5, "is a density doubled?"},
-                                   {rt::pi, "is a factor pi missing from the area?"}},
-                                  "is the density per solid angle, distance^2 / (cosine at the light * area)?"),
-                 .cause = one_point}));
+    const Statistic size = find_half_a_percent(mean_of(
+        {.id = "L1",
+         .what = "light gathered, as an area [m2]",
+         .number = moment_on_light([](vec2) { return 1.0; }),
+         .truth = area,
+         .hint = by_ratio(
+             "the light that is gathered",
+             {{0.25, quad ? "u and v are half edges: the area is 4 |u x v|" : "is the radius used as the diameter?"},
+              {4, "the density is that of an area 4 times too large"},
+              {1 / area, "the light's area is missing from the density"},
+              {2, "is a density halved?"},
+              {0.5, "is a density doubled?"},
+              {rt::pi, "is a factor pi missing from the area?"}},
+             "is the density per solid angle, distance^2 / (cosine at the light * area)?"),
+         .cause = one_point}));
     std::vector<Statistic> statistics = places_on_light(area, quad);
     statistics.insert(statistics.begin(), {on, size});
     statistics.push_back(purity());
@@ -177,22 +182,26 @@ Check sphere_light(Generator& random) {
             [f](const LightSample& s) { return s.density > 0 ? f(s.direction) / s.density : 0.0; });
     };
     const auto lean = [&](const std::string& way, vec3 across) {
-        return mean_of({.id = "L1", .what = "mean direction, " + way,
+        return mean_of({.id = "L1",
+                        .what = "mean direction, " + way,
                         .number = integral([=](vec3 d) { return rt::dot(d, across) / (sine * solid_angle); }),
                         .truth = 0,
                         .hint = always("one side of the sphere is sampled more than the other")});
     };
     // half a percent would take hundreds of replicates where samples are spread over the whole sphere
-    const Statistic size = mean_of(
-        {.id = "L1", .what = "solid angle of the light [sr]",
-         .number = integral([](vec3) { return 1.0; }),
-         .truth = solid_angle, .delta = 0.01 * solid_angle,
-         .hint = by_ratio("the solid angle",
-                          {{2, "is the density halved?"},
-                           {4 * rt::pi / solid_angle, "the density is that of all directions"}},
-                          "is the density the one of the directions that are returned?")});
+    const Statistic size =
+        mean_of({.id = "L1",
+                 .what = "solid angle of the light [sr]",
+                 .number = integral([](vec3) { return 1.0; }),
+                 .truth = solid_angle,
+                 .delta = 0.01 * solid_angle,
+                 .hint = by_ratio("the solid angle",
+                                  {{2, "is the density halved?"},
+                                   {4 * rt::pi / solid_angle, "the density is that of all directions"}},
+                                  "is the density the one of the directions that are returned?")});
     const Statistic height =
-        mean_of({.id = "L1", .what = "mean of 1 - cos(theta) about the axis, over its value",
+        mean_of({.id = "L1",
+                 .what = "mean of 1 - cos(theta) about the axis, over its value",
                  .number = integral([=](vec3 d) { return (1 - rt::dot(d, axis)) * 2 / (cap * solid_angle); }),
                  .hint = by_ratio("the mean of 1 - cos(theta)", {{0, "one point of the light is sampled"}},
                                   "the sphere is not sampled evenly as seen from the point")});
@@ -243,9 +252,12 @@ Check layouts() {
     };
     const auto power = [](std::size_t which, const std::string& of, const std::vector<KnownValue>& known,
                           const std::string& else_words) {
-        return Statistic{.id = "L2", .what = "power of the " + of + " that is left over",
+        return Statistic{.id = "L2",
+                         .what = "power of the " + of + " that is left over",
                          .measure = [=](const Observation& seen) { return leftover_power(seen, which); },
-                         .truth = 0, .delta0 = 0.02, .delta = 0.3,
+                         .truth = 0,
+                         .delta0 = 0.02,
+                         .delta = 0.3,
                          .hint = [=](double value, double) -> std::string {
                              if (std::isnan(value)) return "the light gives no light where it must";
                              for (const KnownValue& k : known)
@@ -260,8 +272,9 @@ Check layouts() {
                 {1, "the distance counts once; expected squared"}},
                "the estimate has a wrong power of the distance"),
          power(2, "cosine at the light",
-               {{-1, "the cosine at the light is missing: density per solid angle = density per area * distance^2 / "
-                     "cosine"}},
+               {{-1,
+                 "the cosine at the light is missing: density per solid angle = density per area * distance^2 / "
+                 "cosine"}},
                "the cosine at the light has a wrong power: is the density multiplied where it must be divided?"),
          power(3, "area", {{-1, "the area is missing: the density per area is 1 / area"}},
                "the estimate has a wrong power of the light's area")});
@@ -301,18 +314,17 @@ Check irradiance(Generator& random) {
         // three times the mean over all rows is the mean over those of one light
         const auto share = [kind = lights[k].kind, n = surfaces[k].n, all = due[k]](const LightSample& s,
                                                                                     const Emitter& light, vec3, vec2) {
-            return light.kind == kind && s.density > 0
-                       ? 3 * std::max(0.0, rt::dot(n, s.direction)) / s.density / all
-                       : 0.0;
+            return light.kind == kind && s.density > 0 ? 3 * std::max(0.0, rt::dot(n, s.direction)) / s.density / all
+                                                       : 0.0;
         };
-        const Statistic mean =
-            mean_of({.id = "L1", .what = "irradiance of a surface by " + name + ", over what it must be",
-                     .number = of_call<rt::light_sample>(share),
-                     .delta = 0.01,
-                     .hint = by_ratio("the irradiance by " + name,
-                                      {{0.5, "is the density twice too large?"},
-                                       {2, "is the density twice too small?"}},
-                                      "is the density per solid angle that of the sample?")});
+        const Statistic mean = mean_of(
+            {.id = "L1",
+             .what = "irradiance of a surface by " + name + ", over what it must be",
+             .number = of_call<rt::light_sample>(share),
+             .delta = 0.01,
+             .hint = by_ratio("the irradiance by " + name,
+                              {{0.5, "is the density twice too large?"}, {2, "is the density twice too small?"}},
+                              "is the density per solid angle that of the sample?")});
         statistics.push_back(k < 2 ? find_half_a_percent(mean) : mean);
     }
     return probe_check("irradiance", inputs, statistics);
@@ -326,53 +338,63 @@ Check dark_side() {
             center_of(light) - between(random, 1, 3) * tilted(random, normal_of(light), between(random, 0, 1));
         return row(light, p, square(random));
     });
-    return probe_check("dark_side", inputs,
-                       {property({.id = "L4", .what = "density behind the light",
-                                  .violation = of_call<rt::light_sample>(
-                                      [](const LightSample& s) { return std::abs(s.density); }),
-                                  .says = "the light shines backwards: behind a quad or a disc the density is 0"})});
+    return probe_check(
+        "dark_side", inputs,
+        {property({.id = "L4",
+                   .what = "density behind the light",
+                   .violation = of_call<rt::light_sample>([](const LightSample& s) { return std::abs(s.density); }),
+                   .says = "the light shines backwards: behind a quad or a disc the density is 0"})});
 }
 
-/// Lamps from a centimetre to 100 m away, seen along an axis of the world or anyhow; spheres from the inside as well, and so
-/// close that they fill half of the sky.
+/// Lamps from a centimetre to 100 m away, seen along an axis of the world or anyhow; spheres from the inside as well,
+/// and so close that they fill half of the sky.
 Check anywhere() {
     const auto flat = [](Generator& draw) {
         const Emitter light = emitter(draw, chance(draw, 0.5) ? Emitter::Kind::quad : Emitter::Kind::disc);
-        const vec3 p = center_of(light) + log_between(draw, 1, 100) * tilted(draw, normal_of(light), between(draw, 0, 1));
+        const vec3 p =
+            center_of(light) + log_between(draw, 1, 100) * tilted(draw, normal_of(light), between(draw, 0, 1));
         return row(light, p, square(draw));
     };
     const auto sphere = [](Generator& draw) {
         const Emitter light = emitter(draw, Emitter::Kind::sphere);
         const vec3 away = chance(draw, 0.5) ? exact_direction(draw) : direction(draw);
-        return row(light, light.sphere.center + light.sphere.radius * (1 + log_between(draw, 1e-2, 100)) * away, square(draw));
+        return row(light, light.sphere.center + light.sphere.radius * (1 + log_between(draw, 1e-2, 100)) * away,
+                   square(draw));
     };
     const auto within = [](Generator& draw) {
         const Emitter light = emitter(draw, Emitter::Kind::sphere);
-        return row(light, light.sphere.center + light.sphere.radius * between(draw, 0, 0.95) * direction(draw), square(draw));
+        return row(light, light.sphere.center + light.sphere.radius * between(draw, 0, 0.95) * direction(draw),
+                   square(draw));
     };
-    const Statistic inside = property(
-        {.id = "L4", .what = "density for a point within a sphere light",
-         .violation = of_call<rt::light_sample>([](const LightSample& s, const Emitter& light, vec3 p, vec2) {
-             const bool within = light.kind == Emitter::Kind::sphere && glm::length(p - light.sphere.center) < light.sphere.radius;
-             return within ? std::abs(s.density) : 0.0;
-         }),
-         .says = "a sphere light sends nothing to a point within it: the density is 0"});
+    const Statistic inside =
+        property({.id = "L4",
+                  .what = "density for a point within a sphere light",
+                  .violation = of_call<rt::light_sample>([](const LightSample& s, const Emitter& light, vec3 p, vec2) {
+                      const bool within = light.kind == Emitter::Kind::sphere &&
+                                          glm::length(p - light.sphere.center) < light.sphere.radius;
+                      return within ? std::abs(s.density) : 0.0;
+                  }),
+                  .says = "a sphere light sends nothing to a point within it: the density is 0"});
     const Statistic on = property(
-        {.id = "L1", .what = "distance of the samples from the light, in its size",
+        {.id = "L1",
+         .what = "distance of the samples from the light, in its size",
          .violation = of_call<rt::light_sample>([](const LightSample& s, const Emitter& light, vec3 p, vec2 u) {
-             const bool within = light.kind == Emitter::Kind::sphere && glm::length(p - light.sphere.center) < light.sphere.radius;
+             const bool within =
+                 light.kind == Emitter::Kind::sphere && glm::length(p - light.sphere.center) < light.sphere.radius;
              return within ? 0.0 : off_light(s, light, p, u);
          }),
          .tolerance = 1e-2,
          .says = "samples lie off the light where it is near or far, or straight along an axis of the world"});
-    const Statistic missing = mean_of(
-        {.id = "L1", .what = "share of the samples in front of a flat light that count",
-         .number = of_call<rt::light_sample>([](const LightSample& s, const Emitter& light, vec3, vec2) {
-             const bool within = light.kind == Emitter::Kind::sphere;
-             return within || s.density > 0 ? 1.0 : 0.0;
-         }),
-         .delta0 = 0.001, .delta = 0.01,
-         .hint = always("a point in front of a flat light gets no light, from 1 to 100 m away")});
+    const Statistic missing =
+        mean_of({.id = "L1",
+                 .what = "share of the samples in front of a flat light that count",
+                 .number = of_call<rt::light_sample>([](const LightSample& s, const Emitter& light, vec3, vec2) {
+                     const bool within = light.kind == Emitter::Kind::sphere;
+                     return within || s.density > 0 ? 1.0 : 0.0;
+                 }),
+                 .delta0 = 0.001,
+                 .delta = 0.01,
+                 .hint = always("a point in front of a flat light gets no light, from 1 to 100 m away")});
     return probe_check("anywhere", rows_of_kinds(64, flat, sphere, within), {on, inside, missing});
 }
 
@@ -388,15 +410,18 @@ Check large_spheres() {
         }
         return rows;
     };
-    return probe_check("large_spheres", inputs,
-                       {mean_of({.id = "L1", .what = "solid angle of spheres that fill up to half of the sky, over what it is",
-                                 .number = of_call<rt::light_sample>([](const LightSample& s, const Emitter& light, vec3 p, vec2) {
-                                     const double sine = light.sphere.radius / glm::length(p - light.sphere.center);
-                                     return s.density > 0 ? 1 / s.density / (2 * rt::pi * (1 - std::sqrt(1 - sine * sine))) : 0.0;
-                                 }),
-                                 .delta0 = 0.002, .delta = 0.05,
-                                 .hint = by_ratio("the solid angle of large spheres", {{2, "is the density halved?"}},
-                                                  "is the sine of the cone the radius over the distance of the centre?")})});
+    return probe_check(
+        "large_spheres", inputs,
+        {mean_of({.id = "L1",
+                  .what = "solid angle of spheres that fill up to half of the sky, over what it is",
+                  .number = of_call<rt::light_sample>([](const LightSample& s, const Emitter& light, vec3 p, vec2) {
+                      const double sine = light.sphere.radius / glm::length(p - light.sphere.center);
+                      return s.density > 0 ? 1 / s.density / (2 * rt::pi * (1 - std::sqrt(1 - sine * sine))) : 0.0;
+                  }),
+                  .delta0 = 0.002,
+                  .delta = 0.05,
+                  .hint = by_ratio("the solid angle of large spheres", {{2, "is the density halved?"}},
+                                   "is the sine of the cone the radius over the distance of the centre?")})});
 }
 
 }  // namespace

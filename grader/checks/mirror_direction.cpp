@@ -53,7 +53,9 @@ Checks check_mirror_direction(Generator& random) {
         return row(log_between(draw, 0.1, 10) * direction(draw), n);
     });
     const Statistic mirrored = formula<rt::mirror_direction>(
-        {.id = "W2", .what = "mirrored direction, off by", .tolerance = 1e-4,
+        {.id = "W2",
+         .what = "mirrored direction, off by",
+         .tolerance = 1e-4,
          .right = parts(-1, 1),
          .suspects = {{"the direction is turned round: r has the wrong sign, it must leave the surface", parts(1, -1)},
                       {"d goes straight on: nothing is mirrored", parts(1, 1)},

@@ -16,7 +16,9 @@ Check points() {
         return row(point, velocity, time);
     });
     const Statistic right = formula<rt::moved>(
-        {.id = "M1", .what = "point, off by", .tolerance = 1e-5,
+        {.id = "M1",
+         .what = "point, off by",
+         .tolerance = 1e-5,
          .right = [](vec3 p, vec3 v, double t) { return p + t * v; },
          .suspects = {
              {"the point does not move", [](vec3 p, vec3, double) { return p; }},
@@ -51,8 +53,7 @@ struct Flight {
 /// sign  of the time
 Flight any_flight(Generator& random, double sign) {
     const Place place = any_place(random);
-    const double time = sign * between(random, 0.4, 0.7),
-                 turn = between(random, 0, 2 * rt::pi);
+    const double time = sign * between(random, 0.4, 0.7), turn = between(random, 0, 2 * rt::pi);
     const vec2 step = 16.0 * vec2(std::cos(turn), std::sin(turn));
     return {place, time, step, vec2(between(random, -3, 3), between(random, -3, 3)) - time * step};
 }
@@ -72,7 +73,8 @@ Check place_check(const std::string& name, const std::string& id, const std::str
                                    const vec2 d = centroid(image) - seen_at;
                                    return d.x * axis.x + d.y * axis.y;
                                },
-                           .truth = 0, .delta = 0.5,
+                           .truth = 0,
+                           .delta = 0.5,
                            .hint = std::move(hint)});
     };
     return render_check(name, {scene, 16, "sobol"},
@@ -122,10 +124,10 @@ Check reflection(Generator& random) {
     const Place& place = flight.place;
     constexpr double eye = 3, height = 5;  // [m] of camera and lamp before the mirror, behind which the image is
     const View view = place.from_above(eye, vfov_of(16 * film_pixel, eye + height), {32, 32});
-    const std::string scene = toml(view) + flight.instant() + unsampled_lamp("lamp", 2) +
-                              material("mirror", {{"reflectance", 1}}) + place.floor("mirror", 1) +
-                              sphere("lamp", place(flight.at_start() + vec3(0, 0, height)), 4 * film_pixel,
-                                     flight.velocity());
+    const std::string scene =
+        toml(view) + flight.instant() + unsampled_lamp("lamp", 2) + material("mirror", {{"reflectance", 1}}) +
+        place.floor("mirror", 1) +
+        sphere("lamp", place(flight.at_start() + vec3(0, 0, height)), 4 * film_pixel, flight.velocity());
     return place_check("reflection", "M3", "the mirror image of a lamp that flies by", scene, flight,
                        centroid_of_light);
 }

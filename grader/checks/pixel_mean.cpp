@@ -39,7 +39,9 @@ Statistic linear_mean() {
         return sum;
     };
     return formula<rt::pixel_mean>(
-        {.id = "G4", .what = "mean, off by", .tolerance = 1e-4,
+        {.id = "G4",
+         .what = "mean, off by",
+         .tolerance = 1e-4,
          .right = mean_over_samples([](Color c, double w) { return w * c; }),
          .suspects = {
              {"the sum is not divided by the number of samples", divided_by([](double) { return 1.0; })},
@@ -104,7 +106,8 @@ Check thin_lamps(Generator& random) {
         const std::string what =
             fmt::format("pixels that a lamp of {:.3g} covers to {:.0f} %", lamp.radiance, 100 * lamp.cover);
         statistics.push_back(of_picture(
-            {.id = "G4", .what = what + ", over what they must be",
+            {.id = "G4",
+             .what = what + ", over what they must be",
              .number =
                  [=](const rt::Image& image) {
                      return brightness(region_mean(image, {0, lamp.row, image.width, 1})) / due;
@@ -130,14 +133,15 @@ Check thin_lamps(Generator& random) {
             }
         return off / due;
     };
-    statistics.push_back(
-        of_picture({.id = "G2", .what = "noise of these pixels, over that of so many independent samples",
-                    .number = noise,
-                    .delta = 0.6,
-                    .hint = [](double value, double) {
-                        return fmt::format("pixels have {:.3g} times the noise of their samples' mean: {}", value,
-                                           value > 10 ? "does one sample alone count?" : "do all samples count?");
-                    }}));
+    statistics.push_back(of_picture({.id = "G2",
+                                     .what = "noise of these pixels, over that of so many independent samples",
+                                     .number = noise,
+                                     .delta = 0.6,
+                                     .hint = [](double value, double) {
+                                         return fmt::format(
+                                             "pixels have {:.3g} times the noise of their samples' mean: {}", value,
+                                             value > 10 ? "does one sample alone count?" : "do all samples count?");
+                                     }}));
     return render_check("thin_lamps", {scene, samples, "random"}, statistics);
 }
 
@@ -150,8 +154,7 @@ Check lamp_steps(Generator& random) {
     for (int k = 0; k < 7; ++k) {
         radiance.push_back(std::pow(10.0, k - 3) * box(random, 0.7, 1.4));
         const std::string name = fmt::format("lamp{}", k);
-        scene += unsampled_lamp(name, radiance.back()) +
-                 bright(place, size, name, {8 * k + 4, 8}, {3.3, 0}, {0, 6.6});
+        scene += unsampled_lamp(name, radiance.back()) + bright(place, size, name, {8 * k + 4, 8}, {3.3, 0}, {0, 6.6});
     }
     // the rims of the lamps are noisy, their middles are not
     const auto line = [=](const rt::Image& image, int channel) {
@@ -163,7 +166,8 @@ Check lamp_steps(Generator& random) {
         return fit_line(in, out);
     };
     std::vector<Statistic> statistics = rgb([&](int c, const std::string& name) {
-        return of_picture({.id = "G4", .what = name + " radiance, a factor off",
+        return of_picture({.id = "G4",
+                           .what = name + " radiance, a factor off",
                            .number = [=](const rt::Image& i) { return std::exp(line(i, c).intercept.value); },
                            .delta = 0.02,
                            .hint = by_ratio("the " + name + " radiance",
@@ -172,7 +176,8 @@ Check lamp_steps(Generator& random) {
                                             "is each channel the mean of its own?")});
     });
     statistics.insert(statistics.begin(),
-                      of_picture({.id = "G4", .what = "exponent of radiance in the picture",
+                      of_picture({.id = "G4",
+                                  .what = "exponent of radiance in the picture",
                                   .number = [=](const rt::Image& i) { return line(i, 1).slope.value; },
                                   .delta = 0.01,
                                   .hint = by_value("radiance comes out to the power",

@@ -30,7 +30,9 @@ auto times_distance(double power) {
 
 Statistic irradiance_by_point() {
     return formula<rt::point_irradiance>(
-        {.id = "L2", .what = "irradiance, off by", .tolerance = 1e-4,
+        {.id = "L2",
+         .what = "irradiance, off by",
+         .tolerance = 1e-4,
          .right = with_cosine([](double c) { return std::max(0.0, c); }),
          .suspects = {
              {"1/r^2 is missing: the light does not grow fainter with its distance", times_distance(2)},
@@ -73,7 +75,8 @@ Checks check_point_irradiance(Generator& random) {
         });
     };
     const Statistic horizon = property(
-        {.id = "L4", .what = "irradiance by light below the horizon",
+        {.id = "L4",
+         .what = "irradiance by light below the horizon",
          .violation = of_call<rt::point_irradiance>([](Color irradiance, const PointLight& light, vec3 p, vec3 n) {
              return rt::dot(way_to(light, p), n) < 0 ? rt::largest(irradiance) : 0.0;
          }),

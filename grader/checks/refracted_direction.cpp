@@ -36,7 +36,8 @@ Statistic refracted(const std::string& id, const std::string& what, double toler
     };
     return formula<rt::refracted_direction>(
         {.id = id,
-         .what = what, .tolerance = tolerance,
+         .what = what,
+         .tolerance = tolerance,
          .right = [](vec3 d, vec3 n, double from, double to) { return bent(d, n, from / to); },
          .suspects = {{"the ratio of the indices is inverted: e = ior_from / ior_to",
                        [](vec3 d, vec3 n, double from, double to) { return bent(d, n, to / from); }},

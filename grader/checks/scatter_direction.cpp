@@ -26,7 +26,8 @@ RowNumber density_error(Density expected) {
 
 Statistic density() {
     return property(
-        {.id = "V3", .what = "returned density over that of the returned direction, off 1 by",
+        {.id = "V3",
+         .what = "returned density over that of the returned direction, off 1 by",
          .violation = density_error(phase),
          .tolerance = 1e-3,
          .says = "the density is not that of the returned direction",
@@ -52,16 +53,19 @@ Check directions(const std::string& name, double g) {
         return row(d, g, square(random));
     });
     const Statistic mean = mean_of(
-        {.id = "B1", .what = "mean cosine of the scattering angle",
+        {.id = "B1",
+         .what = "mean cosine of the scattering angle",
          .number = of_call<rt::scatter_direction>(
              [](const DirectionSample& s, vec3 d, double, vec2) { return rt::dot(s.direction, d); }),
-         .truth = g, .unit = 1,
+         .truth = g,
+         .unit = 1,
          .hint = by_value("the mean cosine of the scattering angle",
                           {{-g, "is it measured from d, the direction of travel, or from where the light came from?"},
                            {0, "is g used, and is the direction turned from its own frame into that about d?"}},
                           0.05)});
     const Statistic spread = uniform_in_square(
-        {.id = "V3", .what = "chi squared of the directions per degree of freedom",
+        {.id = "V3",
+         .what = "chi squared of the directions per degree of freedom",
          .point = of_call<rt::scatter_direction>([=](const DirectionSample& s, vec3 d, double, vec2) {
              const rt::Frame frame = rt::frame_about(d);
              const vec3 w = s.direction;
@@ -101,12 +105,11 @@ Check ahead_and_behind(Generator& random) {
     const Place place = any_place(random);
     const double g = (chance(random, 0.5) ? 1 : -1) * between(random, 0.3, 0.5), extinction = between(random, 0.4, 0.7);
     constexpr double albedo = 0.002;
-    const std::string scene = toml(place.from_above(1.5, 4, {24, 24})) +
-                              milk("mist", extinction, {albedo, albedo, 0}, g) +
-                              unsampled_lamp("ahead", vec3(1, 0, 1)) + unsampled_lamp("behind", vec3(0, 1, 0)) +
-                              sphere("mist", place({0, 0, 0}), 1) +
-                              disc("ahead", place({0, 0, -1.1}), place.turned({0, 0, 1}), 1000) +
-                              disc("behind", place({0, 0, 1.6}), place.turned({0, 0, -1}), 1000);
+    const std::string scene =
+        toml(place.from_above(1.5, 4, {24, 24})) + milk("mist", extinction, {albedo, albedo, 0}, g) +
+        unsampled_lamp("ahead", vec3(1, 0, 1)) + unsampled_lamp("behind", vec3(0, 1, 0)) +
+        sphere("mist", place({0, 0, 0}), 1) + disc("ahead", place({0, 0, -1.1}), place.turned({0, 0, 1}), 1000) +
+        disc("behind", place({0, 0, 1.6}), place.turned({0, 0, -1}), 1000);
 
     const auto parts = [](const rt::Image& image) {
         const rt::Color mean = region_mean(image, whole(image));
@@ -114,16 +117,19 @@ Check ahead_and_behind(Generator& random) {
     };
     const double all = scattered_once(extinction, g, 1) + scattered_once(extinction, g, -1);
     const Statistic share = of_picture(
-        {.id = "B1", .what = "share of the scattered light that goes on ahead",
+        {.id = "B1",
+         .what = "share of the scattered light that goes on ahead",
          .number = [=](const rt::Image& image) { return parts(image).x / (parts(image).x + parts(image).y); },
-         .truth = share_ahead(extinction, g), .delta = 0.04,
+         .truth = share_ahead(extinction, g),
+         .delta = 0.04,
          .hint = by_value(
              "the share of the scattered light that goes on ahead",
              {{share_ahead(extinction, -g), "is g taken with the wrong sign, or from where the light came from?"},
               {share_ahead(extinction, 0), "is g used?"}},
              0.04)});
     const Statistic sum =
-        of_picture({.id = "B1", .what = "light scattered once, over what must be",
+        of_picture({.id = "B1",
+                    .what = "light scattered once, over what must be",
                     .number = [=](const rt::Image& image) { return (parts(image).x + parts(image).y) / all; },
                     .delta = 0.06,
                     .hint = by_ratio("the light that is scattered once",
@@ -148,9 +154,14 @@ Checks check_scatter_direction(Generator& random) {
         const double g = between(draw, -0.9, 0.9);
         return row(d, g, u);
     };
-    return {directions("forward", forward), directions("backward", backward),
+    return {directions("forward", forward),
+            directions("backward", backward),
             probe_check("any_g", extremes, {unit_direction<rt::scatter_direction>("V3"), density()}),
-            neighbours(3, row_with), ends_of_square(row_with), axes_of_the_world(row_with), white_medium(random), ahead_and_behind(random)};
+            neighbours(3, row_with),
+            ends_of_square(row_with),
+            axes_of_the_world(row_with),
+            white_medium(random),
+            ahead_and_behind(random)};
 }
 
 }  // namespace grade

@@ -21,7 +21,8 @@ double height_of_start(const Ray& ray, const Hit& hit) {
 /// violation(ray, hit, to_light, distance)
 template <class Violation>
 Statistic about_ray(const std::string& what, Violation violation, double tolerance, const std::string& says) {
-    return property({.id = "L4", .what = what,
+    return property({.id = "L4",
+                     .what = what,
                      .violation = of_call<rt::shadow_ray>(violation),
                      .tolerance = tolerance,
                      .says = says});
@@ -32,7 +33,8 @@ Statistic about_ray(const std::string& what, Violation violation, double toleran
 Checks check_shadow_ray(Generator& random) {
     const auto inputs = rows_of(64, [](Generator& draw) {
         const vec3 point = box(draw, -5, 5), n = direction(draw);
-        // not along the normal: there an origin off the surface brings the far end as close to the light as it was moved
+        // not along the normal: there an origin off the surface brings the far end as close to the light as it was
+        // moved
         const double distance = chance(draw, 0.2) ? rt::inf : log_between(draw, 0.5, 50);
         return row(Hit{point, n, 1e-14 * (1 + rt::largest(point))}, tilted(draw, n, between(draw, 0.1, 1.4)), distance);
     });

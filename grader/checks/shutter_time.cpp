@@ -41,16 +41,17 @@ std::string few_times(const Observation& seen) {
     const double rows = double(seen.inputs.size());
     if (as_first == rows)
         return "there is one time for all samples, the same for every u: each sample has a time of its own";
-    if (at_ends > 0.95 * rows)
-        return "only the two end times occur, open and close: expected every time between them";
+    if (at_ends > 0.95 * rows) return "only the two end times occur, open and close: expected every time between them";
     return "";
 }
 
 Check times(Generator& random) {
     const double open = between(random, 0.5, 2) * (chance(random, 0.5) ? 1 : -1), length = between(random, 0.2, 0.4);
-    const auto inputs =
-        rows_of(1024, [=](Generator& draw) { return row(Shutter{open, open + length}, between(draw, 0, 1)); });
-    Statistic inside = property({.id = "M1", .what = "times outside the exposure",
+    const auto inputs = rows_of(1024, [=](Generator& draw) {
+        return row(Shutter{open, open + length}, between(draw, 0, 1));
+    });
+    Statistic inside = property({.id = "M1",
+                                 .what = "times outside the exposure",
                                  .violation = of_call<rt::shutter_time>([](double time, const Shutter& s, double u) {
                                      const double share = share_of_exposure(time, s, u);
                                      return share >= -1e-5 && share <= 1 + 1e-5 ? 0.0 : 1.0;
@@ -58,20 +59,24 @@ Check times(Generator& random) {
     inside.hint =
         always("a time is before the shutter opens or after it closes: expected open + a share of (close - open)");
     inside.cause = [=](const Observation& seen) { return range_of_times(seen, open, length); };
-    const Statistic mean = mean_of({.id = "M1", .what = "mean time, as a share of the exposure",
-                                    .number = of_call<rt::shutter_time>(share_of_exposure),
-                                    .truth = 0.5, .unit = 1,
-                                    .hint = by_value("the mean time, as a share of the exposure,",
-                                                     {{0, "does the shutter close as soon as it opens?"},
-                                                      {1, "does the shutter open only when it closes?"}},
-                                                     0.05,
-                                                     "expected times that are uniform between opening and closing"),
-                                    .cause = few_times});
+    const Statistic mean =
+        mean_of({.id = "M1",
+                 .what = "mean time, as a share of the exposure",
+                 .number = of_call<rt::shutter_time>(share_of_exposure),
+                 .truth = 0.5,
+                 .unit = 1,
+                 .hint = by_value("the mean time, as a share of the exposure,",
+                                  {{0, "does the shutter close as soon as it opens?"},
+                                   {1, "does the shutter open only when it closes?"}},
+                                  0.05, "expected times that are uniform between opening and closing"),
+                 .cause = few_times});
     const Statistic spread = uniform_in_square(
-        {.id = "V3", .what = "chi squared of the times per degree of freedom",
+        {.id = "V3",
+         .what = "chi squared of the times per degree of freedom",
          .point = of_call<rt::shutter_time>(
              [](double time, const Shutter& s, double u) { return vec2(share_of_exposure(time, s, u), 0.5); }),
-         .columns = 64, .rows = 1,
+         .columns = 64,
+         .rows = 1,
          .hint = by_ratio("the chi squared of the times", {}, "they must be uniform between opening and closing"),
          .cause = few_times});
     return probe_check("times", inputs, {inside, mean, spread});
@@ -83,10 +88,10 @@ Check instant() {
         return row(Shutter{open, open}, between(random, 0, 1));
     });
     return probe_check("instant", inputs,
-                       {property({.id = "M1", .what = "time from the instant [s]",
-                                  .violation = of_call<rt::shutter_time>([](double time, const Shutter& s, double) {
-                                      return std::abs(time - s.open);
-                                  }),
+                       {property({.id = "M1",
+                                  .what = "time from the instant [s]",
+                                  .violation = of_call<rt::shutter_time>(
+                                      [](double time, const Shutter& s, double) { return std::abs(time - s.open); }),
                                   .tolerance = 1e-5,
                                   .says = "a shutter that closes as it opens leaves one time"})});
 }
@@ -111,8 +116,8 @@ Along along_way(const rt::Image& image, vec2 center, vec2 along, double radius) 
     });
     // cumulants add up: those of the disc and of the pixel are known
     const double variance = second - radius * radius / 4 - 1.0 / 12;
-    const double cumulant = fourth - 3 * second * second + std::pow(radius, 4) / 16 +
-                            (std::pow(along.x, 4) + std::pow(along.y, 4)) / 120;
+    const double cumulant =
+        fourth - 3 * second * second + std::pow(radius, 4) / 16 + (std::pow(along.x, 4) + std::pow(along.y, 4)) / 120;
     return {first / mass, variance, 3 + cumulant / rt::sqr(variance)};
 }
 
@@ -127,38 +132,41 @@ Check streak(Generator& random) {
     const vec2 along(std::cos(turn), std::sin(turn)), step = length / (close - open) * along,
                                                       center(between(random, -2, 2), between(random, -2, 2));
     const vec2 start = center - middle * step;  // y up
-    const std::string scene =
-        toml(film_view(place, {40, 40})) + shutter(open, close) + unsampled_lamp("lamp", 4) +
-        disc("lamp", place(pixel * vec3(start.x, start.y, 0)), place.axes.z, radius * pixel,
-             place.turned(pixel * vec3(step.x, step.y, 0)));
+    const std::string scene = toml(film_view(place, {40, 40})) + shutter(open, close) + unsampled_lamp("lamp", 4) +
+                              disc("lamp", place(pixel * vec3(start.x, start.y, 0)), place.axes.z, radius * pixel,
+                                   place.turned(pixel * vec3(step.x, step.y, 0)));
 
     const auto measured = [=](const rt::Image& image) { return along_way(image, center, along, radius); };
     const double due = length * length / 12;
-    return render_check(
-        "streak", {scene, 64, "sobol"},
-        {of_picture({.id = "M1", .what = "middle of the streak, from where it must be [pixel]",
-                     .number = [=](const rt::Image& i) { return measured(i).mean; },
-                     .truth = 0, .delta = 0.8,
-                     .hint = by_value("the middle of the streak, from where it must be [pixel],",
-                                      {{-length * open / (close - open),
-                                        "does time start at 0? It starts when the shutter opens"},
-                                       {-length / 2, "is the lamp seen when the shutter opens alone?"},
-                                       {length / 2, "is the lamp seen when the shutter closes alone?"}},
-                                      1)}),
-         of_picture({.id = "M1", .what = "variance along the streak, over length^2/12",
-                     .number = [=](const rt::Image& i) { return measured(i).variance / due; },
-                     .delta = 0.08,
-                     .hint = by_ratio("the variance along the streak",
-                                      {{3, "is the lamp seen at the two ends alone?"},
-                                       {0, "there is one time for the whole picture: is u used?"},
-                                       {0.25, "is half of the exposure used?"},
-                                       {4, "is twice the exposure used?"}},
-                                      "times must be uniform between opening and closing")}),
-         of_picture({.id = "M1", .what = "kurtosis along the streak",
-                     .number = [=](const rt::Image& i) { return measured(i).kurtosis; },
-                     .truth = 1.8, .delta = 0.15,
-                     .hint = by_value("the kurtosis along the streak, 1.8 for uniform times,",
-                                      {{1, "is the lamp seen at the two ends alone?"}}, 0.1)})});
+    return render_check("streak", {scene, 64, "sobol"},
+                        {of_picture({.id = "M1",
+                                     .what = "middle of the streak, from where it must be [pixel]",
+                                     .number = [=](const rt::Image& i) { return measured(i).mean; },
+                                     .truth = 0,
+                                     .delta = 0.8,
+                                     .hint = by_value("the middle of the streak, from where it must be [pixel],",
+                                                      {{-length * open / (close - open),
+                                                        "does time start at 0? It starts when the shutter opens"},
+                                                       {-length / 2, "is the lamp seen when the shutter opens alone?"},
+                                                       {length / 2, "is the lamp seen when the shutter closes alone?"}},
+                                                      1)}),
+                         of_picture({.id = "M1",
+                                     .what = "variance along the streak, over length^2/12",
+                                     .number = [=](const rt::Image& i) { return measured(i).variance / due; },
+                                     .delta = 0.08,
+                                     .hint = by_ratio("the variance along the streak",
+                                                      {{3, "is the lamp seen at the two ends alone?"},
+                                                       {0, "there is one time for the whole picture: is u used?"},
+                                                       {0.25, "is half of the exposure used?"},
+                                                       {4, "is twice the exposure used?"}},
+                                                      "times must be uniform between opening and closing")}),
+                         of_picture({.id = "M1",
+                                     .what = "kurtosis along the streak",
+                                     .number = [=](const rt::Image& i) { return measured(i).kurtosis; },
+                                     .truth = 1.8,
+                                     .delta = 0.15,
+                                     .hint = by_value("the kurtosis along the streak, 1.8 for uniform times,",
+                                                      {{1, "is the lamp seen at the two ends alone?"}}, 0.1)})});
 }
 
 /// A train of three cars, red, green and blue, passes while the shutter is open, so fast that the whole view sees one
@@ -167,8 +175,8 @@ Check passing_train(Generator& random) {
     const Place place = any_place(random);
     const double open = between(random, 0.4, 0.8), close = open + between(random, 0.5, 1);
     const double turn = between(random, 0, 2 * rt::pi);
-    constexpr int view_size = 16;                              // [pixel]
-    constexpr double car = 40 * view_size * film_pixel;        // [m]
+    constexpr int view_size = 16;                        // [pixel]
+    constexpr double car = 40 * view_size * film_pixel;  // [m]
     const vec3 along = place.turned({std::cos(turn), std::sin(turn), 0});
     const vec3 side = place.turned({-std::sin(turn), std::cos(turn), 0});
     const vec3 velocity = -3 * car / (close - open) * along;
@@ -183,16 +191,19 @@ Check passing_train(Generator& random) {
     }
     constexpr int samples = 4;
     const Region region{0, 0, view_size, view_size};
-    const Statistic noise = of_picture(
-        {.id = "M2", .what = "variance of the times within a picture, over that of independent ones",
-         .number = [=](const rt::Image& image) { return within_variance(image, region, samples); },
-         .delta = 0.35,
-         .hint = [](double value, double) {
-             return fmt::format("times within one picture vary {:.3g} times as much as independent ones: {}", value,
+    const Statistic noise =
+        of_picture({.id = "M2",
+                    .what = "variance of the times within a picture, over that of independent ones",
+                    .number = [=](const rt::Image& image) { return within_variance(image, region, samples); },
+                    .delta = 0.35,
+                    .hint =
+                        [](double value, double) {
+                            return fmt::format(
+                                "times within one picture vary {:.3g} times as much as independent ones: {}", value,
                                 value < 0.1 ? "is there one time for all samples of a picture? Each sample has a time "
                                               "of its own"
                                             : "does each sample have a time of its own, drawn from its u?");
-         }});
+                        }});
     return render_check("passing_train", {scene, samples, "random"},
                         {own_numbers(region, samples, "time", "the same"), noise});
 }

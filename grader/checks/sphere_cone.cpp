@@ -11,7 +11,8 @@ using rt::DirectionSample;
 Check cone(const std::string& name, double sine) {
     const double cap = 1 - std::sqrt(1 - sine * sine);  // over 2 pi, the solid angle
     const auto share_of_height = [cap](const DirectionSample& s) { return (1 - s.direction.z) / cap; };
-    const Statistic inside = property({.id = "V3", .what = "cosine outside the cone, over that of its rim",
+    const Statistic inside = property({.id = "V3",
+                                       .what = "cosine outside the cone, over that of its rim",
                                        .violation = of_call<rt::sphere_cone>([=](const DirectionSample& s) {
                                            return std::max(0.0, share_of_height(s) - 1);
                                        }),
@@ -27,17 +28,18 @@ Check cone(const std::string& name, double sine) {
          {cap, "this is the density of the hemisphere"},
          {cap / std::max(wide, 1e-9), "the cone has twice its angle"}});
     const Statistic height =
-        mean_of({.id = "V3", .what = "mean of (1 - cos(theta)) over its greatest value",
+        mean_of({.id = "V3",
+                 .what = "mean of (1 - cos(theta)) over its greatest value",
                  .number = of_call<rt::sphere_cone>(share_of_height),
                  .truth = 0.5,
                  .hint = by_ratio("the mean of 1 - cos(theta)",
                                   {{2.0 / 3, "the angle itself is uniform in u.x; expected its cosine"},
                                    {0, "all directions are the z axis"}})});
-    const RowPoint cell = of_call<rt::sphere_cone>([=](const DirectionSample& s) {
-        return rt::vec2(share_of_height(s), turn(s.direction.x, s.direction.y));
-    });
+    const RowPoint cell = of_call<rt::sphere_cone>(
+        [=](const DirectionSample& s) { return rt::vec2(share_of_height(s), turn(s.direction.x, s.direction.y)); });
     const Statistic spread =
-        uniform_in_square({.id = "V3", .what = "chi-squared of directions",
+        uniform_in_square({.id = "V3",
+                           .what = "chi-squared of directions",
                            .point = cell,
                            .hint = always("equal parts of the cone do not get equally many directions: do height and "
                                           "angle each use a number of their own?"),
@@ -51,7 +53,8 @@ Check cone(const std::string& name, double sine) {
 Checks check_sphere_cone(Generator& random) {
     const double small = between(random, 0.05, 0.15), large = between(random, 0.6, 0.95);
     const auto row_with = [](Generator& draw, rt::vec2 u) { return row(log_between(draw, 1e-3, 1), u); };
-    return {cone("small_sphere", small), cone("large_sphere", large), neighbours(3, [](Generator& draw, rt::vec2 u) { return row(between(draw, 0.8, 1), u); }),
+    return {cone("small_sphere", small), cone("large_sphere", large),
+            neighbours(3, [](Generator& draw, rt::vec2 u) { return row(between(draw, 0.8, 1), u); }),
             ends_of_square(row_with),
             shadow_check(random, "sphere_penumbra", any_shadow(random, rt::Emitter::Kind::sphere))};
 }

@@ -61,7 +61,8 @@ Check cells(const std::string& name, int n) {
             }
         return rows;
     });
-    const Statistic inside = property({.id = "G2", .what = "distance outside the unit square",
+    const Statistic inside = property({.id = "G2",
+                                       .what = "distance outside the unit square",
                                        .violation = of_call<rt::stratified_2d>([](vec2 p) {
                                            return std::max({0.0, -p.x, -p.y, p.x >= 1 || p.y >= 1 ? 1.0 : 0.0});
                                        }),
@@ -78,23 +79,27 @@ Check cells(const std::string& name, int n) {
         [n](const std::vector<CellBox>& all, std::size_t i) {
             return std::max(0.0, all[i].longest() * std::sqrt(double(n)) - 2);
         });
-    const Statistic overlap = about_cells(
-        n, "overlap of two cells, over their area", 0.01,
-        "two cells overlap, so others stay empty: which cell is i, and how many columns does n give?",
-        [n](const std::vector<CellBox>& all, std::size_t i) {
-            double worst = 0;
-            for (std::size_t j = 0; j < i; ++j) worst = std::max(worst, all[i].overlap(all[j]) * n);
-            return worst;
-        });
+    const Statistic overlap =
+        about_cells(n, "overlap of two cells, over their area", 0.01,
+                    "two cells overlap, so others stay empty: which cell is i, and how many columns does n give?",
+                    [n](const std::vector<CellBox>& all, std::size_t i) {
+                        double worst = 0;
+                        for (std::size_t j = 0; j < i; ++j) worst = std::max(worst, all[i].overlap(all[j]) * n);
+                        return worst;
+                    });
     // points of random cells, not the corners: uniform on the whole square, and more even than random ones
-    const Statistic even = uniform_in_square(
-        {.id = "G2", .what = "chi-squared of points of all cells",
-         .point = of_call<rt::stratified_2d>([](vec2 p, int, int, vec2 u) {
-             const bool corner = (u.x == 0 || u.x == 0.999999) && (u.y == 0 || u.y == 0.999999);
-             return corner ? vec2(NAN) : p;
-         }),
-         .columns = 6, .rows = 6, .delta0 = 1, .delta = 1.5,
-         .hint = always("the points of all cells together do not fill the square evenly")});
+    const Statistic even =
+        uniform_in_square({.id = "G2",
+                           .what = "chi-squared of points of all cells",
+                           .point = of_call<rt::stratified_2d>([](vec2 p, int, int, vec2 u) {
+                               const bool corner = (u.x == 0 || u.x == 0.999999) && (u.y == 0 || u.y == 0.999999);
+                               return corner ? vec2(NAN) : p;
+                           }),
+                           .columns = 6,
+                           .rows = 6,
+                           .delta0 = 1,
+                           .delta = 1.5,
+                           .hint = always("the points of all cells together do not fill the square evenly")});
     return probe_check(name, inputs, {inside, area, overlap, shape, even, purity()});
 }
 
@@ -130,29 +135,36 @@ Check edge_noise(Generator& random) {
             sum += samples * rt::sqr(image.at(e.x, e.y).x - e.covered) / (e.covered * (1 - e.covered));
         return sum / double(edges.size());
     };
-    return render_check(
-        "edge_noise", {scene, samples, "stratified"},
-        {of_picture({.id = "G2", .what = "noise at edges, over that of independent samples",
-                     .number = noise,
-                     .truth = 0.2, .delta = 0.25, .delta0 = 0.1,
-                     .hint = [](double value, double) {
-                         return fmt::format("the noise at edges is {:.2g} of that of independent samples; cells leave "
-                                            "about 0.2 with 16 samples: does each sample fall in a cell of its own, "
-                                            "anywhere in it?",
-                                            value);
-                     }})});
+    return render_check("edge_noise", {scene, samples, "stratified"},
+                        {of_picture({.id = "G2",
+                                     .what = "noise at edges, over that of independent samples",
+                                     .number = noise,
+                                     .truth = 0.2,
+                                     .delta = 0.25,
+                                     .delta0 = 0.1,
+                                     .hint = [](double value, double) {
+                                         return fmt::format(
+                                             "the noise at edges is {:.2g} of that of independent samples; cells leave "
+                                             "about 0.2 with 16 samples: does each sample fall in a cell of its own, "
+                                             "anywhere in it?",
+                                             value);
+                                     }})});
 }
 
 }  // namespace
 
 Checks check_stratified_2d(Generator& random) {
     const int side = whole_between(random, 3, 5), odd = std::array{7, 11, 13}[whole_between(random, 0, 2)];
-    const SamplesOfASquare samples{
-        [](vec2, int i, int n, vec2 u) { return row(i, n, u); },
-        of_result<vec2>([](vec2 p) { return SamplesOfASquare::Sample{p}; })};
-    return {cells("grid_of_cells", side * side), cells("any_number_of_cells", odd), cells("two_cells", 2),
-            cells("three_cells", 3), cells("five_cells", 5), edge_noise(random),
-            error_orders(random, samples), rings(random, samples)};
+    const SamplesOfASquare samples{[](vec2, int i, int n, vec2 u) { return row(i, n, u); },
+                                   of_result<vec2>([](vec2 p) { return SamplesOfASquare::Sample{p}; })};
+    return {cells("grid_of_cells", side * side),
+            cells("any_number_of_cells", odd),
+            cells("two_cells", 2),
+            cells("three_cells", 3),
+            cells("five_cells", 5),
+            edge_noise(random),
+            error_orders(random, samples),
+            rings(random, samples)};
 }
 
 }  // namespace grade

@@ -41,8 +41,7 @@ Check sky(Generator& random) {
         return std::acos(-rt::dot(view_direction(camera, {x + 0.5, y + 0.5}), place.axes.z));
     };
     const auto refracted = [=](double angle) { return std::asin(std::sin(angle) / ior); };
-    const auto seen_at = [&](const std::string& id, const std::string& where, double low, double high,
-                             double degrees) {
+    const auto seen_at = [&](const std::string& id, const std::string& where, double low, double high, double degrees) {
         const PictureNumber over_due = light_over_due(
             camera.size,
             [=](int x, int y) {
@@ -122,11 +121,12 @@ Check total_reflection(double low, double high) {
         const vec3 d = -tilted(draw, normal, between(draw, std::asin(low / high) + 0.05, 1.5));
         return row(d, normal, high, low, between(draw, 5, 50), square(draw));
     });
-    return probe_check("total_reflection", inputs,
-                       {property({.id = "F3", .what = "weight at total internal reflection",
-                                  .violation = of_call<rt::translucency>(
-                                      [](const rt::Scattered& s) { return rt::largest(s.weight); }),
-                                  .says = "at total internal reflection nothing passes: the weight is 0"})});
+    return probe_check(
+        "total_reflection", inputs,
+        {property({.id = "F3",
+                   .what = "weight at total internal reflection",
+                   .violation = of_call<rt::translucency>([](const rt::Scattered& s) { return rt::largest(s.weight); }),
+                   .says = "at total internal reflection nothing passes: the weight is 0"})});
 }
 
 }  // namespace
@@ -134,15 +134,12 @@ Check total_reflection(double low, double high) {
 Checks check_translucency(Generator& random) {
     const double low = between(random, 1, 1.1), high = between(random, 1.35, 1.8);
     const double into_denser = between(random, 0.9, 1.2), into_thinner = between(random, 0.3, 0.5);
-    Checks checks = lobe_of_any_exponent(false, [](vec3 d, vec3 n, double exponent, rt::vec2 u) {
-        return row(d, n, 1.0, 1.5, exponent, u);
-    });
+    Checks checks = lobe_of_any_exponent(
+        false, [](vec3 d, vec3 n, double exponent, rt::vec2 u) { return row(d, n, 1.0, 1.5, exponent, u); });
     for (Check& check : Checks{refracted_rays(random, "head_on", 0, low, high),
-            refracted_rays(random, "into_the_denser", into_denser, low, high),
-            refracted_rays(random, "into_the_thinner", into_thinner, high, low),
-            total_reflection(low, high),
-            sky(random),
-            lamp_behind(random)})
+                               refracted_rays(random, "into_the_denser", into_denser, low, high),
+                               refracted_rays(random, "into_the_thinner", into_thinner, high, low),
+                               total_reflection(low, high), sky(random), lamp_behind(random)})
         checks.push_back(std::move(check));
     return checks;
 }

@@ -35,7 +35,9 @@ auto of_opaque(Change change) {
 
 Statistic all_weights() {
     return formula<rt::whitted>(
-        {.id = "W3", .what = "weights, off by", .tolerance = 1e-4,
+        {.id = "W3",
+         .what = "weights, off by",
+         .tolerance = 1e-4,
          .right = [](const Material& m, double fresnel) { return weights(m, fresnel, is_glass(m)); },
          .suspects = {
              {"the mirrored ray of an opaque surface has weight 1: it must be attenuated by the reflectance",

@@ -9,14 +9,14 @@
 #include <exception>
 #include <optional>
 
-#include "protocol/bytes.h"
-#include "child/probes.h"
-#include "protocol/protocol.h"
 #include "arithmetic/self_test.h"
+#include "child/probes.h"
+#include "protocol/bytes.h"
+#include "protocol/protocol.h"
 #include "protocol/swarm.h"
+#include "rt/files/scene_reader.h"
 #include "rt/processor.h"
 #include "rt/render.h"
-#include "rt/files/scene_reader.h"
 
 /// child SECONDS: renders scenes and calls fragments as the grader asks. It only ever answers with data; each answer
 /// may take SECONDS of CPU time.
@@ -134,10 +134,17 @@ int main(int argc, char** argv) {
                     fragment = payload;
                     write_all(frame(FrameKind::done, {}));
                     break;
-                case FrameKind::render: write_all(render(scene.value(), payload)); break;
-                case FrameKind::swarm: write_all(call_many(payload)); break;
-                case FrameKind::rows: write_all(call(fragment, payload)); break;
-                default: return 1;
+                case FrameKind::render:
+                    write_all(render(scene.value(), payload));
+                    break;
+                case FrameKind::swarm:
+                    write_all(call_many(payload));
+                    break;
+                case FrameKind::rows:
+                    write_all(call(fragment, payload));
+                    break;
+                default:
+                    return 1;
             }
         } catch (const std::exception& error) {
             write_all(frame(FrameKind::error, error.what()));

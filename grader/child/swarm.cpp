@@ -142,10 +142,18 @@ std::vector<double> swarm(const SwarmRequest& request) {
             mesh = octahedron(draw(request, ~(i / rays_of_a_mesh)));
         const Draw d = draw(request, i);
         switch (request.kind) {
-            case Swarm::mesh: answers.push_back(meets(mesh, d)); break;
-            case Swarm::leave_sphere: answers.push_back(leaves_sphere(d)); break;
-            case Swarm::leave_quad: answers.push_back(leaves_flat(d, true)); break;
-            case Swarm::leave_triangle: answers.push_back(leaves_flat(d, false)); break;
+            case Swarm::mesh:
+                answers.push_back(meets(mesh, d));
+                break;
+            case Swarm::leave_sphere:
+                answers.push_back(leaves_sphere(d));
+                break;
+            case Swarm::leave_quad:
+                answers.push_back(leaves_flat(d, true));
+                break;
+            case Swarm::leave_triangle:
+                answers.push_back(leaves_flat(d, false));
+                break;
         }
     }
     return answers;

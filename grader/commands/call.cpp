@@ -50,12 +50,14 @@ Row answer_in(const std::string& bytes) {
         std::memcpy(&header, bytes.data() + at, sizeof header);
         at += sizeof header;
         if (header.check != FrameHeader{}.check || header.bytes > bytes.size() - at) break;
-        if (header.kind == FrameKind::error) throw SubmissionError("threw an exception: " + bytes.substr(at, header.bytes));
+        if (header.kind == FrameKind::error)
+            throw SubmissionError("threw an exception: " + bytes.substr(at, header.bytes));
         if (header.kind == FrameKind::rows) {
             std::vector<double> numbers(header.bytes / sizeof(double));
             std::memcpy(numbers.data(), bytes.data() + at, numbers.size() * sizeof(double));
             std::vector<Row> rows;
-            if (!numbers.empty() && unflatten(std::span(numbers).subspan(1), rows) && !rows.empty()) answer = rows.front();
+            if (!numbers.empty() && unflatten(std::span(numbers).subspan(1), rows) && !rows.empty())
+                answer = rows.front();
         }
         at += header.bytes;
     }
@@ -65,10 +67,12 @@ Row answer_in(const std::string& bytes) {
 }  // namespace
 
 CLI::App* add_call_command(CLI::App& app, CallArguments& arguments) {
-    CLI::App* call = app.add_subcommand("call", "call a fragment with arguments that a hint shows: your answer, and the right one");
+    CLI::App* call =
+        app.add_subcommand("call", "call a fragment with arguments that a hint shows: your answer, and the right one");
     call->add_option("FRAGMENT", arguments.fragment, "its name")->required();
-    call->add_option("ARGUMENTS", arguments.arguments,
-                     "\"d = (0, 0, -1), n = (0, 0, 1)\", fields as \"camera.focus = 2\"; what is not named has its default");
+    call->add_option(
+        "ARGUMENTS", arguments.arguments,
+        "\"d = (0, 0, -1), n = (0, 0, 1)\", fields as \"camera.focus = 2\"; what is not named has its default");
     call->add_option("--of", arguments.submission, "a folder; default: starter")->type_name("SUBMISSION");
     call->add_flag("--trusted", arguments.trusted, "of code that is your own: it runs without a sandbox");
     call->add_flag("--gdb", arguments.debugger, "in the debugger, which stops where the fragment begins");
@@ -78,13 +82,15 @@ CLI::App* add_call_command(CLI::App& app, CallArguments& arguments) {
 int run_call(const CallArguments& arguments, const std::string& toolchain) {
     Toolchain chain = read_toolchain(toolchain);
     const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
-    const Chosen chosen =
-        choose(arguments.submission.empty() ? std::vector{arguments.fragment} : std::vector{arguments.submission, arguments.fragment}, chain,
-               assignment);
+    const Chosen chosen = choose(arguments.submission.empty() ? std::vector{arguments.fragment}
+                                                              : std::vector{arguments.submission, arguments.fragment},
+                                 chain, assignment);
     if (!chosen.own && !arguments.trusted)
-        throw rt::InputError(arguments.submission + ": a call runs without a sandbox; expected --trusted for code that is your own");
+        throw rt::InputError(arguments.submission +
+                             ": a call runs without a sandbox; expected --trusted for code that is your own");
     if (chosen.fragments.empty()) throw rt::InputError(arguments.fragment + ": no fragment has this name");
-    const auto signature = signature_of(arguments.fragment, read_text(chain.includes.front() / "rt/fragments.h").value_or(""));
+    const auto signature =
+        signature_of(arguments.fragment, read_text(chain.includes.front() / "rt/fragments.h").value_or(""));
     if (!signature) throw rt::InputError(arguments.fragment + ": fragments.h does not declare it");
     Row row;
     try {
@@ -106,16 +112,19 @@ int run_call(const CallArguments& arguments, const std::string& toolchain) {
 
     Runner solution(programs.with({}).program, sandbox, meshes, patience);
     const auto right = solution.probe(arguments.fragment, {row});
-    if (const Fault* fault = std::get_if<Fault>(&right)) throw std::runtime_error("the solution itself: " + fault->message);
+    if (const Fault* fault = std::get_if<Fault>(&right))
+        throw std::runtime_error("the solution itself: " + fault->message);
 
     const fs::path program = programs.copy_for("call", programs.must_link({arguments.fragment}));
     const fs::path request = program.parent_path() / "request", results = program.parent_path() / "results";
-    write_text(request, frame(FrameKind::fragment, arguments.fragment) + frame(FrameKind::rows, bytes_of<double>(flatten({row}))));
+    write_text(request, frame(FrameKind::fragment, arguments.fragment) +
+                            frame(FrameKind::rows, bytes_of<double>(flatten({row}))));
     fmt::print("{}({})\n", arguments.fragment, arguments_in_words(*signature, row));
     if (arguments.debugger)
-        run_in_view({"gdb", "-q", "-ex", "set breakpoint pending on", "-ex", "break rt::" + arguments.fragment, "-ex",
-                     fmt::format("run {:g} < {} 3> {}", patience, request.string(), results.string()), program.string()},
-                    {}, {});
+        run_in_view(
+            {"gdb", "-q", "-ex", "set breakpoint pending on", "-ex", "break rt::" + arguments.fragment, "-ex",
+             fmt::format("run {:g} < {} 3> {}", patience, request.string(), results.string()), program.string()},
+            {}, {});
     else
         run_in_view({program.string(), fmt::format("{:g}", patience)}, request, results);
     const Row answer = answer_in(read_text(results).value_or(""));

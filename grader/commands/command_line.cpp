@@ -5,16 +5,16 @@
 
 #include <CLI/CLI.hpp>
 
-#include "files/files.h"
-#include "hand_out/hand_out.h"
 #include "commands/call.h"
 #include "commands/exit_code.h"
 #include "commands/grading.h"
 #include "commands/picture.h"
-#include "studies/studies.h"
 #include "commands/words.h"
+#include "files/files.h"
+#include "hand_out/hand_out.h"
 #include "report/describe.h"
 #include "rt/files/scene_reader.h"
+#include "studies/studies.h"
 
 namespace grade {
 
@@ -36,9 +36,12 @@ int describe(const std::string& handout, const std::string& toolchain) {
 
 int run_hand_out(const std::string& folder, const std::vector<std::string>& others, const std::string& toolchain) {
     const Toolchain chain = read_toolchain(toolchain);
-    if (chain.is_kit) throw rt::InputError("a kit is handed out by the project that it comes from: it has no sources of the solution");
+    if (chain.is_kit)
+        throw rt::InputError(
+            "a kit is handed out by the project that it comes from: it has no sources of the solution");
     const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
-    hand_out(chain.source, assignment, fs::path(toolchain).parent_path() / "kit.toml", folder, {others.begin(), others.end()});
+    hand_out(chain.source, assignment, fs::path(toolchain).parent_path() / "kit.toml", folder,
+             {others.begin(), others.end()});
     fmt::print("{}\n", folder);
     return graded;
 }
@@ -51,8 +54,11 @@ int start_study(const Study& study, char** argv) {
     if (fs::exists(program, error))
         fmt::print(stderr, "{}: cannot be started; grade {} is in it\n", program, study.name);
     else
-        fmt::print(stderr, "grade {0} is in a program of its own, {1}, which is not built yet: ./grade {0} builds it, and so does "
-                           "cmake --build --preset release --target grade_studies\n", study.name, program);
+        fmt::print(
+            stderr,
+            "grade {0} is in a program of its own, {1}, which is not built yet: ./grade {0} builds it, and so does "
+            "cmake --build --preset release --target grade_studies\n",
+            study.name, program);
     return infrastructure;
 }
 
@@ -71,11 +77,11 @@ int run_command_line(int argc, char** argv) {
     CLI::App* picture = add_picture_command(app, picture_arguments);
     CallArguments call_arguments;
     CLI::App* call = add_call_command(app, call_arguments);
-    for (const Study& study : studies)
-        app.add_subcommand(study.name, study.purpose)->prefix_command()->set_help_flag();
+    for (const Study& study : studies) app.add_subcommand(study.name, study.purpose)->prefix_command()->set_help_flag();
     CLI::App* starter = app.add_subcommand("hand-out", "write what students get into a new folder: a kit");
     starter->add_option("FOLDER", folder, "is not there yet, or empty")->required();
-    starter->add_option("--add", others, "another hand-out, made on another kind of processor, whose grader comes along")
+    starter
+        ->add_option("--add", others, "another hand-out, made on another kind of processor, whose grader comes along")
         ->type_name("KIT");
     CLI::App* tables = app.add_subcommand("describe", "print the handout's tables of points and checks");
     tables->add_option("--update", handout, "make them anew in this file")->type_name("FILE");

@@ -8,15 +8,15 @@
 #include <memory>
 #include <random>
 
-#include "programs/cache.h"
-#include "files/interrupt.h"
-#include "programs/process.h"
 #include "commands/last_run.h"
 #include "commands/watch.h"
 #include "commands/words.h"
-#include "report/json.h"
+#include "files/interrupt.h"
 #include "judging/grading.h"
 #include "judging/own_picture.h"
+#include "programs/cache.h"
+#include "programs/process.h"
+#include "report/json.h"
 #include "report/page.h"
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
@@ -62,7 +62,9 @@ public:
         if (settings_.partial) settings_.partial(Record{.submission = chosen_.submission, .command = command_});
         if (!html_.empty()) {
             fs::create_directories(html_);
-            write_text(html_ / "index.html", "<!doctype html><meta charset=utf-8><title>not complete</title><p>This grading is not complete: it still runs, or it was stopped.\n");
+            write_text(html_ / "index.html",
+                       "<!doctype html><meta charset=utf-8><title>not complete</title><p>This grading is not complete: "
+                       "it still runs, or it was stopped.\n");
         }
         ProgressLine line;
         progress_ = std::make_unique<Progress>(
@@ -152,7 +154,8 @@ void add_grade_options(CLI::App& app, GradeArguments& arguments) {
                    "a folder, a .zip or a .tar.gz, default: starter; and names of fragments, default: all")
         ->type_name("[SUBMISSION] [FRAGMENT...]");
     app.add_flag("--watch", arguments.watch, "grade again at each save, until Ctrl-C");
-    app.add_option("--seed", arguments.seed, "of all parameters and random numbers; default: 1 for the starter, else a fresh one")
+    app.add_option("--seed", arguments.seed,
+                   "of all parameters and random numbers; default: 1 for the starter, else a fresh one")
         ->type_name("N")
         ->check(CLI::NonNegativeNumber);
     app.add_option("--json", arguments.json, "write the record of the grading")->type_name("FILE");
@@ -176,8 +179,9 @@ int run_grade(const GradeArguments& arguments, const std::string& toolchain, con
     stop_at_interrupt();
     Session session(arguments, toolchain, command);
     if (arguments.watch) {
-        watch(session.chosen().submission, session.assignment(), session.chosen().fragments,
-              [&] { return session.grade(); }, [&](const Record& record) { session.write_page(record); });
+        watch(
+            session.chosen().submission, session.assignment(), session.chosen().fragments,
+            [&] { return session.grade(); }, [&](const Record& record) { session.write_page(record); });
         return 0;
     }
     const Record record = session.grade();

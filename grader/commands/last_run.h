@@ -7,8 +7,8 @@
 namespace grade {
 
 /// Adds to a record what has changed since the last grading whose results are in this file: a line for each fragment
-/// whose verdict or points are others, losses first, and for all beyond some a last one. Then keeps this one's there; fragments that were not graded stay as they were. A
-/// file that is none is as good as no last grading.
+/// whose verdict or points are others, losses first, and for all beyond some a last one. Then keeps this one's there;
+/// fragments that were not graded stay as they were. A file that is none is as good as no last grading.
 void compare_with_last(Record& record, const std::filesystem::path& file);
 
 }  // namespace grade

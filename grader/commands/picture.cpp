@@ -6,10 +6,10 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 
-#include "programs/cache.h"
-#include "files/interrupt.h"
 #include "commands/words.h"
+#include "files/interrupt.h"
 #include "judging/own_picture.h"
+#include "programs/cache.h"
 #include "report/picture.h"
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
@@ -76,15 +76,17 @@ CLI::App* add_picture_command(CLI::App& app, PictureArguments& arguments) {
         app.add_subcommand("picture", "a scene as your fragments draw it, the right one, and the difference");
     picture->add_option("SCENE", arguments.scene, "a scene file (TOML)")->required();
     picture->add_option("SUBMISSION", arguments.submission, "a folder, a .zip or a .tar.gz; default: starter");
-    picture->add_option("--mine", arguments.mine,
-                        "only these fragments are yours, the others the solution's; default: all yours, blanks for "
-                        "what is missing")
+    picture
+        ->add_option("--mine", arguments.mine,
+                     "only these fragments are yours, the others the solution's; default: all yours, blanks for "
+                     "what is missing")
         ->delimiter(',')
         ->allow_extra_args(false)
         ->type_name("FRAGMENT");
-    picture->add_option("-o,--out", arguments.out,
-                        "all three side by side; with NAME_mine.exr, NAME_right.exr and NAME_difference.exr beside it; "
-                        "default: the scene's name")
+    picture
+        ->add_option("-o,--out", arguments.out,
+                     "all three side by side; with NAME_mine.exr, NAME_right.exr and NAME_difference.exr beside it; "
+                     "default: the scene's name")
         ->type_name("NAME.png");
     picture->add_option("--samples", arguments.samples, "samples a pixel; default: the scene's")
         ->check(CLI::Range(1, 1 << 20));
@@ -108,7 +110,8 @@ int run_picture(const PictureArguments& arguments, const std::string& toolchain)
     rt::read_scene(arguments.scene);  // says what is wrong with it, before all the work
     const fs::path out = arguments.out.empty() ? fs::path(arguments.scene).stem().string() + ".png" : arguments.out;
     require_folder_of(out.string(), "--out");
-    if (out.extension() != ".png") throw rt::InputError(out.string() + ": unknown kind of image; expected --out NAME.png");
+    if (out.extension() != ".png")
+        throw rt::InputError(out.string() + ": unknown kind of image; expected --out NAME.png");
 
     ProgressLine line;
     Progress progress([&](int done, int all, const std::string& doing) { line.show(done, all, doing); });
@@ -122,8 +125,8 @@ int run_picture(const PictureArguments& arguments, const std::string& toolchain)
     const fs::path mine = program_of(programs, arguments, assignment);
     progress.tell("drawing both pictures");
     const rt::ivec2 size = arguments.size.empty() ? rt::ivec2(0) : rt::ivec2(arguments.size[0], arguments.size[1]);
-    const Compared both = draw_compared(programs, mine, arguments.scene,
-                                        {arguments.samples, size, arguments.seed, arguments.time_limit});
+    const Compared both =
+        draw_compared(programs, mine, arguments.scene, {arguments.samples, size, arguments.seed, arguments.time_limit});
     line.clear();
     if (!both.right_fault.empty()) throw std::runtime_error("the solution's picture: " + both.right_fault);
 
@@ -139,8 +142,10 @@ int run_picture(const PictureArguments& arguments, const std::string& toolchain)
     const Difference map = difference(both.mine, both.right);
     const auto shown = [&](const rt::Image& image) { return scaled(image, both.exposure); };
     rt::write_png(out.string(), side_by_side({shown(both.mine), shown(both.right), map.image}));
-    fmt::print("{}: yours, the right one, the difference (blue: yours is darker; orange: brighter; full colour at "
-               "±{:.2g})\n{}\n", out.string(), map.full, in_words(both.mine, both.right));
+    fmt::print(
+        "{}: yours, the right one, the difference (blue: yours is darker; orange: brighter; full colour at "
+        "±{:.2g})\n{}\n",
+        out.string(), map.full, in_words(both.mine, both.right));
     if (both.right_seconds > 0)
         fmt::print("CPU time: yours {:.3g} s, the right one {:.3g} s\n", both.mine_seconds, both.right_seconds);
     return 0;

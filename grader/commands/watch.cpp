@@ -14,8 +14,8 @@
 
 #include "files/files.h"
 #include "files/interrupt.h"
-#include "submission/submission.h"
 #include "report/terminal.h"
+#include "submission/submission.h"
 
 namespace grade {
 

@@ -9,8 +9,8 @@
 
 namespace grade {
 
-/// Grades a folder, shows the result on one screen, and again at each change of a fragment's file, until Ctrl-C. Without
-/// a terminal each result follows the last.
+/// Grades a folder, shows the result on one screen, and again at each change of a fragment's file, until Ctrl-C.
+/// Without a terminal each result follows the last.
 ///
 /// only   fragments that are graded; empty: all
 /// grade  grades the folder as it is now

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "rt/files/toml_table.h"
 #include "rt/files/scene_reader.h"
+#include "rt/files/toml_table.h"
 
 namespace grade {
 
@@ -17,17 +17,19 @@ Chosen choose(const std::vector<std::string>& words, const Toolchain& chain, con
         if (std::ranges::count(names, word) > 0) {
             chosen.fragments.insert(word);
         } else if (word.ends_with(".cpp") && std::ranges::count(names, fs::path(word).stem().string()) > 0) {
-            throw rt::InputError(fmt::format("{}: a file of one fragment; expected its name: {}", word,
-                                         fs::path(word).stem().string()));
+            throw rt::InputError(
+                fmt::format("{}: a file of one fragment; expected its name: {}", word, fs::path(word).stem().string()));
         } else if (fs::exists(word, error) || word.find_first_of("/.") != word.npos) {
             if (!chosen.submission.empty())
-                throw rt::InputError(fmt::format("{}: one submission too many, after {}; expected one, and names of "
-                                             "fragments", word, chosen.submission));
+                throw rt::InputError(
+                    fmt::format("{}: one submission too many, after {}; expected one, and names of "
+                                "fragments",
+                                word, chosen.submission));
             chosen.submission = word;
         } else {
             const auto nearest = rt::nearest_word(word, names);
-            throw rt::InputError(fmt::format("{}: no fragment has this name, and there is no such folder; expected {}", word,
-                                         nearest ? *nearest + "?" : "a name that assignment.toml lists"));
+            throw rt::InputError(fmt::format("{}: no fragment has this name, and there is no such folder; expected {}",
+                                             word, nearest ? *nearest + "?" : "a name that assignment.toml lists"));
         }
     }
     const fs::path starter = chain.source / "starter";

@@ -16,8 +16,8 @@ struct Chosen {
     std::set<std::string> fragments;  // empty: all
 };
 
-/// Names of fragments, and at most one submission; without one, the starter. Throws rt::InputError with the nearest name for
-/// a word that is neither.
+/// Names of fragments, and at most one submission; without one, the starter. Throws rt::InputError with the nearest
+/// name for a word that is neither.
 Chosen choose(const std::vector<std::string>& words, const Toolchain& chain, const Assignment& assignment);
 
 /// Throws rt::InputError for a file whose folder is not there.

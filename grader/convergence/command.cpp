@@ -7,14 +7,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "programs/cache.h"
+#include "convergence/report.h"
 #include "files/files.h"
 #include "files/stamp.h"
-#include "studies/studies.h"
-#include "convergence/report.h"
+#include "programs/cache.h"
 #include "programs/programs.h"
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
+#include "studies/studies.h"
 
 namespace grade::convergence {
 
@@ -48,8 +48,8 @@ void check_amounts(const Amounts& amounts) {
     for (std::size_t i = 1; i < amounts.samples.size(); ++i)
         if (amounts.samples[i] <= amounts.samples[i - 1])
             throw rt::InputError(fmt::format("--samples {}: {} is not above {}; expected ascending numbers",
-                                                    fmt::join(amounts.samples, ","), amounts.samples[i],
-                                                    amounts.samples[i - 1]));
+                                             fmt::join(amounts.samples, ","), amounts.samples[i],
+                                             amounts.samples[i - 1]));
 }
 
 /// Of all that the solution's pictures are made from.
@@ -74,8 +74,10 @@ void add_programs(Bench& bench, Programs& programs, const Assignment& assignment
     };
     const std::set<std::string> own = programs.all();
     stands_in("Did not build", broken);
-    if (!own.empty()) stands_in("Not started", missing);
-    else note += "Nothing is filled in yet: the solution alone. ";
+    if (!own.empty())
+        stands_in("Not started", missing);
+    else
+        note += "Nothing is filled in yet: the solution alone. ";
 
     bench.solution = programs.with({}).program;
     bench.solution_stamp = stamp_of_solution(chain);
@@ -96,8 +98,7 @@ void write_reports(const ConvergenceRecord& record, const ConvergeArguments& arg
     fs::create_directories(out);
     for (const SceneRecord& scene : record.scenes)
         for (const Against against : {Against::seconds, Against::rays})
-            if (!scene.curves.empty())
-                write_text(out / plot_file(scene, against), log_log(error_plot(scene, against)));
+            if (!scene.curves.empty()) write_text(out / plot_file(scene, against), log_log(error_plot(scene, against)));
     write_text(out / "converge.md", report(record));
 }
 
@@ -106,8 +107,9 @@ void write_reports(const ConvergenceRecord& record, const ConvergeArguments& arg
 CLI::App* add_converge_command(CLI::App& app, ConvergeArguments& arguments) {
     Amounts& amounts = arguments.amounts;
     CLI::App* converge = app.add_subcommand("converge", purpose_of("converge"));
-    converge->add_option("WORDS", arguments.words,
-                         "a folder, a .zip or a .tar.gz; scene files; default: starter, and those of scenes/bench")
+    converge
+        ->add_option("WORDS", arguments.words,
+                     "a folder, a .zip or a .tar.gz; scene files; default: starter, and those of scenes/bench")
         ->type_name("[SUBMISSION] [SCENE...]");
     converge->add_option("--samples", amounts.samples, "levels of samples a pixel")
         ->delimiter(',')

@@ -17,11 +17,11 @@ struct LevelErrors {
 ///
 ///     MSE(N) = b^2 + v N^(-2q)
 struct Fit {
-    double order = 0;        // -q: slope of the RMSE against N on logarithmic axes
+    double order = 0;          // -q: slope of the RMSE against N on logarithmic axes
     double low = 0, high = 0;  // its 95 % interval
     double v = 0;
-    double plateau = 0;      // b^2; 0 where none is shown
-    bool good = false;       // false: too few levels with an error above 0
+    double plateau = 0;  // b^2; 0 where none is shown
+    bool good = false;   // false: too few levels with an error above 0
 };
 
 /// By Gauss and Newton's method on logarithmic deviations, all levels alike, since an MSE over a picture scatters by a

@@ -40,10 +40,10 @@ Json level_json(const Level& level) {
 
 Json curve_json(const Curve& curve, const SceneRecord& scene) {
     Json json{{"who", name(curve.who)}, {"sampler", curve.sampler}, {"expected_slope", expected_order(curve.sampler)}};
-    json["slope"] = curve.fit.good ? Json{{"value", number(curve.fit.order)},
-                                          {"low", number(curve.fit.low)},
-                                          {"high", number(curve.fit.high)}}
-                                   : Json(nullptr);
+    json["slope"] =
+        curve.fit.good
+            ? Json{{"value", number(curve.fit.order)}, {"low", number(curve.fit.low)}, {"high", number(curve.fit.high)}}
+            : Json(nullptr);
     json["v"] = number(curve.fit.v);
     json["plateau_rmse"] = number(std::sqrt(curve.fit.plateau));
     if (curve.bias) {
@@ -58,13 +58,12 @@ Json curve_json(const Curve& curve, const SceneRecord& scene) {
 }
 
 Json scene_json(const SceneRecord& scene) {
-    Json json{{"name", scene.name},
-              {"file", scene.file},
-              {"width", scene.size.x},
-              {"height", scene.size.y},
-              {"reference",
-               {{"samples_of_each_half", scene.reference_samples},
-                {"rmse", number(scene.reference_noise)}}}};
+    Json json{
+        {"name", scene.name},
+        {"file", scene.file},
+        {"width", scene.size.x},
+        {"height", scene.size.y},
+        {"reference", {{"samples_of_each_half", scene.reference_samples}, {"rmse", number(scene.reference_noise)}}}};
     for (std::size_t k = 0; k < independent_samples.size(); ++k)
         json[fmt::format("mse_of_{}_independent_samples", independent_samples[k])] =
             scene.errors[k] ? number(*scene.errors[k]) : Json(nullptr);
@@ -83,7 +82,9 @@ Json scene_json(const SceneRecord& scene) {
 }  // namespace
 
 std::string to_json(const ConvergenceRecord& record) {
-    Json json{{"schema", "penumbra/convergence/v1"}, {"submission", record.submission}, {"note", record.note},
+    Json json{{"schema", "penumbra/convergence/v1"},
+              {"submission", record.submission},
+              {"note", record.note},
               {"biased", record.is_biased()}};
     json["scenes"] = Json::array();
     for (const SceneRecord& scene : record.scenes) json["scenes"].push_back(scene_json(scene));

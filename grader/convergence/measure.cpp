@@ -56,19 +56,16 @@ private:
     void begin() {
         const std::string size = fmt::format("{}x{}", record_.size.x, record_.size.y);
         const std::string levels = fmt::format("{}", fmt::join(amounts_.samples, " "));
-        const std::string name = Stamp()
-                                     .add(text_ + size + levels)
-                                     .add(bench_.solution_stamp)
-                                     .add(bench_.submission_stamp)
-                                     .text();
+        const std::string name =
+            Stamp().add(text_ + size + levels).add(bench_.solution_stamp).add(bench_.submission_stamp).text();
         for (const std::string& sampler : amounts_.samplers)
             for (const Who who : {Who::submission, Who::solution}) {
                 const fs::path& program = who == Who::submission ? bench_.submission : bench_.solution;
                 if (program.empty()) continue;
                 const char* suffix = who == Who::submission ? "submission" : "solution";
-                Series series{who, sampler,
-                              bench_.results / fmt::format("{}-{}", record_.name, name) /
-                                  fmt::format("{}-{}", sampler, suffix)};
+                Series series{
+                    who, sampler,
+                    bench_.results / fmt::format("{}-{}", record_.name, name) / fmt::format("{}-{}", sampler, suffix)};
                 if (!bench_.fresh) series.measured = read_kept(series.file, measured_of).value_or(Measured{});
                 series_.push_back(std::move(series));
             }

@@ -2,8 +2,8 @@
 
 #include <functional>
 
-#include "programs/sandbox.h"
 #include "convergence/record.h"
+#include "programs/sandbox.h"
 #include "rt/scene.h"
 
 namespace grade::convergence {
@@ -23,12 +23,12 @@ struct Amounts {
 
 /// The programs that are compared, and where results are kept.
 struct Bench {
-    fs::path submission, solution;      // programs; no submission: the solution alone
+    fs::path submission, solution;  // programs; no submission: the solution alone
     std::string submission_stamp, solution_stamp;
     Sandbox sandbox;
-    fs::path results;                   // folder
-    bool fresh = false;                 // measure anew what is there
-    std::function<fs::path(const fs::path& program)> copy;  // into a folder of its own
+    fs::path results;                                                     // folder
+    bool fresh = false;                                                   // measure anew what is there
+    std::function<fs::path(const fs::path& program)> copy;                // into a folder of its own
     std::function<void(double done, const std::string& doing)> progress;  // done: share of this scene's work
 };
 

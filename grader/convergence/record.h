@@ -24,10 +24,10 @@ struct Level {
     int samples = 0;
     std::vector<Run> runs;
 
-    double mse() const;       // means over the replicates
+    double mse() const;  // means over the replicates
     double relative() const;
     double rays() const;
-    double seconds() const;   // median
+    double seconds() const;  // median
     double efficiency() const { return 1 / (mse() * seconds()); }
 
     /// 95 % interval of the MSE; both 0 for a single replicate.
@@ -64,8 +64,8 @@ struct Comparison {
 struct SceneRecord {
     std::string name, file;
     rt::ivec2 size{0};
-    int reference_samples = 0;   // of each half
-    double reference_noise = 0;  // RMSE of both together
+    int reference_samples = 0;                    // of each half
+    double reference_noise = 0;                   // RMSE of both together
     std::array<std::optional<double>, 2> errors;  // MSE of 64 and of 1024 independent samples
     std::vector<Curve> curves;
     std::vector<Comparison> comparisons;

@@ -79,8 +79,7 @@ Halves reference_of(const fs::path& file, const Bench& bench, const Amounts& amo
     constexpr int few = 16;
     for (const int samples : {1, few}) made(samples, 2);
     const int programs = bench.submission.empty() ? 1 : 2;
-    const int wanted =
-        4 * last_level(amounts, budget, runner.seconds() / few, programs * int(amounts.samplers.size()));
+    const int wanted = 4 * last_level(amounts, budget, runner.seconds() / few, programs * int(amounts.samplers.size()));
 
     // half as many will do: what can be foreseen of the last level depends on how busy the machine is
     std::optional<KeptReference> kept = read_kept(path, reference_from);
@@ -90,8 +89,8 @@ Halves reference_of(const fs::path& file, const Bench& bench, const Amounts& amo
             return made(wanted, which);
         };
         kept = KeptReference{wanted, {half(0), half(1)}};
-        write_kept(path, {{"samples", wanted},
-                          {"halves", {kept_image(kept->halves.first), kept_image(kept->halves.second)}}});
+        write_kept(
+            path, {{"samples", wanted}, {"halves", {kept_image(kept->halves.first), kept_image(kept->halves.second)}}});
     }
     record.reference_samples = kept->samples;
     record.reference_noise = noise_of(kept->halves);

@@ -37,8 +37,8 @@ std::string bias_of(const Curve& curve) {
 
 /// The result of each curve; the long form has relative errors and rays as well.
 Cells curve_rows(const SceneRecord& scene, bool is_long) {
-    Cells rows{{"", "sampler", "slope", "expected", "samples", "RMSE", "CPU s", "efficiency", "s to 64", "to 1024",
-                "bias"}};
+    Cells rows{
+        {"", "sampler", "slope", "expected", "samples", "RMSE", "CPU s", "efficiency", "s to 64", "to 1024", "bias"}};
     if (is_long) rows[0].insert(rows[0].begin() + 6, {"relative RMSE", "M rays"});
     for (const Curve& curve : scene.curves) {
         std::vector<std::string> row{name(curve.who), curve.sampler};
@@ -171,7 +171,9 @@ std::string report(const ConvergenceRecord& record) {
 
 Plot error_plot(const SceneRecord& scene, Against against) {
     Plot plot{fmt::format("{}: error against {}", scene.name, against == Against::seconds ? "run time" : "rays"),
-              against == Against::seconds ? "CPU time of rendering [s]" : "rays of all kinds", "RMSE", {}};
+              against == Against::seconds ? "CPU time of rendering [s]" : "rays of all kinds",
+              "RMSE",
+              {}};
     plot.guides = {{-0.5, "-1/2"}, {-0.75, "-3/4"}, {-1, "-1"}};
     std::vector<std::string> samplers;
     const bool both = !scene.comparisons.empty();

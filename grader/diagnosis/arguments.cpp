@@ -48,7 +48,9 @@ std::vector<Signature::Argument> declared(const std::string& text) {
 
 /// The types of rows.h, in its order.
 const std::map<std::string, Structure>& structures() {
-    const auto entry = [](const char* fields, Row defaults) { return Structure{declared(fields), std::move(defaults)}; };
+    const auto entry = [](const char* fields, Row defaults) {
+        return Structure{declared(fields), std::move(defaults)};
+    };
     static const std::map<std::string, Structure> all = {
         {"Ray", entry("vec3 origin, vec3 direction, Real near, Real far", row(rt::Ray{}))},
         {"Hit", entry("vec3 point, vec3 normal, Real error", row(rt::Hit{}))},
@@ -56,15 +58,19 @@ const std::map<std::string, Structure>& structures() {
         {"Triangle", entry("vec3 a, vec3 b, vec3 c", row(rt::Triangle{}))},
         {"Quad", entry("vec3 center, vec3 u, vec3 v", row(rt::Quad{}))},
         {"Disc", entry("vec3 center, vec3 normal, Real radius", row(rt::Disc{}))},
-        {"Camera", entry("vec3 eye, vec3 right, vec3 up, vec3 back, Real tan_half_fov, ivec2 size, Real lens_radius, Real focus",
-                         row(rt::Camera{}))},
+        {"Camera",
+         entry("vec3 eye, vec3 right, vec3 up, vec3 back, Real tan_half_fov, ivec2 size, Real lens_radius, Real focus",
+               row(rt::Camera{}))},
         {"Shutter", entry("Real open, Real close", row(rt::Shutter{}))},
         {"Extent", entry("vec2 low, vec2 high", row(rt::Extent{}))},
         {"PointLight", entry("vec3 position, Color intensity, bool directional", row(rt::PointLight{}))},
-        {"Emitter", entry("Emitter::Kind kind, Quad quad, Disc disc, Sphere sphere, Color radiance", row(rt::Emitter{}))},
-        {"Material", entry("Color ambient, Color albedo, Color specular, Real shininess, Color reflectance, Color transmittance, "
-                           "Real exponent, Real ior, Color emission, bool sampled, Real medium.extinction, Color medium.albedo, "
-                           "Real medium.g", row(rt::Material{}))},
+        {"Emitter",
+         entry("Emitter::Kind kind, Quad quad, Disc disc, Sphere sphere, Color radiance", row(rt::Emitter{}))},
+        {"Material",
+         entry("Color ambient, Color albedo, Color specular, Real shininess, Color reflectance, Color transmittance, "
+               "Real exponent, Real ior, Color emission, bool sampled, Real medium.extinction, Color medium.albedo, "
+               "Real medium.g",
+               row(rt::Material{}))},
         {"LightSample", entry("vec3 direction, Real distance, Real density", row(rt::LightSample{}))},
         {"DiskSample", entry("vec2 point, Real density", row(rt::DiskSample{}))},
         {"DirectionSample", entry("vec3 direction, Real density", row(rt::DirectionSample{}))},
@@ -76,8 +82,9 @@ const std::map<std::string, Structure>& structures() {
 
 std::optional<Kind> kind_of(const std::string& type) {
     static const std::map<std::string, Kind> all = {
-        {"Real", Kind::number}, {"int", Kind::whole}, {"bool", Kind::flag}, {"Event", Kind::choice}, {"Emitter::Kind", Kind::choice},
-        {"vec3", Kind::vector}, {"Color", Kind::color}, {"vec2", Kind::pair}, {"ivec2", Kind::whole_pair}};
+        {"Real", Kind::number},          {"int", Kind::whole},   {"bool", Kind::flag},   {"Event", Kind::choice},
+        {"Emitter::Kind", Kind::choice}, {"vec3", Kind::vector}, {"Color", Kind::color}, {"vec2", Kind::pair},
+        {"ivec2", Kind::whole_pair}};
     const auto found = all.find(type);
     return found == all.end() ? std::nullopt : std::optional(found->second);
 }
@@ -94,7 +101,8 @@ std::size_t add_list(const Signature::Argument& argument, const Row& row, std::s
     return end;
 }
 
-std::size_t add(const Signature::Argument& argument, const std::string& name, const Row& row, std::size_t at, Layout& layout) {
+std::size_t add(const Signature::Argument& argument, const std::string& name, const Row& row, std::size_t at,
+                Layout& layout) {
     if (const auto kind = kind_of(argument.type)) {
         layout.parts.push_back({name, *kind, at});
         return at + size_of(*kind);
@@ -106,9 +114,7 @@ std::size_t add(const Signature::Argument& argument, const std::string& name, co
     return at;
 }
 
-std::string choice_type(const Field& part) {
-    return part.name.ends_with("kind") ? "Emitter::Kind" : "Event";
-}
+std::string choice_type(const Field& part) { return part.name.ends_with("kind") ? "Emitter::Kind" : "Event"; }
 
 std::string trimmed(const std::string& text) {
     const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
@@ -121,8 +127,10 @@ std::vector<std::string> split(const std::string& text) {
     int depth = 0;
     for (const char c : text) {
         depth += (c == '(' || c == '{') - (c == ')' || c == '}');
-        if (c == ',' && depth == 0) list.emplace_back();
-        else list.back() += c;
+        if (c == ',' && depth == 0)
+            list.emplace_back();
+        else
+            list.back() += c;
     }
     return list;
 }
@@ -146,14 +154,16 @@ void set(const Field& part, const std::string& words, Row& row) {
     if (part.kind == Kind::choice) {
         const auto& names = choices(choice_type(part));
         const auto found = std::ranges::find(names, words);
-        if (found == names.end()) throw std::invalid_argument(fmt::format("{}: \"{}\" is none of its values", part.name, words));
+        if (found == names.end())
+            throw std::invalid_argument(fmt::format("{}: \"{}\" is none of its values", part.name, words));
         row[part.at] = double(found - names.begin());
         return;
     }
     const bool bracket = !words.empty() && (words.front() == '(' || words.front() == '{');
     const auto numbers = bracket ? split(words.substr(1, words.size() - 2)) : std::vector{words};
     if (numbers.size() != size_of(part.kind))
-        throw std::invalid_argument(fmt::format("{} is {} numbers; expected {}", part.name, numbers.size(), size_of(part.kind)));
+        throw std::invalid_argument(
+            fmt::format("{} is {} numbers; expected {}", part.name, numbers.size(), size_of(part.kind)));
     for (std::size_t k = 0; k < numbers.size(); ++k) row[part.at + k] = number_from_words(numbers[k]);
 }
 
@@ -162,10 +172,13 @@ void set(const Field& part, const std::string& words, Row& row) {
 std::size_t size_of(Kind kind) {
     switch (kind) {
         case Kind::vector:
-        case Kind::color: return 3;
+        case Kind::color:
+            return 3;
         case Kind::pair:
-        case Kind::whole_pair: return 2;
-        default: return 1;
+        case Kind::whole_pair:
+            return 2;
+        default:
+            return 1;
     }
 }
 
@@ -188,8 +201,10 @@ Row Signature::blank() const {
     for (const Argument& argument : arguments) {
         if (const auto found = structures().find(argument.type); found != structures().end())
             all.insert(all.end(), found->second.defaults.begin(), found->second.defaults.end());
-        else if (const auto kind = kind_of(argument.type)) all.resize(all.size() + size_of(*kind));
-        else all.resize(all.size() + (argument.type == "Function" ? 2 : 1));
+        else if (const auto kind = kind_of(argument.type))
+            all.resize(all.size() + size_of(*kind));
+        else
+            all.resize(all.size() + (argument.type == "Function" ? 2 : 1));
     }
     return all;
 }
@@ -240,7 +255,8 @@ std::string arguments_in_words(const Signature& signature, const Row& row, const
             const Field element{"", list.stride == 3 ? Kind::color : Kind::number, list.at + 1 + k * list.stride};
             values += (k ? ", " : "") + value_in_words(element, row);
         }
-        tell(list.name, fmt::format("[{}{}]", values, list.count > most ? fmt::format(", ... {} in all", list.count) : ""));
+        tell(list.name,
+             fmt::format("[{}{}]", values, list.count > most ? fmt::format(", ... {} in all", list.count) : ""));
     }
     return text;
 }
@@ -248,8 +264,10 @@ std::string arguments_in_words(const Signature& signature, const Row& row, const
 Row arguments_from_words(const Signature& signature, const std::string& words) {
     Row row = signature.blank();
     const Layout layout = signature.of_arguments(row);
-    if (!layout.lists.empty() || std::ranges::any_of(signature.arguments, [](const auto& a) { return a.type == "Function"; }))
-        throw std::invalid_argument(fmt::format("{} takes functions or lists, which cannot be written here", signature.fragment));
+    if (!layout.lists.empty() ||
+        std::ranges::any_of(signature.arguments, [](const auto& a) { return a.type == "Function"; }))
+        throw std::invalid_argument(
+            fmt::format("{} takes functions or lists, which cannot be written here", signature.fragment));
     if (trimmed(words).empty()) return row;
     for (const std::string& one : split(words)) {
         const std::size_t equals = one.find('=');
@@ -258,7 +276,8 @@ Row arguments_from_words(const Signature& signature, const std::string& words) {
         if (equals == one.npos || part == layout.parts.end()) {
             std::string names;
             for (const Field& known : layout.parts) names += (names.empty() ? "" : ", ") + known.name;
-            throw std::invalid_argument(fmt::format("\"{}\": expected NAME = VALUE, where NAME is one of {}", trimmed(one), names));
+            throw std::invalid_argument(
+                fmt::format("\"{}\": expected NAME = VALUE, where NAME is one of {}", trimmed(one), names));
         }
         set(*part, trimmed(one.substr(equals + 1)), row);
     }
@@ -271,7 +290,8 @@ std::string result_in_words(const Signature& signature, const Row& output, const
     for (std::size_t i = 0; i < layout.parts.size(); ++i) {
         const Field& part = layout.parts[i];
         if (i < told.size() && !told[i]) continue;
-        text += (text.empty() ? "" : ", ") + (part.name.empty() ? "" : part.name + " = ") + value_in_words(part, output);
+        text +=
+            (text.empty() ? "" : ", ") + (part.name.empty() ? "" : part.name + " = ") + value_in_words(part, output);
     }
     return text;
 }

@@ -15,7 +15,7 @@ struct Calls {
     Rows rows, mine, right;
     std::vector<Layout> layouts;  // of the rows
     Layout result;
-    std::vector<bool> told;       // by argument's part: whether any answer depends on it
+    std::vector<bool> told;  // by argument's part: whether any answer depends on it
 
     std::size_t size() const { return rows.size(); }
 };

@@ -192,7 +192,9 @@ constexpr TwoVectors of_two_colors[] = {
 };
 
 template <class... Names>
-std::string filled(const char* words, const Names&... names) { return fmt::format(fmt::runtime(words), names...); }
+std::string filled(const char* words, const Names&... names) {
+    return fmt::format(fmt::runtime(words), names...);
+}
 
 /// "`2 * x` in place of `x`"
 std::string in_place(const std::string& expression, const std::string& name) {
@@ -251,7 +253,10 @@ private:
     void add_scalar(const Scalar& s) {
         for (const Function& f : scalar_functions) {
             const bool of_index = s.whole && s.name == "i";
-            add(in_place(s.whole && std::string(f.words) == "{} / 2" ? s.name + " / 2 (of whole numbers)" : filled(f.words, s.name), s.name) + f.usually,
+            add(in_place(s.whole && std::string(f.words) == "{} / 2" ? s.name + " / 2 (of whole numbers)"
+                                                                     : filled(f.words, s.name),
+                         s.name) +
+                    f.usually,
                 f.cost, [s, f, of_index](Row& row, const Layout& l) {
                     double& x = row[s.at(l)];
                     const double before = x;
@@ -264,22 +269,25 @@ private:
             if (other.name == s.name || s.whole != other.whole) continue;
             const double near = s.owner() == other.owner() ? -0.3 : 0;
             for (const TwoScalars& f : of_two_scalars)
-                add(in_place(filled(f.words, s.name, other.name), s.name), f.cost + near, [s, other, f](Row& row, const Layout& l) {
-                    double& x = row[s.at(l)];
-                    const double before = x;
-                    x = f.value(x, row[other.at(l)]);
-                    return fits(x, before, s.whole);
-                });
+                add(in_place(filled(f.words, s.name, other.name), s.name), f.cost + near,
+                    [s, other, f](Row& row, const Layout& l) {
+                        double& x = row[s.at(l)];
+                        const double before = x;
+                        x = f.value(x, row[other.at(l)]);
+                        return fits(x, before, s.whole);
+                    });
             if (s.name < other.name)
-                add(fmt::format("`{}` and `{}` exchanged", s.name, other.name), 1.1, [s, other](Row& row, const Layout& l) {
-                    std::swap(row[s.at(l)], row[other.at(l)]);
-                    return true;
-                });
+                add(fmt::format("`{}` and `{}` exchanged", s.name, other.name), 1.1,
+                    [s, other](Row& row, const Layout& l) {
+                        std::swap(row[s.at(l)], row[other.at(l)]);
+                        return true;
+                    });
         }
     }
 
     template <class Functions, class TwoFunctions>
-    void add_vector(std::size_t i, const std::vector<std::size_t>& others, const Functions& functions, const TwoFunctions& of_two) {
+    void add_vector(std::size_t i, const std::vector<std::size_t>& others, const Functions& functions,
+                    const TwoFunctions& of_two) {
         for (const VectorFunction& f : functions)
             add(in_place(filled(f.words, name(i)), name(i)), f.cost, [i, f](Row& row, const Layout& l) {
                 put(row, l.parts[i].at, f.value(vector_at(row, l.parts[i].at)));
@@ -303,12 +311,14 @@ private:
 
     /// A vector or colour times a power of a quantity, or of the ratio of two.
     void add_scaled(std::size_t i, double cost) {
-        const auto factor = [&](const std::string& words, double more, std::function<double(const Row&, const Layout&)> value) {
-            add(in_place(fmt::format("{} * {}", name(i), words), name(i)), cost + more, [i, value](Row& row, const Layout& l) {
-                const double x = value(row, l);
-                put(row, l.parts[i].at, x * vector_at(row, l.parts[i].at));
-                return std::isfinite(x);
-            });
+        const auto factor = [&](const std::string& words, double more,
+                                std::function<double(const Row&, const Layout&)> value) {
+            add(in_place(fmt::format("{} * {}", name(i), words), name(i)), cost + more,
+                [i, value](Row& row, const Layout& l) {
+                    const double x = value(row, l);
+                    put(row, l.parts[i].at, x * vector_at(row, l.parts[i].at));
+                    return std::isfinite(x);
+                });
         };
         std::vector<Quantity> list;
         const bool is_color = layout_.parts[i].kind == Kind::color;
@@ -342,27 +352,34 @@ private:
         for (const std::size_t i : vectors_) {
             const std::string owner = name(i).substr(0, name(i).rfind('.'));
             if (owner == name(i)) continue;
-            if (groups.empty() || name(groups.back().front()).substr(0, name(groups.back().front()).rfind('.')) != owner) groups.emplace_back();
+            if (groups.empty() ||
+                name(groups.back().front()).substr(0, name(groups.back().front()).rfind('.')) != owner)
+                groups.emplace_back();
             groups.back().push_back(i);
         }
         for (auto group : groups) {
             // a place is no direction
-            std::erase_if(group, [&](std::size_t i) { return name(i).ends_with("center") || name(i).ends_with("eye"); });
+            std::erase_if(group,
+                          [&](std::size_t i) { return name(i).ends_with("center") || name(i).ends_with("eye"); });
             if (group.size() < 2) continue;
             std::string names;
             for (const std::size_t i : group) names += (names.empty() ? "`" : ", `") + name(i) + "`";
             for (const VectorFunction& f : vector_functions) {
                 if (f.cost > 1.3) continue;
-                add(fmt::format("{} in place of each of {}", filled(f.words, "v"), names), f.cost + 0.3, [group, f](Row& row, const Layout& l) {
-                    for (const std::size_t i : group) put(row, l.parts[i].at, f.value(vector_at(row, l.parts[i].at)));
-                    return true;
-                });
+                add(fmt::format("{} in place of each of {}", filled(f.words, "v"), names), f.cost + 0.3,
+                    [group, f](Row& row, const Layout& l) {
+                        for (const std::size_t i : group)
+                            put(row, l.parts[i].at, f.value(vector_at(row, l.parts[i].at)));
+                        return true;
+                    });
             }
             if (group.size() == 3)
-                add(fmt::format("the axes of the world in place of {}", names), 1.2, [group](Row& row, const Layout& l) {
-                    for (std::size_t k = 0; k < 3; ++k) put(row, l.parts[group[k]].at, vec3(k == 0, k == 1, k == 2));
-                    return true;
-                });
+                add(fmt::format("the axes of the world in place of {}", names), 1.2,
+                    [group](Row& row, const Layout& l) {
+                        for (std::size_t k = 0; k < 3; ++k)
+                            put(row, l.parts[group[k]].at, vec3(k == 0, k == 1, k == 2));
+                        return true;
+                    });
         }
     }
 
@@ -372,32 +389,36 @@ private:
             for (std::size_t j = 0; j < layout_.parts.size(); ++j) {
                 if (i == j || layout_.parts[i].kind != Kind::pair || layout_.parts[j].kind != Kind::pair) continue;
                 for (const double more : {0.0, 1.0})
-                    add(in_place(more != 0 ? name(j) + " + 1" : name(j), name(i)), 1.6, [i, j, more](Row& row, const Layout& l) {
-                        for (std::size_t c = 0; c < 2; ++c) row[l.parts[i].at + c] = row[l.parts[j].at + c] + more;
-                        return true;
-                    });
+                    add(in_place(more != 0 ? name(j) + " + 1" : name(j), name(i)), 1.6,
+                        [i, j, more](Row& row, const Layout& l) {
+                            for (std::size_t c = 0; c < 2; ++c) row[l.parts[i].at + c] = row[l.parts[j].at + c] + more;
+                            return true;
+                        });
             }
     }
 
     void add_lists() {
         if (layout_.lists.empty() || layout_.lists.front().stride == 0) return;
         for (const bool first : {true, false})
-            add(first ? "the first element left out" : "the last element left out", 1.2, [first](Row& row, const Layout& l) {
-                for (auto list = l.lists.rbegin(); list != l.lists.rend(); ++list) {
-                    if (list->count < 1 || list->stride == 0) return false;
-                    const auto start = row.begin() + std::ptrdiff_t(list->at + 1 + (first ? 0 : (list->count - 1) * list->stride));
-                    row.erase(start, start + std::ptrdiff_t(list->stride));
-                    row[list->at] -= 1;
-                }
-                return true;
-            });
+            add(first ? "the first element left out" : "the last element left out", 1.2,
+                [first](Row& row, const Layout& l) {
+                    for (auto list = l.lists.rbegin(); list != l.lists.rend(); ++list) {
+                        if (list->count < 1 || list->stride == 0) return false;
+                        const auto start =
+                            row.begin() + std::ptrdiff_t(list->at + 1 + (first ? 0 : (list->count - 1) * list->stride));
+                        row.erase(start, start + std::ptrdiff_t(list->stride));
+                        row[list->at] -= 1;
+                    }
+                    return true;
+                });
         for (std::size_t which = 0; which < layout_.lists.size(); ++which)
             for (const Function& f : scalar_functions) {
                 if (f.cost > 1.3) continue;
                 const std::string each = layout_.lists[which].name + "[k]";
                 add(in_place(filled(f.words, each), each), f.cost + 0.2, [which, f](Row& row, const Layout& l) {
                     const List& list = l.lists[which];
-                    for (std::size_t k = 0; k < list.count * list.stride; ++k) row[list.at + 1 + k] = f.value(row[list.at + 1 + k]);
+                    for (std::size_t k = 0; k < list.count * list.stride; ++k)
+                        row[list.at + 1 + k] = f.value(row[list.at + 1 + k]);
                     return true;
                 });
             }
@@ -446,16 +467,20 @@ std::vector<Quantity> quantities_of(const Layout& layout, const std::vector<bool
     };
     std::vector<Vector> vectors;
     for (std::size_t i = 0; i < layout.parts.size(); ++i)
-        if (layout.parts[i].kind == Kind::vector && (i >= told.size() || told[i])) vectors.push_back({layout.parts[i].name, i, false});
+        if (layout.parts[i].kind == Kind::vector && (i >= told.size() || told[i]))
+            vectors.push_back({layout.parts[i].name, i, false});
     if (result)
         for (const Field& part : result->parts)
-            if (part.kind == Kind::vector && !part.name.empty()) vectors.push_back({"the answer's " + part.name, part.at, true});
+            if (part.kind == Kind::vector && !part.name.empty())
+                vectors.push_back({"the answer's " + part.name, part.at, true});
     // where the answer is a direction: mirrored ones, which it may be measured from
     const std::size_t given = vectors.size() - std::size_t(std::ranges::count(vectors, true, &Vector::own));
     const bool has_own = given < vectors.size();
     for (std::size_t a = 0; has_own && a < given; ++a)
         for (std::size_t b = 0; b < given; ++b)
-            if (a != b) vectors.push_back({fmt::format("{} mirrored at {}", vectors[a].name, vectors[b].name), vectors[a].part, false, int(vectors[b].part)});
+            if (a != b)
+                vectors.push_back({fmt::format("{} mirrored at {}", vectors[a].name, vectors[b].name), vectors[a].part,
+                                   false, int(vectors[b].part)});
     const auto at = [](const Vector& v, const Row& row, const Layout& l, const Row& output) {
         if (v.mirror >= 0) {
             const vec3 d = vector_at(row, l.parts[v.part].at), n = vector_at(row, l.parts[std::size_t(v.mirror)].at);
@@ -471,19 +496,23 @@ std::vector<Quantity> quantities_of(const Layout& layout, const std::vector<bool
         for (std::size_t b = a + 1; b < vectors.size(); ++b) {
             const Vector w = vectors[b];
             if (w.mirror >= 0 && !v.own) continue;
-            all.push_back({fmt::format("dot({}, {})", v.name, w.name), [=](const Row& row, const Layout& l, const Row& out) {
-                               return rt::dot(at(v, row, l, out), at(w, row, l, out));
-                           }});
-            all.push_back({fmt::format("|{} - {}|", v.name, w.name), [=](const Row& row, const Layout& l, const Row& out) {
-                               return length(at(v, row, l, out) - at(w, row, l, out));
-                           }});
+            all.push_back(
+                {fmt::format("dot({}, {})", v.name, w.name), [=](const Row& row, const Layout& l, const Row& out) {
+                     return rt::dot(at(v, row, l, out), at(w, row, l, out));
+                 }});
+            all.push_back(
+                {fmt::format("|{} - {}|", v.name, w.name), [=](const Row& row, const Layout& l, const Row& out) {
+                     return length(at(v, row, l, out) - at(w, row, l, out));
+                 }});
         }
     }
     for (std::size_t i = 0; result && i < result->parts.size(); ++i) {
         const Field part = result->parts[i];
         if (part.kind == Kind::pair && !part.name.empty())
-            all.push_back({fmt::format("|the answer's {}|", part.name),
-                           [part](const Row&, const Layout&, const Row& out) { return std::hypot(out[part.at], out[part.at + 1]); }});
+            all.push_back(
+                {fmt::format("|the answer's {}|", part.name), [part](const Row&, const Layout&, const Row& out) {
+                     return std::hypot(out[part.at], out[part.at + 1]);
+                 }});
         if (part.kind == Kind::number && part.name == "distance")
             all.push_back({fmt::format("the answer's {}", part.name),
                            [part](const Row&, const Layout&, const Row& out) { return out[part.at]; }});

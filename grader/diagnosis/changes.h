@@ -9,8 +9,8 @@
 namespace grade {
 
 struct Change {
-    std::string words;  // "`u.x` in place of `u.y`"; empty: nothing is changed
-    double cost = 0;    // the simpler, the less
+    std::string words;                                         // "`u.x` in place of `u.y`"; empty: nothing is changed
+    double cost = 0;                                           // the simpler, the less
     std::function<bool(Row& row, const Layout& layout)> make;  // false: it makes no arguments
 };
 
@@ -27,6 +27,7 @@ struct Quantity {
 };
 
 /// With result, those that the direction or point of the fragment's own answer is part of as well.
-std::vector<Quantity> quantities_of(const Layout& layout, const std::vector<bool>& told, const Layout* result = nullptr);
+std::vector<Quantity> quantities_of(const Layout& layout, const std::vector<bool>& told,
+                                    const Layout* result = nullptr);
 
 }  // namespace grade

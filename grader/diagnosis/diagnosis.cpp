@@ -18,14 +18,21 @@ using Rank = std::tuple<int, int, Subject>;
 
 int rank_of(Verdict verdict) {
     switch (verdict) {
-        case Verdict::did_not_build: return 0;
-        case Verdict::not_started: return 1;
-        case Verdict::crashed: return 2;
-        case Verdict::timed_out: return 3;
+        case Verdict::did_not_build:
+            return 0;
+        case Verdict::not_started:
+            return 1;
+        case Verdict::crashed:
+            return 2;
+        case Verdict::timed_out:
+            return 3;
         case Verdict::not_finite:
-        case Verdict::failed: return 4;
-        case Verdict::inconclusive: return 5;
-        case Verdict::passed: break;
+        case Verdict::failed:
+            return 4;
+        case Verdict::inconclusive:
+            return 5;
+        case Verdict::passed:
+            break;
     }
     return 6;
 }
@@ -38,13 +45,16 @@ Rank rank_of(Verdict verdict, const CheckRecord& check, Subject subject) {
 
 std::string section_of(const std::string& fragment, Verdict verdict, const std::string& words) {
     switch (verdict) {
-        case Verdict::passed: return {};
+        case Verdict::passed:
+            return {};
         case Verdict::crashed:
         case Verdict::timed_out:
-        case Verdict::inconclusive: return std::string(verdicts_section);
+        case Verdict::inconclusive:
+            return std::string(verdicts_section);
         case Verdict::not_finite:
             return std::string(words.find("nan") != words.npos ? numbers_section : pictures_section);
-        default: return fragment;
+        default:
+            return fragment;
     }
 }
 
@@ -85,8 +95,8 @@ std::string section_of(const CheckRecord& check, const StatisticRecord* statisti
 
 namespace {
 
-/// A hint, and whether it is sure: a suspect whose outputs are those of every call, or what is no number or changes, not what a
-/// deviation usually means.
+/// A hint, and whether it is sure: a suspect whose outputs are those of every call, or what is no number or changes,
+/// not what a deviation usually means.
 struct FirstHint {
     std::string words;
     bool is_sure = false;
@@ -99,7 +109,8 @@ FirstHint without_numbers(const StatisticRecord& statistic) {
     const std::size_t numbers = statistic.hint.find(bare);
     const auto has = [&](const char* words) { return statistic.hint.find(words) != statistic.hint.npos; };
     if (numbers == statistic.hint.npos)
-        return {statistic.hint, statistic.exact && !has("(off by") && !has(" times what it must be") && !has("off by up to")};
+        return {statistic.hint,
+                statistic.exact && !has("(off by") && !has(" times what it must be") && !has("off by up to")};
     const std::size_t end = statistic.hint.rfind(": ", numbers);
     return {end == statistic.hint.npos ? "" : statistic.hint.substr(0, end), false};
 }
@@ -135,7 +146,9 @@ Diagnosis diagnose(const FragmentRecord& fragment) {
     for (const CheckRecord& check : fragment.checks) {
         if (check.verdict == Verdict::passed) continue;
         if (!check.message.empty())
-            tell(rank_of(check.verdict, check, Subject::no_image), {check.message, check.verdict == Verdict::not_finite || check.message.find("again") != check.message.npos},
+            tell(rank_of(check.verdict, check, Subject::no_image),
+                 {check.message,
+                  check.verdict == Verdict::not_finite || check.message.find("again") != check.message.npos},
                  section_of(check, nullptr));
         for (const StatisticRecord& statistic : check.statistics)
             if (statistic.verdict != Verdict::passed && !statistic.hint.empty())
@@ -155,7 +168,8 @@ std::string anchor(const std::string& section) {
     for (const char c : section) {
         if (std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_')
             text += char(std::tolower(static_cast<unsigned char>(c)));
-        else if (c == ' ') text += '-';
+        else if (c == ' ')
+            text += '-';
     }
     return text;
 }

@@ -12,7 +12,7 @@ namespace grade {
 
 namespace {
 
-constexpr std::size_t most_compared = 80;   // calls among which a relation is looked for
+constexpr std::size_t most_compared = 80;    // calls among which a relation is looked for
 constexpr std::size_t most_calls = 250'000;  // that the solution is asked for
 
 /// The answers to as many rows as are asked for; where any is missing, none.
@@ -99,7 +99,8 @@ Calls crossed(const Calls& calls, const Ask& mine, const Ask& right) {
         if (calls.told[i] && (parts[i].kind == Kind::number || parts[i].kind == Kind::pair)) numbers.push_back(i);
     Rows rows;
     for (std::size_t k = 0; k < std::min(most, calls.size()) && !numbers.empty(); ++k) {
-        const std::size_t from = k * calls.size() / std::min(most, calls.size()), other = (from * 5 + 11) % calls.size();
+        const std::size_t from = k * calls.size() / std::min(most, calls.size()),
+                          other = (from * 5 + 11) % calls.size();
         const std::size_t i = numbers[k % numbers.size()];
         Row row = calls.rows[from];
         for (std::size_t c = 0; c < size_of(parts[i].kind); ++c)
@@ -118,7 +119,9 @@ Calls crossed(const Calls& calls, const Ask& mine, const Ask& right) {
 std::string independence(const Calls& calls, const std::vector<Dependence>& all) {
     std::string lost, added;
     const auto& parts = calls.layouts.front().parts;
-    const auto tell = [](std::string& list, const std::string& name) { list += (list.empty() ? "`" : ", `") + name + "`"; };
+    const auto tell = [](std::string& list, const std::string& name) {
+        list += (list.empty() ? "`" : ", `") + name + "`";
+    };
     for (std::size_t i = 0; i < parts.size(); ++i) {
         if (all[i].right && !all[i].mine) tell(lost, parts[i].name);
         if (all[i].mine && !all[i].right) tell(added, parts[i].name);
@@ -144,11 +147,14 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_min
     const bool sampled = std::ranges::any_of(arguments, [](const auto& argument) { return argument.name == "u"; });
     bool right_otherwise = false;
     Finding finding;
-    const auto relation = relation_of(picked(crossed(all, mine, right), most_compared), right, sampled, right_otherwise);
+    const auto relation =
+        relation_of(picked(crossed(all, mine, right), most_compared), right, sampled, right_otherwise);
     if (right_otherwise) return {};
     finding.sampled = sampled;
-    if (relation) finding.how = relation->words;
-    else if (!sampled) finding.how = independence(all, depends);
+    if (relation)
+        finding.how = relation->words;
+    else if (!sampled)
+        finding.how = independence(all, depends);
     // another parametrisation is wrong in no call
     if (sampled && !relation) return finding;
 

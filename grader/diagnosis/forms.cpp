@@ -23,9 +23,20 @@ struct Named {
     const char* words;
 };
 
-constexpr Named constants[] = {{1, "1"}, {2, "2"}, {3, "3"}, {4, "4"}, {8, "8"}, {rt::pi, "pi"}, {2 * rt::pi, "2 pi"},
-                               {4 * rt::pi, "4 pi"}, {rt::pi / 2, "pi / 2"}, {rt::pi * rt::pi, "pi^2"}, {180 / rt::pi, "180 / pi"},
-                               {1.4142135623730951, "sqrt(2)"}, {1.7320508075688772, "sqrt(3)"}, {1.5, "3 / 2"}};
+constexpr Named constants[] = {{1, "1"},
+                               {2, "2"},
+                               {3, "3"},
+                               {4, "4"},
+                               {8, "8"},
+                               {rt::pi, "pi"},
+                               {2 * rt::pi, "2 pi"},
+                               {4 * rt::pi, "4 pi"},
+                               {rt::pi / 2, "pi / 2"},
+                               {rt::pi * rt::pi, "pi^2"},
+                               {180 / rt::pi, "180 / pi"},
+                               {1.4142135623730951, "sqrt(2)"},
+                               {1.7320508075688772, "sqrt(3)"},
+                               {1.5, "3 / 2"}};
 
 /// "pi", "1 / pi", or digits.
 std::string constant(double x) {
@@ -59,7 +70,8 @@ public:
 
     std::optional<Form> any() const {
         if (auto form = simple()) return form;
-        for (const auto& look : {&Forms::constant_value, &Forms::rearranged, &Forms::own_function, &Forms::other_part, &Forms::with_argument})
+        for (const auto& look : {&Forms::constant_value, &Forms::rearranged, &Forms::own_function, &Forms::other_part,
+                                 &Forms::with_argument})
             if (auto form = (this->*look)()) return form;
         // logarithms of what is not 0
         std::vector<std::size_t> shining;  // of what is not 0 everywhere
@@ -98,10 +110,13 @@ private:
             for (std::size_t c = 0; c < size_; ++c)
                 if (std::isfinite(right(k, c)) && std::isfinite(mine(k, c)) && std::abs(right(k, c)) > most)
                     most = std::abs(right(k, c)), ratio = mine(k, c) / right(k, c);
-        if (ratio == 0 || !equals([&](std::size_t k, std::size_t c) { return ratio * right(k, c); })) return std::nullopt;
+        if (ratio == 0 || !equals([&](std::size_t k, std::size_t c) { return ratio * right(k, c); }))
+            return std::nullopt;
         const bool large = std::abs(ratio) > 1;
         return Form{fmt::format("is {} times too {}{}", constant(large ? std::abs(ratio) : 1 / std::abs(ratio)),
-                                large ? part_.kind == Kind::vector ? "long" : "large" : part_.kind == Kind::vector ? "short" : "small",
+                                large                        ? part_.kind == Kind::vector ? "long" : "large"
+                                : part_.kind == Kind::vector ? "short"
+                                                             : "small",
                                 ratio < 0 ? ", and has the opposite sign" : ""),
                     is_named(ratio) ? 1.3 : 2.2};
     }
@@ -129,7 +144,8 @@ private:
         constexpr std::array<const char*, 3> axis = {"x", "y", "z"}, channel = {"red", "green", "blue"};
         const auto& names = part_.kind == Kind::color ? channel : axis;
         for (std::size_t a = 0; a < size_; ++a) {
-            if (part_.kind != Kind::color && equals([&](std::size_t k, std::size_t c) { return c == a ? -right(k, c) : right(k, c); }))
+            if (part_.kind != Kind::color &&
+                equals([&](std::size_t k, std::size_t c) { return c == a ? -right(k, c) : right(k, c); }))
                 return Form{fmt::format("has the opposite sign in {}", names[a]), 1.5};
             for (std::size_t b = a + 1; b < size_; ++b)
                 if (equals([&](std::size_t k, std::size_t c) { return right(k, c == a ? b : c == b ? a : c); }))
@@ -141,7 +157,9 @@ private:
     }
 
     std::optional<Form> own_function() const {
-        const auto is = [&](double (*f)(double)) { return equals([&](std::size_t k, std::size_t c) { return f(right(k, c)); }); };
+        const auto is = [&](double (*f)(double)) {
+            return equals([&](std::size_t k, std::size_t c) { return f(right(k, c)); });
+        };
         if (is([](double x) { return std::abs(x); })) return Form{"is never negative: the sign is lost", 1.5};
         if (is([](double x) { return std::max(x, 0.0); })) return Form{"is 0 where it must be negative", 1.5};
         if (is([](double x) { return std::min(x, 1.0); })) return Form{"is cut off at 1", 1.5};
@@ -165,11 +183,15 @@ private:
     std::optional<Form> with_argument() const {
         const auto& parts = calls_.layouts.front().parts;
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            if (size_of(parts[i].kind) != size_ || parts[i].kind == Kind::flag || parts[i].kind == Kind::choice) continue;
-            const auto argument = [&](std::size_t k, std::size_t c) { return calls_.rows[k][calls_.layouts[k].parts[i].at + c]; };
+            if (size_of(parts[i].kind) != size_ || parts[i].kind == Kind::flag || parts[i].kind == Kind::choice)
+                continue;
+            const auto argument = [&](std::size_t k, std::size_t c) {
+                return calls_.rows[k][calls_.layouts[k].parts[i].at + c];
+            };
             const std::string& name = parts[i].name;
             if (equals(argument)) return Form{fmt::format("is `{}` itself", name), 1.5};
-            if (equals([&](std::size_t k, std::size_t c) { return -argument(k, c); })) return Form{fmt::format("is `-{}` itself", name), 1.6};
+            if (equals([&](std::size_t k, std::size_t c) { return -argument(k, c); }))
+                return Form{fmt::format("is `-{}` itself", name), 1.6};
             if (equals([&](std::size_t k, std::size_t c) { return right(k, c) - argument(k, c); }))
                 return Form{fmt::format("is as if `{}` were not added, or taken away", name), 2};
             if (equals([&](std::size_t k, std::size_t c) { return right(k, c) + argument(k, c); }))
@@ -193,19 +215,25 @@ private:
                 log.push_back(value(k));
                 least = std::min(least, log.back()), most = std::max(most, log.back());
             }
-            if (std::isfinite(least) && std::isfinite(most) && most - least > 1e-3) list.push_back({words, std::move(log)});
+            if (std::isfinite(least) && std::isfinite(most) && most - least > 1e-3)
+                list.push_back({words, std::move(log)});
         };
         const auto quantities = quantities_of(calls_.layouts.front(), calls_.told, &calls_.result);
-        const auto at = [&](const Quantity& q, std::size_t k) { return q.value(calls_.rows[k], calls_.layouts[k], calls_.mine[k]); };
+        const auto at = [&](const Quantity& q, std::size_t k) {
+            return q.value(calls_.rows[k], calls_.layouts[k], calls_.mine[k]);
+        };
         for (const Quantity& q : quantities)
-            if (q.words != "the answer's " + part_.name) add(q.words, [&](std::size_t k) { return std::log(std::abs(at(q, k))); });
+            if (q.words != "the answer's " + part_.name)
+                add(q.words, [&](std::size_t k) { return std::log(std::abs(at(q, k))); });
         for (const Quantity& q : quantities) {
-            const bool is_plain = q.words.find('|') == q.words.npos && q.words.find('(') == q.words.npos && q.words.find('\'') == q.words.npos;
+            const bool is_plain = q.words.find('|') == q.words.npos && q.words.find('(') == q.words.npos &&
+                                  q.words.find('\'') == q.words.npos;
             if (!is_plain) continue;
             for (const int more : {1, 2, -1})
                 add(fmt::format("({} {} {})", q.words, more > 0 ? "+" : "-", std::abs(more)),
                     [&](std::size_t k) { return std::log(std::abs(at(q, k) + more)); });
-            add(fmt::format("sqrt(1 - {0} * {0})", q.words), [&](std::size_t k) { return std::log(1 - at(q, k) * at(q, k)) / 2; });
+            add(fmt::format("sqrt(1 - {0} * {0})", q.words),
+                [&](std::size_t k) { return std::log(1 - at(q, k) * at(q, k)) / 2; });
             for (const Quantity& base : quantities)
                 if (base.words.starts_with("dot") || base.words.ends_with(".z"))
                     add(fmt::format("pow({}, {})", base.words, q.words),
@@ -236,7 +264,9 @@ private:
         return std::nullopt;
     }
 
-    static std::string power(const std::string& words, double p) { return p == 1 ? words : fmt::format("{}^{:g}", words, p); }
+    static std::string power(const std::string& words, double p) {
+        return p == 1 ? words : fmt::format("{}^{:g}", words, p);
+    }
 
     static std::string times(double c, const std::string& words) {
         return std::abs(c - 1) < 1e-4 ? words : constant(c) + " * " + words;
@@ -251,7 +281,9 @@ private:
         for (const Column& q : all)
             if (const auto fit = fitted(log, {&q}); fit && nice_power(fit->powers[0]))
                 if (is_named(std::exp(fit->constant)))
-                    return Form{fmt::format("is `{}`", times(std::exp(fit->constant), power(q.words, *nice_power(fit->powers[0])))), 2.4};
+                    return Form{fmt::format("is `{}`", times(std::exp(fit->constant),
+                                                             power(q.words, *nice_power(fit->powers[0])))),
+                                2.4};
         return std::nullopt;
     }
 
@@ -279,7 +311,8 @@ private:
             xx += dx * dx, xz += dx * dz, zz += dz * dz, xy += dx * dy, zy += dz * dy;
         }
         Fit fit{0, {}};
-        if (m == 1) fit.powers[0] = xy / xx;
+        if (m == 1)
+            fit.powers[0] = xy / xx;
         else {
             const double determinant = xx * zz - xz * xz;
             if (!(determinant > 1e-6 * xx * zz)) return std::nullopt;
@@ -303,13 +336,15 @@ private:
         };
         for (const Column& q : all)
             if (const auto fit = fitted(*log, {&q}))
-                if (const auto p = nice_power(fit->powers[0])) return form(std::exp(fit->constant), power(q.words, *p), 2.5);
+                if (const auto p = nice_power(fit->powers[0]))
+                    return form(std::exp(fit->constant), power(q.words, *p), 2.5);
         for (std::size_t a = 0; a < all.size(); ++a)
             for (std::size_t b = a + 1; b < all.size(); ++b)
                 if (const auto fit = fitted(*log, {&all[a], &all[b]})) {
                     const auto p = nice_power(fit->powers[0]), q = nice_power(fit->powers[1]);
                     if (p && q && is_named(std::exp(fit->constant)))
-                        return form(std::exp(fit->constant), power(all[a].words, *p) + " * " + power(all[b].words, *q), 3.5);
+                        return form(std::exp(fit->constant), power(all[a].words, *p) + " * " + power(all[b].words, *q),
+                                    3.5);
                 }
         return std::nullopt;
     }
@@ -323,8 +358,8 @@ private:
 
 }  // namespace
 
-std::optional<Form> form_of(const Calls& calls, const Field& part, const Rows& right, const std::vector<std::size_t>& scope,
-                            bool only_simple) {
+std::optional<Form> form_of(const Calls& calls, const Field& part, const Rows& right,
+                            const std::vector<std::size_t>& scope, bool only_simple) {
     const Forms forms(calls, part, right, scope);
     return only_simple ? forms.simple() : forms.any();
 }

@@ -10,8 +10,8 @@ namespace grade {
 
 namespace {
 
-constexpr std::size_t enough = 5;     // wrong calls, below which anything may be chance
-constexpr std::size_t few = 10;       // calls with which two changes at once are sifted
+constexpr std::size_t enough = 5;       // wrong calls, below which anything may be chance
+constexpr std::size_t few = 10;         // calls with which two changes at once are sifted
 constexpr std::size_t most_pairs = 36;  // changes that are tried by twos
 constexpr double best_cost = 100;
 
@@ -38,7 +38,8 @@ public:
         if (wrong_.size() < enough) return std::nullopt;
         const auto bases = same_sampling(calls_.signature, calls_.layouts.front());
         for (const Change& base : bases)
-            if (const auto right = sampled_ ? answers(base, nullptr, all_) : std::nullopt; right && all_equal(*right, all_)) {
+            if (const auto right = sampled_ ? answers(base, nullptr, all_) : std::nullopt;
+                right && all_equal(*right, all_)) {
                 right_otherwise = true;
                 return std::nullopt;
             }
@@ -78,7 +79,8 @@ private:
                     if (calls_.rows[k][calls_.layouts[k].parts[i].at] == value)
                         some.push_back(k), wrong += !is_equal(calls_.result, calls_.mine[k], calls_.right[k]);
                 if (wrong < enough || some.size() == all_.size()) continue;
-                region_ = fmt::format("where `{}` is {}, ", parts[i].name, value_in_words({parts[i].name, parts[i].kind, 0}, {double(value)}));
+                region_ = fmt::format("where `{}` is {}, ", parts[i].name,
+                                      value_in_words({parts[i].name, parts[i].kind, 0}, {double(value)}));
                 consider(calls_.right, {}, 0, some, false);
                 one_change(same_, some);
                 if (best_) return best_;
@@ -92,7 +94,8 @@ private:
     std::optional<Relation> where_it_is_not_nothing() {
         std::vector<std::size_t> some;
         for (const std::size_t k : all_)
-            if (std::ranges::any_of(calls_.right[k], [](double x) { return std::isfinite(x) && x != 0; })) some.push_back(k);
+            if (std::ranges::any_of(calls_.right[k], [](double x) { return std::isfinite(x) && x != 0; }))
+                some.push_back(k);
         if (some.size() < 2 * enough || some.size() == all_.size()) return std::nullopt;
         region_ = "where the right answer is not 0 or inf, ";
         one_change(same_, some);
@@ -101,14 +104,16 @@ private:
     }
 
     /// The right answers for changed arguments, where `scope` has calls; elsewhere those that are right.
-    std::optional<Rows> answers(const Change& first, const Change* second, const std::vector<std::size_t>& scope) const {
+    std::optional<Rows> answers(const Change& first, const Change* second,
+                                const std::vector<std::size_t>& scope) const {
         Rows rows;
         for (const std::size_t k : scope) {
             Row row = calls_.rows[k];
             if (!first.make(row, calls_.layouts[k])) return std::nullopt;
             // a list may have become shorter
             const bool as_it_was = row.size() == calls_.rows[k].size();
-            if (second && !second->make(row, as_it_was ? calls_.layouts[k] : calls_.signature.of_arguments(row))) return std::nullopt;
+            if (second && !second->make(row, as_it_was ? calls_.layouts[k] : calls_.signature.of_arguments(row)))
+                return std::nullopt;
             rows.push_back(std::move(row));
         }
         Rows given = ask_(rows);
@@ -122,11 +127,13 @@ private:
     }
 
     bool all_equal(const Rows& right, const std::vector<std::size_t>& scope) const {
-        return std::ranges::all_of(scope, [&](std::size_t k) { return is_equal(calls_.result, calls_.mine[k], right[k]); });
+        return std::ranges::all_of(scope,
+                                   [&](std::size_t k) { return is_equal(calls_.result, calls_.mine[k], right[k]); });
     }
 
     /// A relation of all parts that are wrong, if it costs less than the best one.
-    void consider(const Rows& right, const std::string& change, double cost, const std::vector<std::size_t>& scope, bool only_simple) {
+    void consider(const Rows& right, const std::string& change, double cost, const std::vector<std::size_t>& scope,
+                  bool only_simple) {
         std::string forms;
         for (const Field* part : parts_) {
             const auto form = form_of(calls_, *part, right, scope, only_simple);
@@ -161,8 +168,10 @@ private:
         for (const std::size_t k : scope) {
             if (is_equal(calls_.result, changed[k], calls_.right[k])) continue;
             ++other;
-            if (!first) first = &changed[k];
-            else varies = varies || !is_equal(calls_.result, *first, changed[k]);
+            if (!first)
+                first = &changed[k];
+            else
+                varies = varies || !is_equal(calls_.result, *first, changed[k]);
         }
         return other >= enough && varies;
     }
@@ -185,7 +194,9 @@ private:
             if (list.size() >= most_pairs) break;
             if (change.cost > 1.5) break;
             const auto right = answers(change, nullptr, sample);
-            if (right && std::ranges::any_of(sample, [&](std::size_t k) { return !is_equal(calls_.result, (*right)[k], calls_.right[k]); }))
+            if (right && std::ranges::any_of(sample, [&](std::size_t k) {
+                    return !is_equal(calls_.result, (*right)[k], calls_.right[k]);
+                }))
                 list.push_back(&change);
         }
         for (std::size_t a = 0; a < list.size(); ++a)
@@ -195,7 +206,8 @@ private:
                 const auto some = answers(*list[a], list[b], sample);
                 if (!some || !all_equal(*some, sample)) continue;
                 const auto right = answers(*list[a], list[b], scope);
-                if (right && tells(*right, scope)) consider(*right, list[a]->words + ", and " + list[b]->words, cost, scope, true);
+                if (right && tells(*right, scope))
+                    consider(*right, list[a]->words + ", and " + list[b]->words, cost, scope, true);
             }
     }
 
@@ -212,7 +224,8 @@ private:
                 const auto right = answers(change, nullptr, all_);
                 if (!right || !tells(*right, all_)) continue;
                 if (const auto form = form_of(calls_, *part, *right, all_, true); form && form->words.empty())
-                    best = change.cost, found = fmt::format("{} is exactly what the right fragment answers with {}", named(*part), change.words);
+                    best = change.cost, found = fmt::format("{} is exactly what the right fragment answers with {}",
+                                                            named(*part), change.words);
             }
             if (!found.empty()) words += (words.empty() ? "" : "; ") + found;
         }
@@ -220,14 +233,17 @@ private:
         // where a direction is right, the random numbers are used as the solution does, and what is wrong is wrong; the
         // other way round, another direction may be as good
         const auto is_place = [](const Field& part) { return part.kind == Kind::vector || part.kind == Kind::pair; };
-        if (parts_.size() == calls_.result.parts.size() || std::ranges::any_of(parts_, [&](const Field* part) { return is_place(*part); }))
+        if (parts_.size() == calls_.result.parts.size() ||
+            std::ranges::any_of(parts_, [&](const Field* part) { return is_place(*part); }))
             return std::nullopt;
         std::string good;
         for (const Field& part : calls_.result.parts)
             if (std::ranges::count(parts_, &part) == 0) good += (good.empty() ? "" : ", ") + named(part);
         for (const Field* part : parts_) words += (words.empty() ? "" : ", ") + named(*part);
-        return Relation{fmt::format("{} {} right, {} {} not", good, calls_.result.parts.size() - parts_.size() > 1 ? "are" : "is", words,
-                                    parts_.size() > 1 ? "are" : "is"), true, best_cost};
+        return Relation{
+            fmt::format("{} {} right, {} {} not", good, calls_.result.parts.size() - parts_.size() > 1 ? "are" : "is",
+                        words, parts_.size() > 1 ? "are" : "is"),
+            true, best_cost};
     }
 
     const Calls& calls_;

@@ -39,7 +39,8 @@ public:
                 if (parts[i].kind != Kind::vector) ranges_.push_back(range);
             }
             if (parts[i].kind != Kind::vector) continue;
-            if (all([&](const Row& row, const auto& p) { return std::abs(glm::length(at(row, p[i])) - 1) < 1e-9; })) unit_.push_back(i);
+            if (all([&](const Row& row, const auto& p) { return std::abs(glm::length(at(row, p[i])) - 1) < 1e-9; }))
+                unit_.push_back(i);
             if (all([&](const Row& row, const auto& p) { return at(row, p[i]) != vec3(0); })) not_zero_.push_back(i);
             for (std::size_t j = 0; j < i; ++j)
                 if (parts[j].kind == Kind::vector && matters(j)) {
@@ -49,7 +50,9 @@ public:
                     };
                     if (all(is_right_angle)) right_angles_.emplace_back(i, j);
                     for (const double sign : {1.0, -1.0})
-                        if (all([&](const Row& row, const auto& p) { return sign * rt::dot(at(row, p[i]), at(row, p[j])) > 0; }))
+                        if (all([&](const Row& row, const auto& p) {
+                                return sign * rt::dot(at(row, p[i]), at(row, p[j])) > 0;
+                            }))
                             sides_.push_back({i, j, sign});
                     const auto is_same = [&](const Row& row, const auto& p) { return at(row, p[i]) == at(row, p[j]); };
                     if (all(is_same)) same_.emplace_back(i, j);
@@ -58,7 +61,8 @@ public:
         for (std::size_t i = 0; i < parts.size(); ++i)
             for (std::size_t j = 0; j < parts.size(); ++j)
                 for (std::size_t c = 0; c < size_of(parts[i].kind); ++c)
-                    if (i != j && matters(i) && matters(j) && parts[i].kind == parts[j].kind && parts[i].kind != Kind::vector &&
+                    if (i != j && matters(i) && matters(j) && parts[i].kind == parts[j].kind &&
+                        parts[i].kind != Kind::vector &&
                         all([&](const Row& row, const auto& p) { return row[p[i].at + c] < row[p[j].at + c]; }))
                         less_.push_back({i, j, c});
     }
@@ -68,7 +72,8 @@ public:
         const auto parts = signature_.of_arguments(row).parts;
         for (const auto& [i, j] : same_)
             if (changed == i || changed == j)
-                for (std::size_t c = 0; c < 3; ++c) row[parts[changed == i ? j : i].at + c] = row[parts[changed].at + c];
+                for (std::size_t c = 0; c < 3; ++c)
+                    row[parts[changed == i ? j : i].at + c] = row[parts[changed].at + c];
         for (const Range& r : ranges_)
             if (const double x = row[parts[r.part].at + r.component]; !(x >= r.low && x <= r.high)) return false;
         for (const std::size_t i : unit_)
@@ -81,7 +86,8 @@ public:
         }
         for (const auto& [i, j, sign] : sides_)
             if (!(sign * rt::dot(at(row, parts[i]), at(row, parts[j])) > 0)) return false;
-        return std::ranges::all_of(less_, [&](const Less& l) { return row[parts[l.a].at + l.component] < row[parts[l.b].at + l.component]; });
+        return std::ranges::all_of(
+            less_, [&](const Less& l) { return row[parts[l.a].at + l.component] < row[parts[l.b].at + l.component]; });
     }
 
 private:
@@ -120,16 +126,21 @@ std::vector<std::vector<double>> simpler_values(const Field& part, const Row& ro
                     value[std::size_t(axis)] = s;
                     add(value);
                 }
-            for (const double s : {1.0, -1.0}) add({0, 0.6, s * 0.8}), add({0.6, 0, s * 0.8}), add({0.6, s * 0.8, 0}), add({-0.6, 0, s * 0.8});
+            for (const double s : {1.0, -1.0})
+                add({0, 0.6, s * 0.8}), add({0.6, 0, s * 0.8}), add({0.6, s * 0.8, 0}), add({-0.6, 0, s * 0.8});
             add({0, 0, 2}), add({0, 0, -2}), add({1, 2, 2});
-        } else add({1, 0, 0}), add({0.2, 0.5, 1});
+        } else
+            add({1, 0, 0}), add({0.2, 0.5, 1});
     } else if (part.kind == Kind::whole || part.kind == Kind::whole_pair) {
-        if (n == 1) for (const double x : {0.0, 1.0, 2.0, 3.0, 4.0, 5.0}) add({x});
-        else add({2, 2}), add({4, 2}), add({2, 4}), add({100, 100}), add({200, 100});
+        if (n == 1)
+            for (const double x : {0.0, 1.0, 2.0, 3.0, 4.0, 5.0}) add({x});
+        else
+            add({2, 2}), add({4, 2}), add({2, 4}), add({100, 100}), add({200, 100});
     } else if (part.kind == Kind::flag) {
         add({0});
     } else if (part.kind != Kind::choice) {
-        for (const double x : {0.0, 1.0, 0.5, 2.0, -1.0, 0.25, 3.0, 10.0, 100.0, rt::inf}) add(std::vector<double>(n, x));
+        for (const double x : {0.0, 1.0, 0.5, 2.0, -1.0, 0.25, 3.0, 10.0, 100.0, rt::inf})
+            add(std::vector<double>(n, x));
         if (n == 2)
             for (const double x : {0.0, 0.5, 0.25}) add({x, now[1]}), add({now[0], x});
         if (n == 2) add({0.25, 0.5}), add({0.5, 0.25});
@@ -162,7 +173,8 @@ bool shows(const Calls& calls, const Row& mine, const Row& right) {
 
 class Shrinking {
 public:
-    Shrinking(const Calls& calls, const Ask& mine, const Ask& right) : calls_(calls), mine_(mine), right_(right), invariants_(calls) {}
+    Shrinking(const Calls& calls, const Ask& mine, const Ask& right)
+        : calls_(calls), mine_(mine), right_(right), invariants_(calls) {}
 
     Example run() {
         start();
@@ -217,10 +229,12 @@ private:
     /// What does not matter.
     void all_defaults() {
         const Row defaults = calls_.signature.blank();
-        const auto from = calls_.signature.of_arguments(defaults).parts, to = calls_.signature.of_arguments(best_.row).parts;
+        const auto from = calls_.signature.of_arguments(defaults).parts,
+                   to = calls_.signature.of_arguments(best_.row).parts;
         Row row = best_.row;
         for (std::size_t i = 0; i < to.size() && i < calls_.told.size(); ++i)
-            for (std::size_t c = 0; !calls_.told[i] && c < size_of(to[i].kind); ++c) row[to[i].at + c] = defaults[from[i].at + c];
+            for (std::size_t c = 0; !calls_.told[i] && c < size_of(to[i].kind); ++c)
+                row[to[i].at + c] = defaults[from[i].at + c];
         take({row});
     }
 
@@ -252,6 +266,8 @@ private:
 
 }  // namespace
 
-Example simplest_wrong(const Calls& calls, const Ask& mine, const Ask& right) { return Shrinking(calls, mine, right).run(); }
+Example simplest_wrong(const Calls& calls, const Ask& mine, const Ask& right) {
+    return Shrinking(calls, mine, right).run();
+}
 
 }  // namespace grade

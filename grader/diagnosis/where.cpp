@@ -9,7 +9,7 @@ namespace grade {
 
 namespace {
 
-constexpr double share = 0.95;      // of either kind that a rule must tell rightly
+constexpr double share = 0.95;       // of either kind that a rule must tell rightly
 constexpr std::size_t at_least = 4;  // calls of either kind
 
 struct Feature {
@@ -20,7 +20,8 @@ struct Feature {
 class Features {
 public:
     explicit Features(const Calls& calls) : calls_(calls) {
-        for (std::size_t k = 0; k < calls.size(); ++k) wrong_.push_back(!is_equal(calls.result, calls.mine[k], calls.right[k]));
+        for (std::size_t k = 0; k < calls.size(); ++k)
+            wrong_.push_back(!is_equal(calls.result, calls.mine[k], calls.right[k]));
         quantities();
         parts();
         answers();
@@ -45,8 +46,8 @@ public:
     }
 
 private:
-    /// The worse of both shares that are told rightly, of wrong calls and of those where the rule holds; 0 where it holds for
-    /// right ones as well.
+    /// The worse of both shares that are told rightly, of wrong calls and of those where the rule holds; 0 where it
+    /// holds for right ones as well.
     double score(const std::vector<bool>& holds) const {
         double wrong = 0, holding = 0, both = 0;
         for (std::size_t k = 0; k < holds.size(); ++k)
@@ -66,7 +67,8 @@ private:
         if (count > 0 && count < calls_.size()) list_.push_back(std::move(feature));
     }
 
-    /// Whether a quantity has more than a few values, in right calls as in wrong ones: else any may tell them by chance.
+    /// Whether a quantity has more than a few values, in right calls as in wrong ones: else any may tell them by
+    /// chance.
     bool varies(const std::vector<double>& x) const {
         constexpr std::size_t few = 4;
         std::set<double> good, bad;
@@ -89,7 +91,8 @@ private:
             seen += sorted[i - 1].second;
             if (sorted[i].first == sorted[i - 1].first || total == 0) continue;
             const double n = double(sorted.size());
-            const double below = std::min(seen / total, seen / double(i)), over = std::min((total - seen) / total, (total - seen) / (n - double(i)));
+            const double below = std::min(seen / total, seen / double(i)),
+                         over = std::min((total - seen) / total, (total - seen) / (n - double(i)));
             if (std::max(below, over) > best)
                 best = std::max(below, over), above = over > below, low = sorted[i - 1].first, high = sorted[i].first;
         }
@@ -113,7 +116,8 @@ private:
         std::vector<std::vector<double>> values;
         for (const Quantity& q : all) {
             std::vector<double> x;
-            for (std::size_t k = 0; k < calls_.size(); ++k) x.push_back(q.value(calls_.rows[k], calls_.layouts[k], calls_.right[k]));
+            for (std::size_t k = 0; k < calls_.size(); ++k)
+                x.push_back(q.value(calls_.rows[k], calls_.layouts[k], calls_.right[k]));
             if (!varies(x)) {
                 values.push_back(std::move(x));
                 continue;
@@ -130,7 +134,8 @@ private:
         for (std::size_t a = 0; a < all.size(); ++a)
             for (std::size_t b = 0; b < all.size(); ++b)
                 if (a != b && is_plain(a) && is_plain(b))
-                    add(fmt::format("`{} < {}`", all[a].words, all[b].words), [&](std::size_t k) { return values[a][k] < values[b][k]; });
+                    add(fmt::format("`{} < {}`", all[a].words, all[b].words),
+                        [&](std::size_t k) { return values[a][k] < values[b][k]; });
     }
 
     void parts() {
@@ -138,17 +143,21 @@ private:
         for (std::size_t i = 0; i < parts.size(); ++i) {
             if (i < calls_.told.size() && !calls_.told[i]) continue;
             const Field part = parts[i];
-            const auto at = [&, i](std::size_t k, std::size_t c) { return calls_.rows[k][calls_.layouts[k].parts[i].at + c]; };
+            const auto at = [&, i](std::size_t k, std::size_t c) {
+                return calls_.rows[k][calls_.layouts[k].parts[i].at + c];
+            };
             if (part.kind == Kind::flag) {
                 add(fmt::format("`{}` is true", part.name), [&](std::size_t k) { return at(k, 0) != 0; });
                 add(fmt::format("`{}` is false", part.name), [&](std::size_t k) { return at(k, 0) == 0; });
             }
             if (part.kind == Kind::choice)
                 for (int value = 0; value < 5; ++value)
-                    add(fmt::format("`{}` is {}", part.name, value_in_words({part.name, part.kind, 0}, {double(value)})),
+                    add(fmt::format("`{}` is {}", part.name,
+                                    value_in_words({part.name, part.kind, 0}, {double(value)})),
                         [&](std::size_t k) { return at(k, 0) == value; });
             if (part.kind == Kind::color || part.kind == Kind::vector) {
-                add(fmt::format("`{} = (0, 0, 0)`", part.name), [&](std::size_t k) { return at(k, 0) == 0 && at(k, 1) == 0 && at(k, 2) == 0; });
+                add(fmt::format("`{} = (0, 0, 0)`", part.name),
+                    [&](std::size_t k) { return at(k, 0) == 0 && at(k, 1) == 0 && at(k, 2) == 0; });
                 add(fmt::format("`{}` is not (0, 0, 0)", part.name),
                     [&](std::size_t k) { return at(k, 0) != 0 || at(k, 1) != 0 || at(k, 2) != 0; });
             }
@@ -163,8 +172,10 @@ private:
                     if (calls_.right[k][part.at + c] != 0) return false;
                 return true;
             });
-            add(fmt::format("the right {} is inf", name), [&](std::size_t k) { return std::isinf(calls_.right[k][part.at]); });
-            add(fmt::format("the right {} is not inf", name), [&](std::size_t k) { return std::isfinite(calls_.right[k][part.at]); });
+            add(fmt::format("the right {} is inf", name),
+                [&](std::size_t k) { return std::isinf(calls_.right[k][part.at]); });
+            add(fmt::format("the right {} is not inf", name),
+                [&](std::size_t k) { return std::isfinite(calls_.right[k][part.at]); });
         }
     }
 

@@ -61,8 +61,8 @@ void require_room(const fs::path& folder, std::uintmax_t bytes) {
     std::error_code error;
     const fs::space_info space = fs::space(folder, error);
     if (error || space.available >= bytes) return;
-    throw std::runtime_error(fmt::format("{}: the disk is full: {} bytes are free; expected at least {}", folder.string(),
-                                         space.available, bytes));
+    throw std::runtime_error(fmt::format("{}: the disk is full: {} bytes are free; expected at least {}",
+                                         folder.string(), space.available, bytes));
 }
 
 namespace {
@@ -71,9 +71,11 @@ namespace {
 std::string unfit(const fs::path& place) {
     struct statvfs system {};
     std::error_code error;
-    if (!fs::is_directory(place, error)) return error && error != std::errc::no_such_file_or_directory ? error.message() : "no such folder";
+    if (!fs::is_directory(place, error))
+        return error && error != std::errc::no_such_file_or_directory ? error.message() : "no such folder";
     if (access(place.c_str(), W_OK | X_OK) != 0) return std::strerror(errno);
-    if (statvfs(place.c_str(), &system) == 0 && (system.f_flag & ST_NOEXEC)) return "mounted noexec: no program runs there";
+    if (statvfs(place.c_str(), &system) == 0 && (system.f_flag & ST_NOEXEC))
+        return "mounted noexec: no program runs there";
     return {};
 }
 
@@ -108,7 +110,8 @@ constexpr const char* lock_name = ".lock";
 int lock_of(const fs::path& folder, int flags) {
     const int file = open((folder / lock_name).c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC | flags, 0600);
     struct stat facts {};
-    if (file >= 0 && flock(file, LOCK_EX | LOCK_NB) == 0 && fstat(file, &facts) == 0 && facts.st_nlink > 0 && facts.st_uid == geteuid())
+    if (file >= 0 && flock(file, LOCK_EX | LOCK_NB) == 0 && fstat(file, &facts) == 0 && facts.st_nlink > 0 &&
+        facts.st_uid == geteuid())
         return file;
     if (file >= 0) close(file);
     return -1;
@@ -131,9 +134,12 @@ void sweep() {
 void remove_tree(const fs::path& folder) {
     std::error_code error;
     if (fs::remove_all(folder, error) != std::uintmax_t(-1)) return;
-    const auto open_up = [&](const fs::path& path) { fs::permissions(path, fs::perms::owner_all, fs::perm_options::add, error); };
+    const auto open_up = [&](const fs::path& path) {
+        fs::permissions(path, fs::perms::owner_all, fs::perm_options::add, error);
+    };
     open_up(folder);
-    for (fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, error), end; at != end;) {
+    for (fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, error), end;
+         at != end;) {
         // before it is entered
         if (at->symlink_status(error).type() == fs::file_type::directory) open_up(at->path());
         at.increment(error);

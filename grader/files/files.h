@@ -28,8 +28,8 @@ const fs::path& temporary_place();
 /// Removes a folder with all that is in it, also what its owner may not read.
 void remove_tree(const fs::path& folder);
 
-/// A new folder that goes, with all that is in it, when this object does; or, where the program is killed, when the next
-/// one of this user makes its first.
+/// A new folder that goes, with all that is in it, when this object does; or, where the program is killed, when the
+/// next one of this user makes its first.
 class TemporaryFolder {
 public:
     /// Throws std::runtime_error.

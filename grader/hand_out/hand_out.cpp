@@ -8,9 +8,9 @@
 #include <set>
 #include <sstream>
 
+#include "assignment/strip.h"
 #include "files/files.h"
 #include "programs/process.h"
-#include "assignment/strip.h"
 #include "programs/toolchain.h"
 #include "rt/files/scene_reader.h"
 
@@ -40,8 +40,10 @@ void copy_folder(const fs::path& from, const fs::path& to) {
     for (const auto& entry : fs::directory_iterator(from)) {
         const fs::path target = to / entry.path().filename();
         if (is_left_out(entry.path())) continue;
-        if (entry.is_directory()) copy_folder(entry.path(), target);
-        else if (entry.is_regular_file()) fs::copy_file(entry.path(), target);
+        if (entry.is_directory())
+            copy_folder(entry.path(), target);
+        else if (entry.is_regular_file())
+            fs::copy_file(entry.path(), target);
     }
 }
 
@@ -53,8 +55,8 @@ std::string must_run(const std::vector<std::string>& command) {
     limits.cpu_seconds = limits.most_cpu_seconds = 60;
     const Ending ending = run(command, limits, "/");
     if (!ending.good())
-        throw std::runtime_error(fmt::format("{}: {}", fmt::join(command, " "),
-                                             ending.err.empty() ? "failed" : ending.err.substr(0, 600)));
+        throw std::runtime_error(
+            fmt::format("{}: {}", fmt::join(command, " "), ending.err.empty() ? "failed" : ending.err.substr(0, 600)));
     return ending.out;
 }
 
@@ -80,7 +82,8 @@ void write_bare_object(const fs::path& object, const std::string& symbol, const 
     must_run({"/usr/bin/objcopy", "--redefine-syms=" + names, target.string()});
 }
 
-void write_bare_objects(const std::map<std::string, fs::path>& objects, const Toolchain& built, const fs::path& folder) {
+void write_bare_objects(const std::map<std::string, fs::path>& objects, const Toolchain& built,
+                        const fs::path& folder) {
     fs::create_directories(folder);
     for (const auto& [name, object] : objects)
         write_bare_object(object, built.symbols.at(name), folder / (name + ".o"));
@@ -143,7 +146,8 @@ void write_libraries(const fs::path& program, const Toolchain& built, const fs::
     for (const auto& [name, path] : all) {
         must_run({"/usr/bin/strip", "--strip-unneeded", fs::canonical(path).string(), "-o",
                   (machine / "lib" / name).string()});
-        if (const std::string package = package_of(path); !package.empty()) write_licence(package, machine / "licences");
+        if (const std::string package = package_of(path); !package.empty())
+            write_licence(package, machine / "licences");
     }
     for (const char* package : header_packages) write_licence(package, machine / "licences");
 }
@@ -159,17 +163,19 @@ void write_toolchain(const Toolchain& built, const fs::path& machine) {
         reference.push_back("reference/" + name + ".o");
         blanks.push_back("blanks/" + name + ".o");
     }
-    for (const auto& entry : fs::directory_iterator(machine / "lib")) libraries.push_back("lib/" + entry.path().filename().string());
+    for (const auto& entry : fs::directory_iterator(machine / "lib"))
+        libraries.push_back("lib/" + entry.path().filename().string());
     std::ranges::sort(libraries);
     for (const std::string& library : built.libraries)
         if (!library.starts_with("/")) plain.push_back(library);
-    write_text(machine / "toolchain.toml",
-               fmt::format("# How this kit's grader compiles and links.\nkit = true\nprocessor = \"{}\"\nsource = \"../..\"\n"
-                           "cache = \"../../build\"\ncompile = {}\nincludes = [\"../../starter\", \"../include\"]\n"
-                           "link = {}\narchives = [\"libchild.a\", \"librt.a\"]\nlibraries = {}\nkit_libraries = {}\n"
-                           "blanks = \"../blanks\"\nblank_objects = {}\nsolution_objects = {}\n",
-                           built.processor, quoted(built.compile), quoted(built.link), quoted(plain), quoted(libraries), quoted(blanks),
-                           quoted(reference)));
+    write_text(
+        machine / "toolchain.toml",
+        fmt::format("# How this kit's grader compiles and links.\nkit = true\nprocessor = \"{}\"\nsource = \"../..\"\n"
+                    "cache = \"../../build\"\ncompile = {}\nincludes = [\"../../starter\", \"../include\"]\n"
+                    "link = {}\narchives = [\"libchild.a\", \"librt.a\"]\nlibraries = {}\nkit_libraries = {}\n"
+                    "blanks = \"../blanks\"\nblank_objects = {}\nsolution_objects = {}\n",
+                    built.processor, quoted(built.compile), quoted(built.link), quoted(plain), quoted(libraries),
+                    quoted(blanks), quoted(reference)));
 }
 
 /// The folder that holds glm/, as the compiler finds it.
@@ -188,8 +194,10 @@ void write_machine(const Toolchain& built, const fs::path& program, const fs::pa
     for (const char* part : {"", "_studies"})
         must_run({"/usr/bin/strip", "--strip-all", "--remove-section=.comment", program.string() + part, "-o",
                   (machine / "grade").string() + part});
-    for (const auto& [archive, name] : {std::pair(built.archives.at(0), "libchild.a"), {built.archives.at(1), "librt.a"}})
-        must_run({"/usr/bin/strip", "--strip-debug", "--remove-section=.comment", archive.string(), "-o", (machine / name).string()});
+    for (const auto& [archive, name] :
+         {std::pair(built.archives.at(0), "libchild.a"), {built.archives.at(1), "librt.a"}})
+        must_run({"/usr/bin/strip", "--strip-debug", "--remove-section=.comment", archive.string(), "-o",
+                  (machine / name).string()});
     write_bare_objects(built.solution_objects, built, machine / "reference");
     write_bare_objects(built.blank_objects, built, machine / "blanks");
     write_libraries(program, built, machine);
@@ -234,8 +242,10 @@ void hand_out(const fs::path& project, const Assignment& assignment, const fs::p
     fs::create_directories(folder);
     for (const char* entry : entries) {
         const fs::path from = project / entry, to = folder / entry;
-        if (fs::is_directory(from)) copy_folder(from, to);
-        else fs::copy_file(from, to);
+        if (fs::is_directory(from))
+            copy_folder(from, to);
+        else
+            fs::copy_file(from, to);
     }
     fs::copy_file(project / "grader/kit/grade", folder / "grade");
     write_text(folder / ".gitignore", "build*/\n");

@@ -6,8 +6,8 @@
 
 namespace grade {
 
-/// What all answers of a fragment may take together, in all its checks: a time for whatever it does, and so many times what
-/// the solution needs for the same answers.
+/// What all answers of a fragment may take together, in all its checks: a time for whatever it does, and so many times
+/// what the solution needs for the same answers.
 class Budget {
 public:
     static constexpr double free_seconds = 30, times = 60;

@@ -26,10 +26,12 @@ std::optional<Fault> probe_fault(const std::string& fragment, const Rows& inputs
     for (std::size_t i = 0; i < outputs.size(); ++i)
         if (std::ranges::any_of(outputs[i], [](double x) { return std::isnan(x); })) {
             const Row shown(inputs[i].begin(), inputs[i].begin() + std::min<std::ptrdiff_t>(std::ssize(inputs[i]), 16));
-            return Fault{Verdict::not_finite,
-                         fragment + " returned nan: look for 0/0, the root of a negative number, or the direction of a vector "
-                                    "of length 0",
-                         fmt::format("for ({:.6g}{})", fmt::join(shown, ", "), shown.size() < inputs[i].size() ? ", ..." : "")};
+            return Fault{
+                Verdict::not_finite,
+                fragment +
+                    " returned nan: look for 0/0, the root of a negative number, or the direction of a vector "
+                    "of length 0",
+                fmt::format("for ({:.6g}{})", fmt::join(shown, ", "), shown.size() < inputs[i].size() ? ", ..." : "")};
         }
     return std::nullopt;
 }
@@ -52,8 +54,7 @@ Outcome<Observation> observe(Runner& runner, const Check& check, std::uint64_t s
         auto outcome = runner.probe(probe->fragment, observation.inputs);
         if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
         observation.outputs = std::move(std::get<Rows>(outcome));
-        if (const auto fault = probe_fault(probe->fragment, observation.inputs, observation.outputs))
-            return *fault;
+        if (const auto fault = probe_fault(probe->fragment, observation.inputs, observation.outputs)) return *fault;
         return observation;
     }
     auto outcome = runner.render(std::get<Render>(check.experiment), seed);

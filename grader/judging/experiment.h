@@ -1,7 +1,7 @@
 #pragma once
 
-#include "programs/runner.h"
 #include "checks/kit/check.h"
+#include "programs/runner.h"
 
 namespace grade {
 

@@ -54,8 +54,8 @@ Rows calls_of(const std::string& fragment, const std::vector<Check>& checks, std
 
 }  // namespace
 
-Finding find_cause(Programs& programs, const Toolchain& chain, const std::string& fragment, const std::vector<Check>& checks,
-                   std::uint64_t seed) {
+Finding find_cause(Programs& programs, const Toolchain& chain, const std::string& fragment,
+                   const std::vector<Check>& checks, std::uint64_t seed) {
     const auto header = read_text(chain.includes.front() / "rt/fragments.h");
     const auto signature = signature_of(fragment, header.value_or(""));
     const Rows calls = calls_of(fragment, checks, seed);

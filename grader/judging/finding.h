@@ -11,7 +11,7 @@ namespace grade {
 /// What calls of a fragment with failed checks show about its mistake; nothing where it crashes or takes too long.
 ///
 /// checks  all checks of the grading with this seed
-Finding find_cause(Programs& programs, const Toolchain& chain, const std::string& fragment, const std::vector<Check>& checks,
-                   std::uint64_t seed);
+Finding find_cause(Programs& programs, const Toolchain& chain, const std::string& fragment,
+                   const std::vector<Check>& checks, std::uint64_t seed);
 
 }  // namespace grade

@@ -66,8 +66,8 @@ void leave_out(CheckRecord& record) {
 
 bool is_timed_out(const CheckRecord& record) { return record.verdict == Verdict::timed_out; }
 
-Grading::Grading(Programs& programs, const Assignment& assignment, const Toolchain& chain,
-                 const FutureChecks& checks, const GradingSettings& settings, Progress& progress)
+Grading::Grading(Programs& programs, const Assignment& assignment, const Toolchain& chain, const FutureChecks& checks,
+                 const GradingSettings& settings, Progress& progress)
     : programs_(programs), chain_(chain), checks_(checks), settings_(settings), progress_(progress) {
     record_.submission = programs.submission();
     record_.title = assignment.title;
@@ -152,7 +152,8 @@ std::vector<Task> Grading::recall() {
         if (!programs_.has(task.check->fragment)) continue;
         if (auto before = settings_.build.kept.check(key_of(*task.check), made_from(task)))
             *task.record = std::move(*before), ++record_.reused;
-        else open.push_back(task);
+        else
+            open.push_back(task);
     }
     return open;
 }
@@ -184,7 +185,8 @@ CheckRecord Grading::judge(const Task& task) {
     settings.budget = &budgets_[task.check->fragment];
     for (bool again = false;; again = true) try {
             Reference reference(*task.check, settings_.seed, programs_.with({}).program, programs_.sandbox(), meshes);
-            Runner runner(programs_.with({task.check->fragment}).program, programs_.sandbox(), meshes, settings_.time_limit);
+            Runner runner(programs_.with({task.check->fragment}).program, programs_.sandbox(), meshes,
+                          settings_.time_limit);
             CheckRecord record = judge_check(*task.check, runner, reference, settings);
             // who never answered may not even have started
             if (record.verdict == Verdict::crashed && runner.seconds_in_all() == 0 && !again) continue;
@@ -194,8 +196,10 @@ CheckRecord Grading::judge(const Task& task) {
             throw;
         } catch (const std::runtime_error& error) {
             if (again)
-                throw std::runtime_error(fmt::format("{}: {}; it was tried twice. That is no verdict on the submission: expected a machine with "
-                                                     "processes, memory, open files and room to spare", key, error.what()));
+                throw std::runtime_error(fmt::format(
+                    "{}: {}; it was tried twice. That is no verdict on the submission: expected a machine with "
+                    "processes, memory, open files and room to spare",
+                    key, error.what()));
         }
 }
 
@@ -217,8 +221,10 @@ void Grading::judge_all(const std::vector<Task>& open) {
             const std::scoped_lock lock(lock_);
             is_late = out_of_time.contains(fragment);
         }
-        if (is_late) leave_out(record);
-        else record = judge(task);
+        if (is_late)
+            leave_out(record);
+        else
+            record = judge(task);
         {
             const std::scoped_lock lock(lock_);
             *task.record = std::move(record);

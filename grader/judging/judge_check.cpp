@@ -57,7 +57,8 @@ std::string advice(const Fault& fault, Reference& reference) {
 }
 
 void add_picture(rt::Image& mean, const rt::Image& next, int count) {
-    if (count == 0) mean = next;
+    if (count == 0)
+        mean = next;
     else
         for (std::size_t k = 0; k < mean.pixels.size(); ++k)
             mean.pixels[k] += (next.pixels[k] - mean.pixels[k]) / double(count + 1);
@@ -108,10 +109,15 @@ CheckRecord judge_check(const Check& check, Runner& runner, Reference& reference
         record.cpu_seconds += runner.seconds();
         fastest = std::min(fastest, runner.seconds());
         const double all = runner.seconds_in_all();
-        if (!settings.budget || settings.budget->covers(counted, all, [&] { return answers * reference.cpu_seconds(); })) return std::nullopt;
+        if (!settings.budget ||
+            settings.budget->covers(counted, all, [&] { return answers * reference.cpu_seconds(); }))
+            return std::nullopt;
         return Fault{Verdict::timed_out,
-                     fmt::format("its answers take too long in all, in this check {:.2g} s for {}; a fragment has {:g} s for all its checks, and "
-                                 "{:g} times what the solution needs", all, answers, Budget::free_seconds, Budget::times), {}};
+                     fmt::format("its answers take too long in all, in this check {:.2g} s for {}; a fragment has {:g} "
+                                 "s for all its checks, and "
+                                 "{:g} times what the solution needs",
+                                 all, answers, Budget::free_seconds, Budget::times),
+                     {}};
     };
     const auto give_up = [&](Fault fault) {
         record.verdict = fault.verdict;

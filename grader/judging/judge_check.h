@@ -9,8 +9,8 @@ namespace grade {
 
 struct CheckSettings {
     std::uint64_t seed = 0;
-    Settings statistics;    // alpha is shared by all statistics of the assignment
-    bool pictures = false;  // keep pictures for the page
+    Settings statistics;       // alpha is shared by all statistics of the assignment
+    bool pictures = false;     // keep pictures for the page
     Budget* budget = nullptr;  // of the fragment; none: there is no limit but that of each answer
 };
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "programs/runner.h"
 #include "programs/parallel.h"
+#include "programs/runner.h"
 #include "rt/files/scene_reader.h"
 
 namespace grade {
@@ -17,12 +17,15 @@ Compared draw_compared(Programs& programs, const fs::path& mine, const fs::path&
     const fs::path meshes = fs::absolute(scene).parent_path();
     Compared result;
     result.exposure = parsed.exposure;
-    const auto draw = [&](const char* name, const fs::path& program, rt::Image& image, std::string& fault, double& seconds) {
+    const auto draw = [&](const char* name, const fs::path& program, rt::Image& image, std::string& fault,
+                          double& seconds) {
         Runner runner(programs.copy_for(name, program), programs.sandbox(), meshes, settings.time_limit);
         auto outcome = runner.render(experiment, settings.seed, false);
         seconds = runner.seconds();
-        if (const Fault* bad = std::get_if<Fault>(&outcome)) fault = bad->message;
-        else image = std::move(std::get<rt::Image>(outcome));
+        if (const Fault* bad = std::get_if<Fault>(&outcome))
+            fault = bad->message;
+        else
+            image = std::move(std::get<rt::Image>(outcome));
     };
     // the right one is the same each time
     const std::string from = fmt::format("{} {} {} {}x{} {}\n{}", meshes.string(), settings.seed, experiment.samples,
@@ -30,8 +33,10 @@ Compared draw_compared(Programs& programs, const fs::path& mine, const fs::path&
     const auto before = programs.kept().picture("right_picture", from);
     if (before) result.right = *before;
     in_parallel(before ? 1 : 2, 2, [&](int i) {
-        if (i == 0) draw("mine", mine, result.mine, result.mine_fault, result.mine_seconds);
-        else draw("right", programs.with({}).program, result.right, result.right_fault, result.right_seconds);
+        if (i == 0)
+            draw("mine", mine, result.mine, result.mine_fault, result.mine_seconds);
+        else
+            draw("right", programs.with({}).program, result.right, result.right_fault, result.right_seconds);
     });
     if (!before && result.right_fault.empty()) programs.kept().keep_picture("right_picture", from, result.right);
     return result;

@@ -8,14 +8,14 @@ namespace grade {
 /// A scene as some fragments of a submission draw it and as the solution's do, with the same random numbers.
 struct Compared {
     rt::Image mine, right;
-    std::string mine_fault, right_fault;  // why there is no picture; empty: there is one
+    std::string mine_fault, right_fault;         // why there is no picture; empty: there is one
     double mine_seconds = 0, right_seconds = 0;  // CPU time of rendering alone
-    double exposure = 1;                  // of the scene
+    double exposure = 1;                         // of the scene
 };
 
 struct ComparedSettings {
-    int samples = 0;          // a pixel; 0: the scene's
-    rt::ivec2 size{0};        // [pixel]; 0: the scene's
+    int samples = 0;    // a pixel; 0: the scene's
+    rt::ivec2 size{0};  // [pixel]; 0: the scene's
     std::uint64_t seed = 1;
     double time_limit = 600;  // CPU seconds of one picture
 };
@@ -23,10 +23,11 @@ struct ComparedSettings {
 /// Draws with two programs at a time. Throws rt::InputError for a scene that is none.
 ///
 /// mine  a program with the submission's fragments
-Compared draw_compared(Programs& programs, const fs::path& mine, const fs::path& scene, const ComparedSettings& settings);
+Compared draw_compared(Programs& programs, const fs::path& mine, const fs::path& scene,
+                       const ComparedSettings& settings);
 
-/// Adds the submission's own picture to a record of these programs: with all of its fragments but those that crash or do not end, blanks for the
-/// others; small, and of few samples.
+/// Adds the submission's own picture to a record of these programs: with all of its fragments but those that crash or
+/// do not end, blanks for the others; small, and of few samples.
 void add_own_picture(Record& record, Programs& programs, const fs::path& scene, std::uint64_t seed, double time_limit);
 
 }  // namespace grade

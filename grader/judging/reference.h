@@ -43,7 +43,7 @@ private:
     const Sandbox& sandbox_;
     fs::path meshes_;
     std::unique_ptr<Runner> runner_;
-    std::vector<Observation> own_;  // of the submission's seeds
+    std::vector<Observation> own_;                                  // of the submission's seeds
     double cpu_seconds_ = std::numeric_limits<double>::infinity();  // of the fastest run
 };
 

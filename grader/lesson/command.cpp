@@ -5,10 +5,10 @@
 #include <CLI/CLI.hpp>
 
 #include "assignment/assignment.h"
+#include "lesson/lesson.h"
+#include "programs/programs.h"
 #include "programs/runner.h"
 #include "studies/studies.h"
-#include "programs/programs.h"
-#include "lesson/lesson.h"
 
 namespace grade::lesson {
 
@@ -36,8 +36,8 @@ void run_lesson(const LessonArguments& arguments, const std::string& toolchain) 
     for (const std::string& name : fragments)
         if (const std::string complaint = programs.complaint(name); !complaint.empty())
             fmt::print("{}: {}\n", name, complaint);
-    Runner runner(programs.copy_for("lesson", programs.must_link(fragments)), programs.sandbox(), chain.source / "scenes",
-                  time_limit);
+    Runner runner(programs.copy_for("lesson", programs.must_link(fragments)), programs.sandbox(),
+                  chain.source / "scenes", time_limit);
 
     if (!arguments.out.empty()) fs::create_directories(arguments.out);
     for (const LessonIntegrand& integrand : lesson_integrands()) {

@@ -16,8 +16,8 @@ namespace grade::lesson {
 
 namespace {
 
-constexpr int repeats = 64;          // with other random numbers
-constexpr double rounding = 1e-12;   // errors below are no errors of the method
+constexpr int repeats = 64;         // with other random numbers
+constexpr double rounding = 1e-12;  // errors below are no errors of the method
 constexpr double least_drawn = 1e-8;
 
 double unit_number(std::mt19937_64& random) { return double(random() >> 11) * 0x1p-53; }
@@ -68,15 +68,22 @@ std::vector<LessonIntegrand> lesson_integrands() {
     const double center = 0.4, width = 0.01, rate = 2, waves = 8, phase = 1;
     const double before = std::atan(center / width), all = before + std::atan((1 - center) / width);
     return {
-        {"smooth", "A smooth function, exp(-2x)",
-         {Kind::exponential, {1, rate}}, (1 - std::exp(-rate)) / rate,
-         {Kind::polynomial, {1.8, -1.6}}, [](double x) { return 1.8 * x - 0.8 * x * x; }},
-        {"peaked", "A peak, a hundredth of the domain wide",
-         {Kind::gaussian, {1, center, width}}, width * std::sqrt(2 * rt::pi),
+        {"smooth",
+         "A smooth function, exp(-2x)",
+         {Kind::exponential, {1, rate}},
+         (1 - std::exp(-rate)) / rate,
+         {Kind::polynomial, {1.8, -1.6}},
+         [](double x) { return 1.8 * x - 0.8 * x * x; }},
+        {"peaked",
+         "A peak, a hundredth of the domain wide",
+         {Kind::gaussian, {1, center, width}},
+         width * std::sqrt(2 * rt::pi),
          {Kind::lorentzian, {1 / (width * all), center, width}},
          [=](double x) { return (std::atan((x - center) / width) + before) / all; }},
-        {"periodic", "Eight waves",
-         {Kind::cosine, {1, 0.9, waves, phase}}, 1,
+        {"periodic",
+         "Eight waves",
+         {Kind::cosine, {1, 0.9, waves, phase}},
+         1,
          {Kind::cosine, {1, 0.7, waves, phase}},
          [=](double x) {
              const double turn = 2 * rt::pi * waves;

@@ -36,7 +36,7 @@ constexpr std::array<const char*, 4> method_fragments{"integrate_uniform", "inte
 
 struct LessonPoint {
     int n;
-    double error;            // root mean square of the error / the integral
+    double error;              // root mean square of the error / the integral
     double low = 0, high = 0;  // its 95 % interval; uniform points have none
 };
 

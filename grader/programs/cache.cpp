@@ -9,8 +9,8 @@
 #include <mutex>
 
 #include "files/files.h"
-#include "programs/process.h"
 #include "files/stamp.h"
+#include "programs/process.h"
 
 namespace grade {
 
@@ -36,8 +36,8 @@ bool make_header(const Toolchain& chain, const fs::path& folder) {
     const fs::path header = folder / "rt/fragments.h", compiled = header.string() + ".gch";
     fs::create_directories(header.parent_path());
     // a header that includes the real one: a fragment may include that, and others, a second time
-    write_text(header, fmt::format("#pragma once\n#include \"{}\"\n",
-                                   (chain.includes.front() / "rt/fragments.h").string()));
+    write_text(header,
+               fmt::format("#pragma once\n#include \"{}\"\n", (chain.includes.front() / "rt/fragments.h").string()));
     const fs::path draft = compiled.string() + fmt::format(".{}.tmp", getpid());
     std::vector<std::string> command{chain.compiler.string()};
     command.insert(command.end(), chain.compile.begin(), chain.compile.end());

@@ -10,8 +10,8 @@ namespace grade {
 /// this user's (XDG Base Directory Specification). None: there is nowhere to write.
 std::optional<fs::path> cache_folder(const Toolchain& chain);
 
-/// A folder to search before all others: what every fragment includes, compiled once for all. Made at the first call, by
-/// any thread; empty where the compiler finds no such files by itself, or nothing can be kept.
+/// A folder to search before all others: what every fragment includes, compiled once for all. Made at the first call,
+/// by any thread; empty where the compiler finds no such files by itself, or nothing can be kept.
 fs::path precompiled_header(const Toolchain& chain);
 
 }  // namespace grade

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <sstream>
 
-#include "programs/cache.h"
 #include "files/files.h"
+#include "programs/cache.h"
 #include "programs/object.h"
 #include "submission/source_fault.h"
 
@@ -38,10 +38,13 @@ std::string first_errors(const std::string& output, const std::string& path, con
     int count = 0;
     bool relevant = false;
     for (std::string line; std::getline(lines, line) && count < most_lines;) {
-        for (std::size_t at = 0; (at = line.find(path, at)) != line.npos; at += shown.size()) line.replace(at, path.size(), shown);
+        for (std::size_t at = 0; (at = line.find(path, at)) != line.npos; at += shown.size())
+            line.replace(at, path.size(), shown);
         const bool starts_note = line.find(": note:") != line.npos || line.find(": warning:") != line.npos;
-        if (line.find("error:") != line.npos) relevant = true;
-        else if (starts_note || line.find(": In ") != line.npos) relevant = false;
+        if (line.find("error:") != line.npos)
+            relevant = true;
+        else if (starts_note || line.find(": In ") != line.npos)
+            relevant = false;
         if (!relevant) continue;
         if (line.size() > 300) line = line.substr(0, 300) + "...";
         text += line + "\n";
@@ -53,17 +56,18 @@ std::string first_errors(const std::string& output, const std::string& path, con
 /// Why a tool was cut off before it could say what is wrong with a source; empty: it was not.
 std::string cut_off(const Ending& ending, const char* who) {
     const auto said = [&](const char* words) { return ending.err.find(words) != ending.err.npos; };
-    if (ending.waited)
-        return fmt::format("{} waits for something on it, and was stopped", who);
+    if (ending.waited) return fmt::format("{} waits for something on it, and was stopped", who);
     if (ending.how == Ending::How::timed_out || said("CPU time limit exceeded") || said("[CPU time"))
         return fmt::format("{} ran longer than {:g} s on it", who, tool_seconds);
     if (said("File size limit exceeded") || said("File too large") || said("[File size"))
         return fmt::format("{} writes more than {} MB for it", who, most_object_bytes >> 20);
-    if (said("out of memory") || said("virtual memory exhausted") || said("Cannot allocate memory") || said("memory exhausted") ||
-        said("Killed signal terminated"))
+    if (said("out of memory") || said("virtual memory exhausted") || said("Cannot allocate memory") ||
+        said("memory exhausted") || said("Killed signal terminated"))
         return fmt::format("{} uses more than 3 GB of memory on it", who);
-    if (ending.how == Ending::How::signalled) return fmt::format("{} broke down on it: {}", who, signal_in_words(ending.code));
-    if (said("signal terminated program") || said("internal compiler error")) return fmt::format("{} broke down on it", who);
+    if (ending.how == Ending::How::signalled)
+        return fmt::format("{} broke down on it: {}", who, signal_in_words(ending.code));
+    if (said("signal terminated program") || said("internal compiler error"))
+        return fmt::format("{} broke down on it", who);
     return {};
 }
 
@@ -90,8 +94,9 @@ void check_compiler(const Toolchain& chain, const Sandbox& sandbox, const fs::pa
     command.insert(command.end(), {"-c", source.string(), "-o", (work / "empty.o").string()});
     const Ending ending = run(sandbox, tool(command, work));
     if (!ending.good())
-        throw std::runtime_error(fmt::format("the compiler does not work on this machine now, not even on an empty file: {}",
-                                             ending.err.empty() ? "it says nothing" : ending.err.substr(0, 300)));
+        throw std::runtime_error(
+            fmt::format("the compiler does not work on this machine now, not even on an empty file: {}",
+                        ending.err.empty() ? "it says nothing" : ending.err.substr(0, 300)));
 }
 
 /// Names for people of symbols that a student may have made up.
@@ -107,8 +112,8 @@ std::vector<std::string> demangled(const Sandbox& sandbox, std::vector<std::stri
 }
 
 /// What the object defines under the fragment's name, and what fragments.h declares.
-std::string wrong_signature(const Toolchain& chain, const Sandbox& sandbox, const ObjectFile& object, const std::string& fragment,
-                            const std::string& shown, const fs::path& work) {
+std::string wrong_signature(const Toolchain& chain, const Sandbox& sandbox, const ObjectFile& object,
+                            const std::string& fragment, const std::string& shown, const fs::path& work) {
     constexpr std::size_t most_names = 16;
     std::vector<std::string> symbols{chain.symbols.at(fragment)};
     for (const std::string& symbol : object.defined)
@@ -162,19 +167,27 @@ Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const 
         if (std::ranges::count(object.defined, symbol->second) == 0)
             return {false, {}, wrong_signature(chain, sandbox, object, fragment, shown, work)};
         // groups of sections that other objects hold as well must go before their symbols become private
-        step = run(sandbox, tool({"/usr/bin/ld", "-r", "--force-group-allocation", compiled.string(), "-o", merged.string()}, work));
+        step = run(
+            sandbox,
+            tool({"/usr/bin/ld", "-r", "--force-group-allocation", compiled.string(), "-o", merged.string()}, work));
         if (step.good())
-            step = run(sandbox, tool({"/usr/bin/objcopy", "--remove-section=.linker-options", "--keep-global-symbol=" + symbol->second, merged.string(), own.string()}, work));
+            step = run(sandbox, tool({"/usr/bin/objcopy", "--remove-section=.linker-options",
+                                      "--keep-global-symbol=" + symbol->second, merged.string(), own.string()},
+                                     work));
         if (step.good()) return object_at(own), Compiled{true, own, {}};
     } catch (const BadObject& error) {
         return {false, {}, fmt::format("{}: error: {}", shown, error.what())};
     }
     check_compiler(chain, sandbox, work);
     const std::string cut = cut_off(step, "the linker");
-    return {false, {}, fmt::format("{}: error: its object cannot be prepared for the link: {}", shown, cut.empty() ? step.err.substr(0, 300) : cut)};
+    return {false,
+            {},
+            fmt::format("{}: error: its object cannot be prepared for the link: {}", shown,
+                        cut.empty() ? step.err.substr(0, 300) : cut)};
 }
 
-std::string link_child(const Toolchain& chain, const Sandbox& sandbox, const std::vector<fs::path>& objects, const fs::path& program) {
+std::string link_child(const Toolchain& chain, const Sandbox& sandbox, const std::vector<fs::path>& objects,
+                       const fs::path& program) {
     const fs::path folder = program.parent_path();
     // copies, since the step can read no other object of the solution, nor change these
     const fs::path given = folder / "objects";
@@ -182,7 +195,8 @@ std::string link_child(const Toolchain& chain, const Sandbox& sandbox, const std
     std::vector<fs::path> readable;
     std::vector<std::string> command{chain.compiler.string()};
     command.insert(command.end(), chain.link.begin(), chain.link.end());
-    command.insert(command.end(), {"-fno-lto", "-fno-use-linker-plugin"});  // no compiler runs on what a fragment may hold
+    command.insert(command.end(),
+                   {"-fno-lto", "-fno-use-linker-plugin"});  // no compiler runs on what a fragment may hold
     for (const fs::path& object : objects) {
         const fs::path copy = given / object.filename();
         fs::copy_file(object, copy, fs::copy_options::overwrite_existing);
@@ -205,7 +219,8 @@ std::string link_child(const Toolchain& chain, const Sandbox& sandbox, const std
     int count = 0;
     for (std::string line; std::getline(lines, line) && count < 4;)
         if (const std::size_t at = line.find("undefined reference"); at != line.npos) {
-            text += "error: " + line.substr(at, 300) + ": it is declared and called, but defined nowhere in this file\n";
+            text +=
+                "error: " + line.substr(at, 300) + ": it is declared and called, but defined nowhere in this file\n";
             ++count;
         }
     return text.empty() ? fmt::format("the link failed:\n{}", linker.err.substr(0, 600)) : text;

@@ -27,6 +27,7 @@ Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const 
 
 /// Links a program that renders and answers probes with these objects. Empty: it worked; else the first errors.
 /// Throws std::runtime_error where the disk is full.
-std::string link_child(const Toolchain& chain, const Sandbox& sandbox, const std::vector<fs::path>& objects, const fs::path& program);
+std::string link_child(const Toolchain& chain, const Sandbox& sandbox, const std::vector<fs::path>& objects,
+                       const fs::path& program);
 
 }  // namespace grade

@@ -64,15 +64,33 @@ rt::Image image(const Json& json) {
 }
 
 Json to_json(const StatisticRecord& s) {
-    return {{"id", s.id}, {"what", s.what}, {"value", to_json(s.value)}, {"truth", to_json(s.truth)},
-            {"low", to_json(s.low)}, {"high", to_json(s.high)}, {"delta0", s.delta0}, {"tolerance", s.tolerance},
-            {"exact", s.exact}, {"replicates", s.replicates}, {"verdict", int(s.verdict)}, {"hint", s.hint}};
+    return {{"id", s.id},
+            {"what", s.what},
+            {"value", to_json(s.value)},
+            {"truth", to_json(s.truth)},
+            {"low", to_json(s.low)},
+            {"high", to_json(s.high)},
+            {"delta0", s.delta0},
+            {"tolerance", s.tolerance},
+            {"exact", s.exact},
+            {"replicates", s.replicates},
+            {"verdict", int(s.verdict)},
+            {"hint", s.hint}};
 }
 
 StatisticRecord statistic(const Json& j) {
-    return {j.at("id"), j.at("what"), number(j.at("value")), number(j.at("truth")), number(j.at("low")),
-            number(j.at("high")), j.at("delta0"), j.at("tolerance"), j.at("exact"), j.at("replicates"),
-            Verdict(j.at("verdict").get<int>()), j.at("hint")};
+    return {j.at("id"),
+            j.at("what"),
+            number(j.at("value")),
+            number(j.at("truth")),
+            number(j.at("low")),
+            number(j.at("high")),
+            j.at("delta0"),
+            j.at("tolerance"),
+            j.at("exact"),
+            j.at("replicates"),
+            Verdict(j.at("verdict").get<int>()),
+            j.at("hint")};
 }
 
 Json to_json(const CheckRecord& c) {
@@ -80,10 +98,19 @@ Json to_json(const CheckRecord& c) {
     for (const StatisticRecord& s : c.statistics) statistics.push_back(to_json(s));
     // what a program prints may be any bytes
     const std::vector<std::uint8_t> excerpt(c.excerpt.begin(), c.excerpt.end());
-    return {{"name", c.name}, {"fragment", c.fragment}, {"scene", c.scene}, {"samples", c.samples},
-            {"sampler", c.sampler}, {"share", c.share}, {"verdict", int(c.verdict)}, {"message", c.message},
-            {"excerpt", Json::binary(excerpt)}, {"statistics", statistics}, {"cpu_seconds", c.cpu_seconds},
-            {"picture", to_json(c.picture)}, {"solution_picture", to_json(c.solution_picture)}};
+    return {{"name", c.name},
+            {"fragment", c.fragment},
+            {"scene", c.scene},
+            {"samples", c.samples},
+            {"sampler", c.sampler},
+            {"share", c.share},
+            {"verdict", int(c.verdict)},
+            {"message", c.message},
+            {"excerpt", Json::binary(excerpt)},
+            {"statistics", statistics},
+            {"cpu_seconds", c.cpu_seconds},
+            {"picture", to_json(c.picture)},
+            {"solution_picture", to_json(c.solution_picture)}};
 }
 
 CheckRecord check_record(const Json& j) {
@@ -172,8 +199,13 @@ std::optional<Finding> Kept::finding(const std::string& key, const std::string& 
 }
 
 void Kept::keep_finding(const std::string& key, const std::string& made_from, const Finding& f) const {
-    write(key, made_from, Json{{"how", f.how}, {"where", f.where}, {"arguments", f.arguments}, {"answer", f.answer},
-                               {"right", f.right}, {"sampled", f.sampled}});
+    write(key, made_from,
+          Json{{"how", f.how},
+               {"where", f.where},
+               {"arguments", f.arguments},
+               {"answer", f.answer},
+               {"right", f.right},
+               {"sampled", f.sampled}});
 }
 
 std::optional<rt::Image> Kept::picture(const std::string& name, const std::string& made_from) const {

@@ -10,8 +10,8 @@
 
 namespace grade {
 
-/// What one grading of the same folder leaves for the next: the objects of fragments, and the records of checks. Each is
-/// found again under a hash of all that it was made from, and of the grader itself.
+/// What one grading of the same folder leaves for the next: the objects of fragments, and the records of checks. Each
+/// is found again under a hash of all that it was made from, and of the grader itself.
 class Kept {
 public:
     /// Keeps nothing and finds nothing.

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "protocol/bytes.h"
 #include "files/files.h"
+#include "protocol/bytes.h"
 #include "rt/files/image.h"
 
 /// What one run keeps for another: a tree of JSON, as CBOR, whose numbers and pictures have all their bits.

@@ -22,7 +22,8 @@ Entry entry_at(std::string_view bytes, std::uint64_t offset) {
 
 std::string_view part(std::string_view bytes, const Elf64_Shdr& section) {
     if (section.sh_type == SHT_NOBITS) return {};
-    if (section.sh_offset > bytes.size() || bytes.size() - section.sh_offset < section.sh_size) broken("a section leads out of it");
+    if (section.sh_offset > bytes.size() || bytes.size() - section.sh_offset < section.sh_size)
+        broken("a section leads out of it");
     return bytes.substr(section.sh_offset, section.sh_size);
 }
 
@@ -34,9 +35,23 @@ std::string_view name_at(std::string_view names, std::uint64_t offset) {
 }
 
 /// Sections that compilers make of C++, whole names; and those of which each function and variable may have one.
-constexpr std::string_view whole[] = {"", ".group", ".symtab", ".symtab_shndx", ".strtab", ".shstrtab", ".comment", ".eh_frame",
-                                      ".note.GNU-stack", ".note.gnu.property", ".init_array", ".fini_array", ".llvm_addrsig", ".linker-options"};
-constexpr std::string_view begun[] = {".text", ".rodata", ".data", ".bss", ".tdata", ".tbss", ".gcc_except_table", ".init_array", ".lrodata", ".ldata", ".lbss"};
+constexpr std::string_view whole[] = {"",
+                                      ".group",
+                                      ".symtab",
+                                      ".symtab_shndx",
+                                      ".strtab",
+                                      ".shstrtab",
+                                      ".comment",
+                                      ".eh_frame",
+                                      ".note.GNU-stack",
+                                      ".note.gnu.property",
+                                      ".init_array",
+                                      ".fini_array",
+                                      ".llvm_addrsig",
+                                      ".linker-options"};
+constexpr std::string_view begun[] = {".text", ".rodata",           ".data",       ".bss",     ".tdata",
+                                      ".tbss", ".gcc_except_table", ".init_array", ".lrodata", ".ldata",
+                                      ".lbss"};
 
 bool is_begun(std::string_view name, std::string_view begin) {
     return name.starts_with(begin) && (name.size() == begin.size() || name[begin.size()] == '.');
@@ -44,7 +59,8 @@ bool is_begun(std::string_view name, std::string_view begin) {
 
 bool is_usual(std::string_view name) {
     for (const std::string_view relocations : {".rela", ".rel"})
-        if (name.starts_with(relocations) && name.size() > relocations.size()) return is_usual(name.substr(relocations.size()));
+        if (name.starts_with(relocations) && name.size() > relocations.size())
+            return is_usual(name.substr(relocations.size()));
     return std::ranges::count(whole, name) > 0 || name.starts_with(".debug_") ||
            std::ranges::any_of(begun, [&](std::string_view begin) { return is_begun(name, begin); });
 }
@@ -54,9 +70,11 @@ bool is_usual(std::string_view name) {
 ObjectFile read_object(std::string_view bytes) {
     constexpr std::size_t most_sections = 20'000, longest_name = 500;
     const auto head = entry_at<Elf64_Ehdr>(bytes, 0);
-    if (std::memcmp(head.e_ident, ELFMAG, SELFMAG) != 0 || head.e_ident[EI_CLASS] != ELFCLASS64 || head.e_type != ET_REL)
+    if (std::memcmp(head.e_ident, ELFMAG, SELFMAG) != 0 || head.e_ident[EI_CLASS] != ELFCLASS64 ||
+        head.e_type != ET_REL)
         broken("it is of another kind");
-    if (head.e_shentsize != sizeof(Elf64_Shdr) || head.e_shnum == 0 || head.e_shnum > most_sections || head.e_shstrndx >= head.e_shnum)
+    if (head.e_shentsize != sizeof(Elf64_Shdr) || head.e_shnum == 0 || head.e_shnum > most_sections ||
+        head.e_shstrndx >= head.e_shnum)
         broken("its table of sections");
     std::vector<Elf64_Shdr> sections;
     for (std::uint64_t i = 0; i < head.e_shnum; ++i)
@@ -81,7 +99,9 @@ ObjectFile read_object(std::string_view bytes) {
 
 std::string object_fault(const ObjectFile& object) {
     for (const std::string& name : object.sections)
-        if (!is_usual(name)) return fmt::format("a section {} is made in it; a fragment is C++, without asm and without section attributes", name);
+        if (!is_usual(name))
+            return fmt::format(
+                "a section {} is made in it; a fragment is C++, without asm and without section attributes", name);
     return {};
 }
 

@@ -17,7 +17,8 @@ struct BadObject : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Reads the tables of an ELF object of this kind of machine, and nothing that they point to. Throws BadObject where they lead out of it, or it is something else.
+/// Reads the tables of an ELF object of this kind of machine, and nothing that they point to. Throws BadObject where
+/// they lead out of it, or it is something else.
 ObjectFile read_object(std::string_view bytes);
 
 /// Why an object goes no further: no tool reads one that holds what a compiler does not make of a fragment. Empty: it

@@ -35,7 +35,8 @@ struct Way {
     Way() {
         int ends[2];
         if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
-            throw std::runtime_error(fmt::format("no way to a program: {}; expected more free descriptors (ulimit -n)", std::strerror(errno)));
+            throw std::runtime_error(fmt::format("no way to a program: {}; expected more free descriptors (ulimit -n)",
+                                                 std::strerror(errno)));
         here = ends[0], there = ends[1];
     }
     ~Way() {
@@ -90,7 +91,8 @@ int milliseconds_until(Clock::time_point deadline) {
 /// Of a process and of all that come from it and still run.
 Process::Times times_of(int pid) {
     const std::string place = fmt::format("/proc/{}/", pid);
-    std::ifstream stat(place + "stat"), schedule(place + "schedstat"), children(place + fmt::format("task/{}/children", pid));
+    std::ifstream stat(place + "stat"), schedule(place + "schedstat"),
+        children(place + fmt::format("task/{}/children", pid));
     std::string text;
     std::getline(stat, text, ')');  // the program's name is its own
     double ticks = 0, computed = 0, delayed = 0;
@@ -107,7 +109,8 @@ Process::Times times_of(int pid) {
 
 }  // namespace
 
-Process::Process(const std::vector<std::string>& arguments, const Limits& limits, const std::string& folder, Walls walls)
+Process::Process(const std::vector<std::string>& arguments, const Limits& limits, const std::string& folder,
+                 Walls walls)
     : limits_(limits) {
     static const auto ignored = std::signal(SIGPIPE, SIG_IGN);
     static const int adopts = prctl(PR_SET_CHILD_SUBREAPER, 1);  // what loses its parent comes to the grader
@@ -142,7 +145,9 @@ Process::Process(const std::vector<std::string>& arguments, const Limits& limits
         execve(argv[0], argv.data(), environment.data());
         _exit(127);
     }
-    if (pid_ < 0) throw std::runtime_error(fmt::format("no process: {}; expected fewer of this user (ulimit -u)", std::strerror(errno)));
+    if (pid_ < 0)
+        throw std::runtime_error(
+            fmt::format("no process: {}; expected fewer of this user (ulimit -u)", std::strerror(errno)));
     in_ = in.take(), out_ = out.take(), err_ = err.take(), results_ = results.take();
     watch_ = int(syscall(SYS_pidfd_open, pid_, 0));
     for (const int end : {in_, out_, err_, results_}) fcntl(end, F_SETFL, O_NONBLOCK);
@@ -273,8 +278,9 @@ std::string signal_in_words(int signal) {
                         : signal == SIGFPE  ? "an arithmetic fault: an integer divided by zero"
                         : signal == SIGILL  ? "an illegal instruction: the end of a function that returns nothing"
                         : signal == SIGBUS  ? "a bus error"
-                        : signal == SIGKILL ? "a signal that nothing survives: it was sent by itself, or there was no memory left"
-                                            : strsignal(signal);
+                        : signal == SIGKILL
+                            ? "a signal that nothing survives: it was sent by itself, or there was no memory left"
+                            : strsignal(signal);
     const char* abbreviation = sigabbrev_np(signal);
     return fmt::format("{} (SIG{})", words, abbreviation ? abbreviation : std::to_string(signal));
 }

@@ -13,8 +13,8 @@
 namespace grade {
 
 struct Limits {
-    double cpu_seconds = 10;              // of each process; SIGXCPU when reached
-    double most_cpu_seconds = 10;         // how far a process may raise that itself
+    double cpu_seconds = 10;       // of each process; SIGXCPU when reached
+    double most_cpu_seconds = 10;  // how far a process may raise that itself
     double wall_seconds = 30;
     std::uint64_t memory = 4ull << 30;    // bytes of address space of each process
     std::uint64_t file_size = 64u << 20;  // bytes of each file
@@ -36,14 +36,15 @@ struct Ending {
 
 using Clock = std::chrono::steady_clock;
 
-/// A running program, with ways to its stdin and from its stdout, stderr, and descriptor 3: sockets, which nobody can open
-/// again by a name. Its environment is empty but for PATH and LANG. When this object goes, so do the program and everything
-/// in its process group. This is the only place where the grader starts a process.
+/// A running program, with ways to its stdin and from its stdout, stderr, and descriptor 3: sockets, which nobody can
+/// open again by a name. Its environment is empty but for PATH and LANG. When this object goes, so do the program and
+/// everything in its process group. This is the only place where the grader starts a process.
 class Process {
 public:
     /// folder  its working directory
     /// Throws std::runtime_error where no process can be made.
-    Process(const std::vector<std::string>& arguments, const Limits& limits, const std::string& folder, Walls walls = {});
+    Process(const std::vector<std::string>& arguments, const Limits& limits, const std::string& folder,
+            Walls walls = {});
     ~Process();
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
@@ -64,8 +65,8 @@ public:
     /// Nothing more comes on its stdin.
     void hang_up();
 
-    /// Waits until it ends, or kills it at the deadline. This and the two above give a program that computes more time: its
-    /// CPU time is limited.
+    /// Waits until it ends, or kills it at the deadline. This and the two above give a program that computes more time:
+    /// its CPU time is limited.
     Ending finish(Clock::time_point deadline);
 
 private:

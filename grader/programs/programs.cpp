@@ -7,9 +7,9 @@
 
 #include <algorithm>
 
-#include "submission/code_only.h"
 #include "programs/compile.h"
 #include "programs/parallel.h"
+#include "submission/code_only.h"
 
 namespace grade {
 
@@ -75,17 +75,20 @@ bool Programs::is_filled(const std::string& fragment) const {
 }
 
 int Programs::to_compile(const std::set<std::string>& fragments) const {
-    return int(std::ranges::count_if(fragments, [&](const std::string& name) { return !has(name) && is_filled(name); }));
+    return int(
+        std::ranges::count_if(fragments, [&](const std::string& name) { return !has(name) && is_filled(name); }));
 }
 
 void Programs::compile(const std::set<std::string>& fragments) {
     std::vector<std::string> wanted;
     for (const std::string& name : fragments) {
         if (has(name) || problems_.contains(name)) continue;
-        if (!is_filled(name)) problems_[name] = {Verdict::not_started, not_started(submission_, name)};
+        if (!is_filled(name))
+            problems_[name] = {Verdict::not_started, not_started(submission_, name)};
         else if (settings_.only_changed && read_text(chain_.source / "solution" / (name + ".cpp")) == text(name))
             objects_[name] = chain_.solution_objects.at(name);
-        else wanted.push_back(name);
+        else
+            wanted.push_back(name);
     }
     in_parallel(int(wanted.size()), settings_.jobs, [&](int i) {
         const std::string& name = wanted[std::size_t(i)];
@@ -141,8 +144,8 @@ const Programs::Linked& Programs::with(const std::set<std::string>& fragments, O
 fs::path Programs::must_link(const std::set<std::string>& fragments, Others others) {
     const Linked& linked = with(fragments, others);
     if (!linked.errors.empty())
-        throw SubmissionError(fmt::format("{}: {} cannot be linked: {}", submission_.name,
-                                          fmt::join(fragments, ", "), linked.errors));
+        throw SubmissionError(
+            fmt::format("{}: {} cannot be linked: {}", submission_.name, fmt::join(fragments, ", "), linked.errors));
     return linked.program;
 }
 

@@ -7,12 +7,12 @@
 #include <string>
 
 #include "files/files.h"
-#include "programs/sandbox.h"
-#include "submission/submission.h"
-#include "programs/toolchain.h"
 #include "programs/kept.h"
 #include "programs/progress.h"
+#include "programs/sandbox.h"
+#include "programs/toolchain.h"
 #include "statistics/verdict.h"
+#include "submission/submission.h"
 
 namespace grade {
 

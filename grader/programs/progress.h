@@ -9,8 +9,8 @@ namespace grade {
 /// Steps of a grading, by what one of them takes: about so many hundredths of a second.
 enum class Work : int { link = 10, check = 25, compile = 45 };
 
-/// Tells how far a work of many steps is; from any thread, one at a time. What is expected before the first step is done
-/// makes a time left that does not start anew with each kind of step.
+/// Tells how far a work of many steps is; from any thread, one at a time. What is expected before the first step is
+/// done makes a time left that does not start anew with each kind of step.
 class Progress {
 public:
     using Listener = std::function<void(int done, int all, const std::string& doing)>;

@@ -10,8 +10,8 @@
 
 #include "protocol/bytes.h"
 #include "protocol/protocol.h"
-#include "rt/scene.h"
 #include "rt/files/scene_reader.h"
+#include "rt/scene.h"
 
 namespace grade {
 
@@ -23,7 +23,8 @@ struct Runner::Answer {
 namespace {
 
 constexpr std::size_t most_error_bytes = 4096;
-constexpr std::size_t most_shown = 200;  // of what a program says: enough for a sentence, too little to carry others' code out
+constexpr std::size_t most_shown =
+    200;  // of what a program says: enough for a sentence, too little to carry others' code out
 constexpr std::uint64_t most_memory = 2ull << 30;
 
 std::string too_much_memory() { return fmt::format("uses more than {} GB of memory", most_memory >> 30); }
@@ -36,21 +37,27 @@ std::vector<double> numbers_of(const std::string& payload) {
 
 int sampler_of(const std::string& name) {
     if (const auto sampler = rt::sampler_named(name)) return int(*sampler);
-    throw rt::InputError(fmt::format("no sampler is named \"{}\"; expected {}", name, fmt::join(rt::sampler_names, ", ")));
+    throw rt::InputError(
+        fmt::format("no sampler is named \"{}\"; expected {}", name, fmt::join(rt::sampler_names, ", ")));
 }
 
 }  // namespace
 
 Runner::Runner(const fs::path& program, const Sandbox& sandbox, const fs::path& meshes, double seconds)
     : meshes_(meshes), limit_(seconds) {
-    Step step{{program.string(), fmt::format("{}", seconds), (meshes / "check.toml").string()}, {}, program.parent_path(), {}, false};
+    Step step{{program.string(), fmt::format("{}", seconds), (meshes / "check.toml").string()},
+              {},
+              program.parent_path(),
+              {},
+              false};
     step.limits.cpu_seconds = seconds;
     step.limits.most_cpu_seconds = 600;
     step.limits.memory = most_memory;
     step.limits.file_size = 1u << 20;
     if (access(program.c_str(), X_OK) != 0)  // before any fragment has run: the machine's doing
-        throw std::runtime_error(fmt::format("{}: cannot be started: {}; expected TMPDIR to name a folder whose programs run",
-                                             program.string(), std::strerror(errno)));
+        throw std::runtime_error(
+            fmt::format("{}: cannot be started: {}; expected TMPDIR to name a folder whose programs run",
+                        program.string(), std::strerror(errno)));
     if (fs::exists(meshes)) step.readable.push_back(meshes);
     process_ = start(sandbox, step);
 }
@@ -60,15 +67,18 @@ Fault Runner::broken() {
     const std::string excerpt = (ending.err.empty() ? ending.out : ending.err).substr(0, most_shown);
     if (ending.how == Ending::How::timed_out) {
         if (ending.waited)
-            return {Verdict::timed_out, fmt::format("waits for something: no answer came within {:g} s", patience()), excerpt};
+            return {Verdict::timed_out, fmt::format("waits for something: no answer came within {:g} s", patience()),
+                    excerpt};
         return {Verdict::timed_out, fmt::format("ran longer than {:g} s", limit_), excerpt};
     }
     if (ending.how == Ending::How::signalled && ending.code == SIGSYS)
         return {Verdict::crashed, "starts other programs or processes: a fragment only computes", excerpt};
     if (ending.err.find("bad_alloc") != ending.err.npos) return {Verdict::crashed, too_much_memory(), excerpt};
-    if (ending.how == Ending::How::signalled) return {Verdict::crashed, "ended by " + signal_in_words(ending.code), excerpt};
+    if (ending.how == Ending::How::signalled)
+        return {Verdict::crashed, "ended by " + signal_in_words(ending.code), excerpt};
     return {Verdict::crashed,
-            fmt::format("the program ended by itself with code {}: a fragment must return, not exit", ending.code), excerpt};
+            fmt::format("the program ended by itself with code {}: a fragment must return, not exit", ending.code),
+            excerpt};
 }
 
 Fault Runner::thrown(const std::string& what) {
@@ -122,8 +132,7 @@ Outcome<rt::Image> Runner::render(const Render& experiment, std::uint64_t seed, 
     const rt::ivec2 size = experiment.size.x > 0 ? experiment.size : size_;
     const RenderRequest request{seed, experiment.samples, sampler_of(experiment.sampler), size.x, size.y, one_of_many};
     const std::size_t pixels = std::size_t(size.x) * std::size_t(size.y), count = image_head + 3 * pixels;
-    auto outcome =
-        ask(frame(FrameKind::render, bytes_of<RenderRequest>({&request, 1})), int(FrameKind::image), count);
+    auto outcome = ask(frame(FrameKind::render, bytes_of<RenderRequest>({&request, 1})), int(FrameKind::image), count);
     if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
 
     const auto& numbers = std::get<std::vector<double>>(outcome);

@@ -7,10 +7,10 @@
 #include <variant>
 #include <vector>
 
+#include "checks/kit/check.h"
 #include "programs/process.h"
 #include "programs/sandbox.h"
 #include "protocol/swarm.h"
-#include "checks/kit/check.h"
 #include "statistics/verdict.h"
 
 namespace grade {
@@ -45,7 +45,9 @@ public:
     double seconds() const { return last_seconds_; }
 
     /// Wall time of all answers, by the grader's clock; without what the program waited for a processor.
-    double seconds_in_all() const { return answers_seconds_ < 1 ? answers_seconds_ : std::max(0.0, answers_seconds_ - process_->times().delayed); }
+    double seconds_in_all() const {
+        return answers_seconds_ < 1 ? answers_seconds_ : std::max(0.0, answers_seconds_ - process_->times().delayed);
+    }
 
     /// Rays of all kinds in the last picture, likewise.
     double rays() const { return last_rays_; }

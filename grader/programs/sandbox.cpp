@@ -16,14 +16,14 @@ constexpr const char* bubblewrap = "/usr/bin/bwrap";
 constexpr const char* of_the_system[] = {"/usr", "/bin", "/lib", "/lib64", "/etc/alternatives", "/etc/ld.so.cache"};
 
 std::vector<std::string> in_bubblewrap(const Sandbox& sandbox, const Step& step) {
-    std::vector<std::string> words{bubblewrap, "--unshare-all", "--die-with-parent", "--cap-drop", "ALL", "--seccomp", "4",
-                                   "--dev-bind", "/dev/null", "/dev/null"};
+    std::vector<std::string> words{bubblewrap, "--unshare-all", "--die-with-parent", "--cap-drop", "ALL", "--seccomp",
+                                   "4",        "--dev-bind",    "/dev/null",         "/dev/null"};
     if (step.is_tool) words.insert(words.end(), {"--size", fmt::to_string(256u << 20), "--tmpfs", "/tmp"});
     for (const char* path : of_the_system) words.insert(words.end(), {"--ro-bind-try", path, path});
     for (const auto* list : {&sandbox.readable, &step.readable})
         for (const fs::path& path : *list) words.insert(words.end(), {"--ro-bind", path.string(), path.string()});
-    words.insert(words.end(), {step.is_tool ? "--bind" : "--ro-bind", step.folder.string(), step.folder.string(), "--remount-ro", "/",
-                               "--chdir", step.folder.string(), "--"});
+    words.insert(words.end(), {step.is_tool ? "--bind" : "--ro-bind", step.folder.string(), step.folder.string(),
+                               "--remount-ro", "/", "--chdir", step.folder.string(), "--"});
     words.insert(words.end(), step.command.begin(), step.command.end());
     return words;
 }
@@ -47,13 +47,15 @@ struct Descriptor {
 
 std::unique_ptr<Process> start(const Sandbox& sandbox, const Step& step) {
     const Starts starts = step.is_tool ? Starts::programs : Starts::nothing;
-    if (sandbox.kind == Sandbox::Kind::limits_only) return std::make_unique<Process>(step.command, step.limits, step.folder.string());
+    if (sandbox.kind == Sandbox::Kind::limits_only)
+        return std::make_unique<Process>(step.command, step.limits, step.folder.string());
     if (sandbox.kind == Sandbox::Kind::host)
         return std::make_unique<Process>(in_bubblewrap(sandbox, step), step.limits, step.folder.string(),
                                          Walls{.calls = allowed_calls(starts, false)});
 
     std::vector<fs::path> readable(std::begin(of_the_system), std::end(of_the_system)), writable{"/dev/null"};
-    for (const auto* list : {&sandbox.readable, &step.readable}) readable.insert(readable.end(), list->begin(), list->end());
+    for (const auto* list : {&sandbox.readable, &step.readable})
+        readable.insert(readable.end(), list->begin(), list->end());
     (step.is_tool ? writable : readable).push_back(step.folder);
     const Descriptor rules{landlock_rules(readable, writable)};
     if (rules.number < 0) throw std::runtime_error("Landlock does not work any more");
@@ -74,8 +76,10 @@ Ending run(const Sandbox& sandbox, const Step& step) {
 std::string fault_of(const Sandbox& sandbox, const std::vector<fs::path>& needed) try {
     if (sandbox.kind == Sandbox::Kind::limits_only) return {};
     if (sandbox.kind == Sandbox::Kind::host && !fs::exists(bubblewrap)) return "bubblewrap is not installed";
-    if (sandbox.kind == Sandbox::Kind::container && landlock_version() == 0) return "the kernel has no Landlock, or does not allow it";
-    if (allowed_calls(Starts::nothing, false).code.empty()) return "its system calls are not known on this kind of processor";
+    if (sandbox.kind == Sandbox::Kind::container && landlock_version() == 0)
+        return "the kernel has no Landlock, or does not allow it";
+    if (allowed_calls(Starts::nothing, false).code.empty())
+        return "its system calls are not known on this kind of processor";
     const TemporaryFolder folder;
     fs::permissions(folder.path(), fs::perms(0711));
     const fs::path inside = folder.path() / "inside";
@@ -95,7 +99,10 @@ std::string fault_of(const Sandbox& sandbox, const std::vector<fs::path>& needed
 
 Sandbox find_sandbox(bool trusted, const std::vector<fs::path>& needed) {
     if (trusted) return {Sandbox::Kind::limits_only, "resource limits only: the code is its owner's", {}};
-    const Sandbox host{Sandbox::Kind::host, "bubblewrap: no network, no other processes, files read-only; system calls filtered; resource limits", {}};
+    const Sandbox host{
+        Sandbox::Kind::host,
+        "bubblewrap: no network, no other processes, files read-only; system calls filtered; resource limits",
+        {}};
     const std::string no_host = fault_of(host, needed);
     if (no_host.empty()) return host;
 
@@ -106,12 +113,17 @@ Sandbox find_sandbox(bool trusted, const std::vector<fs::path>& needed) {
         container.own_user = own_user;
         no_container = fault_of(container, needed);
         if (!no_container.empty()) continue;
-        container.description = fmt::format("Landlock {} and seccomp: no network, no signals to others, files read-only; {}; resource limits; no bubblewrap: {}",
-                                            landlock_version(), own_user ? "a user of its own for each step" : "the grader's own user", no_host);
+        container.description = fmt::format(
+            "Landlock {} and seccomp: no network, no signals to others, files read-only; {}; resource limits; no "
+            "bubblewrap: {}",
+            landlock_version(), own_user ? "a user of its own for each step" : "the grader's own user", no_host);
         return container;
     }
-    throw std::runtime_error(fmt::format("there is no sandbox here that student code can be run in. bubblewrap: {}. Landlock and seccomp: {}. Expected one "
-                                         "of them; with --trusted, for code that is your own, there are limits only", no_host, no_container));
+    throw std::runtime_error(
+        fmt::format("there is no sandbox here that student code can be run in. bubblewrap: {}. Landlock and seccomp: "
+                    "{}. Expected one "
+                    "of them; with --trusted, for code that is your own, there are limits only",
+                    no_host, no_container));
 }
 
 }  // namespace grade

@@ -20,8 +20,8 @@ struct Sandbox {
     bool own_user = false;           // in a container: each step is another user
 };
 
-/// A program that reads what comes from a student, or is made of it. It sees the system's programs and libraries, what is
-/// readable, and its folder, where it starts; it has no network, and nothing of it is left when it has ended.
+/// A program that reads what comes from a student, or is made of it. It sees the system's programs and libraries, what
+/// is readable, and its folder, where it starts; it has no network, and nothing of it is left when it has ended.
 struct Step {
     std::vector<std::string> command;
     std::vector<fs::path> readable;

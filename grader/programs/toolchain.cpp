@@ -48,7 +48,8 @@ std::string demangled(const std::string& symbol) {
 std::map<std::string, std::string> fragment_symbols(const fs::path& child) {
     Limits limits;
     limits.output = 8u << 20;
-    const Ending nm = run({"/usr/bin/nm", "--format=posix", "--undefined-only", "--extern-only", child.string()}, limits, "/");
+    const Ending nm =
+        run({"/usr/bin/nm", "--format=posix", "--undefined-only", "--extern-only", child.string()}, limits, "/");
     if (!nm.good()) throw std::runtime_error(fmt::format("{}: nm cannot read it: {}", child.string(), nm.err));
     std::map<std::string, std::string> map;
     std::istringstream lines(nm.out);
@@ -63,15 +64,18 @@ std::map<std::string, std::string> fragment_symbols(const fs::path& child) {
 /// Throws where a child could not be made or started here: else that would look like a mistake in a fragment.
 void check_machine(const Toolchain& chain) {
     if (!rt::processor_is(chain.processor.c_str()))
-        throw std::runtime_error(fmt::format("what fragments are linked with is built for {} processors, and this one is none; "
-                                             "expected a build on this machine, or with -DRT_MARCH=x86-64-v2", chain.processor));
+        throw std::runtime_error(
+            fmt::format("what fragments are linked with is built for {} processors, and this one is none; "
+                        "expected a build on this machine, or with -DRT_MARCH=x86-64-v2",
+                        chain.processor));
     if (access(chain.compiler.c_str(), X_OK) != 0)
         throw std::runtime_error(fmt::format("{}: the compiler of the build is not there; expected it, or a new build",
                                              chain.compiler.string()));
     for (const fs::path& archive : chain.archives)
         if (!fs::exists(archive)) throw std::runtime_error(fmt::format("{}: not built yet", archive.string()));
     if (const fs::path header = chain.includes.front() / "rt/fragments.h"; !fs::exists(header))
-        throw std::runtime_error(fmt::format("{}: not there; expected the folder that was built, or a new build", header.string()));
+        throw std::runtime_error(
+            fmt::format("{}: not there; expected the folder that was built, or a new build", header.string()));
 }
 
 /// The compiler of this machine, as a shell finds it.
@@ -143,12 +147,14 @@ fs::path own_toolchain() {
     const fs::path beside = here / "toolchain.toml", built = here.parent_path() / "toolchain.toml";
     if (fs::exists(beside, error)) return beside;
     if (!fs::exists(built, error))
-        throw std::runtime_error(fmt::format("{}: not there; expected {} in the folder where it was built", built.string(),
-                                             program.filename().string()));
+        throw std::runtime_error(fmt::format("{}: not there; expected {} in the folder where it was built",
+                                             built.string(), program.filename().string()));
     const fs::path home = toml::parse_file(built.string())["cache"].value_or(std::string());
     if (!fs::equivalent(home, here.parent_path(), error))
-        throw std::runtime_error(fmt::format("{}: was built as part of {} and has been moved or copied; expected a build of "
-                                             "its own: ./grade makes it", here.parent_path().string(), home.string()));
+        throw std::runtime_error(
+            fmt::format("{}: was built as part of {} and has been moved or copied; expected a build of "
+                        "its own: ./grade makes it",
+                        here.parent_path().string(), home.string()));
     return built;
 }
 

@@ -12,25 +12,25 @@ namespace fs = std::filesystem;
 /// How a child is compiled and linked: exactly as the project's own programs are. CMake writes it, and a kit has one of
 /// its own.
 struct Toolchain {
-    fs::path source;                     // the folder of the assignment: starter/, scenes/, assignment.toml
+    fs::path source;  // the folder of the assignment: starter/, scenes/, assignment.toml
     fs::path compiler;
-    std::string description;             // "GNU 12.2.0, Release"
-    std::string processor;               // the least kind that the archives run on: "x86-64-v2"; "": any
-    bool is_kit = false;                 // handed out: no sources of the solution, and the code that runs is its owner's
-    std::vector<std::string> compile;    // flags
-    std::vector<fs::path> includes;      // the framework's headers: starter/ first
-    fs::path cache;                      // where what a run leaves for the next is kept, if it can be written
-    std::vector<std::string> link;       // flags, before the objects
-    std::vector<fs::path> archives;      // the child and the framework, in the order of the link
-    std::vector<std::string> libraries;  // after them
-    fs::path blanks;                     // the folder of the blank fragments' sources
+    std::string description;           // "GNU 12.2.0, Release"
+    std::string processor;             // the least kind that the archives run on: "x86-64-v2"; "": any
+    bool is_kit = false;               // handed out: no sources of the solution, and the code that runs is its owner's
+    std::vector<std::string> compile;  // flags
+    std::vector<fs::path> includes;    // the framework's headers: starter/ first
+    fs::path cache;                    // where what a run leaves for the next is kept, if it can be written
+    std::vector<std::string> link;     // flags, before the objects
+    std::vector<fs::path> archives;    // the child and the framework, in the order of the link
+    std::vector<std::string> libraries;                // after them
+    fs::path blanks;                                   // the folder of the blank fragments' sources
     std::map<std::string, fs::path> blank_objects;     // by fragment
     std::map<std::string, fs::path> solution_objects;  // by fragment
     std::map<std::string, std::string> symbols;        // by fragment: its name for the linker
 };
 
-/// Paths in the file are relative to its folder. Throws std::runtime_error where the file or what it names is missing, or
-/// made for another processor than this one.
+/// Paths in the file are relative to its folder. Throws std::runtime_error where the file or what it names is missing,
+/// or made for another processor than this one.
 Toolchain read_toolchain(const fs::path& path);
 
 /// The toolchain file of this program: the one beside it, where it is part of a kit, else the one of the build that the

@@ -35,24 +35,84 @@ constexpr std::uint32_t processor = 0;
 constexpr int fchmodat2 = 452, setxattrat = 463, removexattrat = 466, file_setattr = 469;
 
 /// Never needed by a compiler or a fragment.
-constexpr int never[] = {
-    SYS_unshare, SYS_setns, SYS_mount, SYS_umount2, SYS_pivot_root, SYS_chroot, SYS_open_tree, SYS_move_mount, SYS_fsopen,
-    SYS_fsconfig, SYS_fsmount, SYS_fspick, SYS_mount_setattr, SYS_io_uring_setup, SYS_io_uring_enter, SYS_io_uring_register,
-    SYS_ptrace, SYS_process_vm_readv, SYS_process_vm_writev, SYS_process_madvise, SYS_kcmp, SYS_pidfd_open, SYS_pidfd_getfd,
-    SYS_pidfd_send_signal, SYS_add_key, SYS_request_key, SYS_keyctl, SYS_bpf, SYS_perf_event_open, SYS_userfaultfd,
-    SYS_kexec_load, SYS_init_module, SYS_finit_module, SYS_delete_module, SYS_swapon, SYS_swapoff, SYS_reboot, SYS_acct,
-    SYS_quotactl, SYS_settimeofday, SYS_clock_settime, SYS_adjtimex, SYS_clock_adjtime, SYS_sethostname, SYS_setdomainname,
-    SYS_name_to_handle_at, SYS_open_by_handle_at, SYS_fanotify_init, SYS_socket, SYS_shmget, SYS_shmat, SYS_msgget, SYS_semget,
-    SYS_mq_open, SYS_setsid, SYS_setpgid, SYS_setpriority, SYS_ioprio_set, SYS_sched_setaffinity, SYS_sched_setscheduler,
-    SYS_sched_setparam, SYS_sched_setattr, SYS_personality, SYS_migrate_pages, SYS_move_pages, SYS_kill, SYS_tkill,
-    SYS_rt_sigqueueinfo, SYS_rt_tgsigqueueinfo, SYS_memfd_create};
+constexpr int never[] = {SYS_unshare,
+                         SYS_setns,
+                         SYS_mount,
+                         SYS_umount2,
+                         SYS_pivot_root,
+                         SYS_chroot,
+                         SYS_open_tree,
+                         SYS_move_mount,
+                         SYS_fsopen,
+                         SYS_fsconfig,
+                         SYS_fsmount,
+                         SYS_fspick,
+                         SYS_mount_setattr,
+                         SYS_io_uring_setup,
+                         SYS_io_uring_enter,
+                         SYS_io_uring_register,
+                         SYS_ptrace,
+                         SYS_process_vm_readv,
+                         SYS_process_vm_writev,
+                         SYS_process_madvise,
+                         SYS_kcmp,
+                         SYS_pidfd_open,
+                         SYS_pidfd_getfd,
+                         SYS_pidfd_send_signal,
+                         SYS_add_key,
+                         SYS_request_key,
+                         SYS_keyctl,
+                         SYS_bpf,
+                         SYS_perf_event_open,
+                         SYS_userfaultfd,
+                         SYS_kexec_load,
+                         SYS_init_module,
+                         SYS_finit_module,
+                         SYS_delete_module,
+                         SYS_swapon,
+                         SYS_swapoff,
+                         SYS_reboot,
+                         SYS_acct,
+                         SYS_quotactl,
+                         SYS_settimeofday,
+                         SYS_clock_settime,
+                         SYS_adjtimex,
+                         SYS_clock_adjtime,
+                         SYS_sethostname,
+                         SYS_setdomainname,
+                         SYS_name_to_handle_at,
+                         SYS_open_by_handle_at,
+                         SYS_fanotify_init,
+                         SYS_socket,
+                         SYS_shmget,
+                         SYS_shmat,
+                         SYS_msgget,
+                         SYS_semget,
+                         SYS_mq_open,
+                         SYS_setsid,
+                         SYS_setpgid,
+                         SYS_setpriority,
+                         SYS_ioprio_set,
+                         SYS_sched_setaffinity,
+                         SYS_sched_setscheduler,
+                         SYS_sched_setparam,
+                         SYS_sched_setattr,
+                         SYS_personality,
+                         SYS_migrate_pages,
+                         SYS_move_pages,
+                         SYS_kill,
+                         SYS_tkill,
+                         SYS_rt_sigqueueinfo,
+                         SYS_rt_tgsigqueueinfo,
+                         SYS_memfd_create};
 
 /// What a tool does to its files, and a fragment has no need of: Landlock has no rules for these.
 constexpr int tools_only[] = {
-    SYS_truncate, SYS_fchmod, SYS_fchmodat, SYS_fchown, SYS_fchownat, SYS_utimensat, SYS_setxattr, SYS_lsetxattr, SYS_fsetxattr,
-    SYS_removexattr, SYS_lremovexattr, SYS_fremovexattr, fchmodat2, setxattrat, removexattrat, file_setattr,
+    SYS_truncate,  SYS_fchmod,    SYS_fchmodat,    SYS_fchown,       SYS_fchownat,     SYS_utimensat, SYS_setxattr,
+    SYS_lsetxattr, SYS_fsetxattr, SYS_removexattr, SYS_lremovexattr, SYS_fremovexattr, fchmodat2,     setxattrat,
+    removexattrat, file_setattr,
 #ifdef __x86_64__
-    SYS_chmod, SYS_chown, SYS_lchown, SYS_utime, SYS_utimes, SYS_futimesat, SYS_creat,
+    SYS_chmod,     SYS_chown,     SYS_lchown,      SYS_utime,        SYS_utimes,       SYS_futimesat, SYS_creat,
 #endif
 };
 
@@ -71,15 +131,18 @@ struct Filter : SystemCalls {
         deny(SYS_openat2, ENOSYS);
         refuse_if(SYS_prctl, 0, BPF_JEQ, PR_SET_PDEATHSIG);
         for (const std::uint32_t request : {TIOCSTI, FIOSETOWN, SIOCSPGRP}) refuse_if(SYS_ioctl, 1, BPF_JEQ, request);
-        for (const std::uint32_t command : {F_SETOWN, F_SETSIG, F_SETOWN_EX}) refuse_if(SYS_fcntl, 1, BPF_JEQ, command);  // signals
+        for (const std::uint32_t command : {F_SETOWN, F_SETSIG, F_SETOWN_EX})
+            refuse_if(SYS_fcntl, 1, BPF_JEQ, command);  // signals
         refuse_unless(SYS_prlimit64, 0, BPF_JEQ, 0);
         if (starts == Starts::programs) {
-            refuse_if(SYS_clone, 0, BPF_JSET, CLONE_NEWNS | CLONE_NEWCGROUP | CLONE_NEWUTS | CLONE_NEWIPC | CLONE_NEWUSER | CLONE_NEWPID |
-                                                  CLONE_NEWNET | CLONE_NEWTIME);
+            refuse_if(SYS_clone, 0, BPF_JSET,
+                      CLONE_NEWNS | CLONE_NEWCGROUP | CLONE_NEWUTS | CLONE_NEWIPC | CLONE_NEWUSER | CLONE_NEWPID |
+                          CLONE_NEWNET | CLONE_NEWTIME);
         } else {
             for (const int call : tools_only) deny(call, EPERM);
             refuse_if(SYS_openat, 2, BPF_JSET, O_TRUNC);
-            refuse_if(SYS_clone, 0, BPF_JSET, CLONE_THREAD);  // one thread is enough for an answer, and many would be the user's
+            refuse_if(SYS_clone, 0, BPF_JSET,
+                      CLONE_THREAD);  // one thread is enough for an answer, and many would be the user's
             kill_at(SYS_clone);
 #ifdef __x86_64__
             refuse_if(SYS_open, 1, BPF_JSET, O_TRUNC);
@@ -114,7 +177,9 @@ private:
     }
 
     void refuse_if(int call, int argument, int test, std::uint32_t value) { decide(call, argument, test, value, 0, 1); }
-    void refuse_unless(int call, int argument, int test, std::uint32_t value) { decide(call, argument, test, value, 1, 0); }
+    void refuse_unless(int call, int argument, int test, std::uint32_t value) {
+        decide(call, argument, test, value, 1, 0);
+    }
 
     /// Refuses a call by the lower half of one of its arguments, or looks further.
     void decide(int call, int argument, int test, std::uint32_t value, int then, int otherwise) {
@@ -127,7 +192,8 @@ private:
 };
 
 // Landlock's rights, of which older headers do not know all.
-constexpr std::uint64_t run_and_read = LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_READ_FILE, read_folder = LANDLOCK_ACCESS_FS_READ_DIR;
+constexpr std::uint64_t run_and_read = LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_READ_FILE,
+                        read_folder = LANDLOCK_ACCESS_FS_READ_DIR;
 constexpr std::uint64_t of_files = run_and_read | LANDLOCK_ACCESS_FS_WRITE_FILE | 1u << 14 | 1u << 15;
 
 /// The rights that a version knows: for files, for TCP, and what is kept within.
@@ -166,7 +232,8 @@ int landlock_version() {
     return version > 0 ? int(version) : 0;
 }
 
-int landlock_rules(const std::vector<std::filesystem::path>& readable, const std::vector<std::filesystem::path>& writable) {
+int landlock_rules(const std::vector<std::filesystem::path>& readable,
+                   const std::vector<std::filesystem::path>& writable) {
     const int version = landlock_version();
     if (version == 0) return -1;
     const Rights all = rights(version);

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-/// What any process may ask of the kernel for itself and all that it starts: a filter of system calls, and rules for files.
+/// What any process may ask of the kernel for itself and all that it starts: a filter of system calls, and rules for
+/// files.
 namespace grade {
 
 /// A program for seccomp.
@@ -40,6 +41,7 @@ int landlock_version();
 
 /// A Landlock rule set: these files and folders are readable and can be run, this one is writable, and no other is
 /// either; no TCP, no signals to others where the kernel knows these rules. -1: there is none.
-int landlock_rules(const std::vector<std::filesystem::path>& readable, const std::vector<std::filesystem::path>& writable);
+int landlock_rules(const std::vector<std::filesystem::path>& readable,
+                   const std::vector<std::filesystem::path>& writable);
 
 }  // namespace grade

@@ -10,12 +10,18 @@ double Integrand::operator()(double x) const {
             for (std::size_t i = parameters.size(); i-- > 0;) sum = sum * x + parameters[i];
             return sum;
         }
-        case Kind::gaussian: return at(0) * std::exp(-rt::sqr((x - at(1)) / at(2)) / 2);
-        case Kind::lorentzian: return at(0) / (1 + rt::sqr((x - at(1)) / at(2)));
-        case Kind::cosine: return at(0) + at(1) * std::cos(2 * rt::pi * at(2) * x + at(3));
-        case Kind::exponential: return at(0) * std::exp(-at(1) * x);
-        case Kind::power: return at(0) * std::pow(x, at(1));
-        case Kind::step: return x < at(0) ? at(1) : at(2);
+        case Kind::gaussian:
+            return at(0) * std::exp(-rt::sqr((x - at(1)) / at(2)) / 2);
+        case Kind::lorentzian:
+            return at(0) / (1 + rt::sqr((x - at(1)) / at(2)));
+        case Kind::cosine:
+            return at(0) + at(1) * std::cos(2 * rt::pi * at(2) * x + at(3));
+        case Kind::exponential:
+            return at(0) * std::exp(-at(1) * x);
+        case Kind::power:
+            return at(0) * std::pow(x, at(1));
+        case Kind::step:
+            return x < at(0) ? at(1) : at(2);
     }
     throw std::domain_error("an integrand of an unknown kind");
 }
@@ -48,46 +54,78 @@ int whole(RowReader& in) {
 namespace {
 
 template <class Each>
-void members(rt::Ray& x, Each each) { each(x.origin, x.direction, x.near, x.far); }
+void members(rt::Ray& x, Each each) {
+    each(x.origin, x.direction, x.near, x.far);
+}
 template <class Each>
-void members(rt::Hit& x, Each each) { each(x.point, x.normal, x.error); }
+void members(rt::Hit& x, Each each) {
+    each(x.point, x.normal, x.error);
+}
 template <class Each>
-void members(rt::Sphere& x, Each each) { each(x.center, x.radius); }
+void members(rt::Sphere& x, Each each) {
+    each(x.center, x.radius);
+}
 template <class Each>
-void members(rt::Triangle& x, Each each) { each(x.a, x.b, x.c); }
+void members(rt::Triangle& x, Each each) {
+    each(x.a, x.b, x.c);
+}
 template <class Each>
-void members(rt::Quad& x, Each each) { each(x.center, x.u, x.v); }
+void members(rt::Quad& x, Each each) {
+    each(x.center, x.u, x.v);
+}
 template <class Each>
-void members(rt::Disc& x, Each each) { each(x.center, x.normal, x.radius); }
+void members(rt::Disc& x, Each each) {
+    each(x.center, x.normal, x.radius);
+}
 template <class Each>
 void members(rt::Camera& x, Each each) {
     each(x.eye, x.right, x.up, x.back, x.tan_half_fov, x.size, x.lens_radius, x.focus);
 }
 template <class Each>
-void members(rt::Shutter& x, Each each) { each(x.open, x.close); }
+void members(rt::Shutter& x, Each each) {
+    each(x.open, x.close);
+}
 template <class Each>
-void members(rt::Extent& x, Each each) { each(x.low, x.high); }
+void members(rt::Extent& x, Each each) {
+    each(x.low, x.high);
+}
 template <class Each>
-void members(rt::PointLight& x, Each each) { each(x.position, x.intensity, x.directional); }
+void members(rt::PointLight& x, Each each) {
+    each(x.position, x.intensity, x.directional);
+}
 template <class Each>
 void members(rt::Material& x, Each each) {
     each(x.ambient, x.albedo, x.specular, x.shininess, x.reflectance, x.transmittance, x.exponent, x.ior, x.emission,
          x.sampled, x.medium.extinction, x.medium.albedo, x.medium.g);
 }
 template <class Each>
-void members(rt::LightSample& x, Each each) { each(x.direction, x.distance, x.density); }
+void members(rt::LightSample& x, Each each) {
+    each(x.direction, x.distance, x.density);
+}
 template <class Each>
-void members(rt::DiskSample& x, Each each) { each(x.point, x.density); }
+void members(rt::DiskSample& x, Each each) {
+    each(x.point, x.density);
+}
 template <class Each>
-void members(rt::DirectionSample& x, Each each) { each(x.direction, x.density); }
+void members(rt::DirectionSample& x, Each each) {
+    each(x.direction, x.density);
+}
 template <class Each>
-void members(rt::FilmSample& x, Each each) { each(x.position, x.weight); }
+void members(rt::FilmSample& x, Each each) {
+    each(x.position, x.weight);
+}
 template <class Each>
-void members(rt::Scattered& x, Each each) { each(x.direction, x.weight); }
+void members(rt::Scattered& x, Each each) {
+    each(x.direction, x.weight);
+}
 template <class Each>
-void members(rt::Outgoing& x, Each each) { each(x.local, x.mirror, x.glass); }
+void members(rt::Outgoing& x, Each each) {
+    each(x.local, x.mirror, x.glass);
+}
 template <class Each>
-void members(StratumOf& x, Each each) { each(x.low, x.high, x.u); }
+void members(StratumOf& x, Each each) {
+    each(x.low, x.high, x.u);
+}
 
 template <class Value>
 void append_members(Numbers& row, Value value) {

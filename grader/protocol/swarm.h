@@ -8,8 +8,8 @@
 namespace grade {
 
 enum class Swarm : std::uint32_t {
-    mesh,            // a ray from within a closed mesh of eight triangles, half of them aimed at edges and corners
-    leave_sphere,    // a shadow ray from where a ray met a sphere, from either side
+    mesh,          // a ray from within a closed mesh of eight triangles, half of them aimed at edges and corners
+    leave_sphere,  // a shadow ray from where a ray met a sphere, from either side
     leave_quad,
     leave_triangle,
 };

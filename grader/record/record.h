@@ -33,10 +33,10 @@ struct PictureCost {
 
 struct CheckRecord {
     std::string name, fragment;
-    std::string scene;    // TOML text; empty for a probe
-    int samples = 0;      // a pixel
+    std::string scene;  // TOML text; empty for a probe
+    int samples = 0;    // a pixel
     std::string sampler;
-    int share = 1;        // of the fragment's points
+    int share = 1;  // of the fragment's points
     Verdict verdict = Verdict::inconclusive;
     std::string message;  // where there is nothing to measure: what happened, and what to do
     std::string excerpt;  // of what the program printed; untrusted
@@ -54,7 +54,7 @@ struct Finding {
     std::string where;      // "31 of 96 calls are wrong, those where `dot(n, to_light) < 0`"
     std::string arguments;  // of the simplest call that goes wrong: "camera.size = (2, 2), film = (0, 0)"
     std::string answer, right;
-    bool sampled = false;   // other random numbers give answers that are as good
+    bool sampled = false;  // other random numbers give answers that are as good
 };
 
 struct FragmentRecord {

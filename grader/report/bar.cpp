@@ -37,7 +37,8 @@ std::string bar(const StatisticRecord& statistic) {
         "aria-label=\"{2}: {3:.4g}, interval "
         "{4:.4g} to {5:.4g}; expected {6:.4g} within {7:.3g}\">",
         bar_width, bar_height, html(statistic.what), value, low, high, truth, band);
-    svg += fmt::format("<line class=\"axis\" x1=\"0\" x2=\"{:g}\" y1=\"{:g}\" y2=\"{:g}\"/>", bar_width, middle, middle);
+    svg +=
+        fmt::format("<line class=\"axis\" x1=\"0\" x2=\"{:g}\" y1=\"{:g}\" y2=\"{:g}\"/>", bar_width, middle, middle);
     svg += fmt::format("<rect class=\"band\" x=\"{:.1f}\" y=\"5\" width=\"{:.1f}\" height=\"20\"/>",
                        at(truth - band) - 0.5, at(truth + band) - at(truth - band) + 1);
     svg += fmt::format("<line class=\"truth\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"2\" y2=\"28\"/>", at(truth));

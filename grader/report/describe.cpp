@@ -89,8 +89,8 @@ std::string describe_checks(const Assignment& assignment, const std::string& fra
     for (const Check& check : checks_of_seeds().front()) shares += check.fragment == fragment ? check.share : 0;
     for (const Check& check : checks_of_seeds().front()) {
         if (check.fragment != fragment) continue;
-        std::string name =
-            fmt::format("`{}` ({}): {}", check.name, rounded_points(entry.points * check.share / shares), experiment(check));
+        std::string name = fmt::format("`{}` ({}): {}", check.name, rounded_points(entry.points * check.share / shares),
+                                       experiment(check));
         for (std::size_t k = 0; k < check.statistics.size(); ++k) {
             Statistics same;
             for (const auto& checks : checks_of_seeds()) {

@@ -39,7 +39,8 @@ std::string printable(std::string_view text, std::size_t most) {
             text.remove_prefix(1);
         } else {
             // what GitHub's runner takes for a command of its own
-            const bool begins_word = clean.empty() || clean.back() == ' ' || clean.back() == '\n' || clean.back() == '\t';
+            const bool begins_word =
+                clean.empty() || clean.back() == ' ' || clean.back() == '\n' || clean.back() == '\t';
             const bool is_command = text.starts_with("##[") || (begins_word && text.starts_with("::"));
             clean += text.substr(0, length);
             if (is_command) clean += ' ';
@@ -52,12 +53,23 @@ std::string printable(std::string_view text, std::size_t most) {
 std::string html(std::string_view text) {
     std::string safe;
     for (const char c : printable(text, 100'000)) switch (c) {
-            case '&': safe += "&amp;"; break;
-            case '<': safe += "&lt;"; break;
-            case '>': safe += "&gt;"; break;
-            case '"': safe += "&quot;"; break;
-            case '\'': safe += "&#39;"; break;
-            default: safe += c;
+            case '&':
+                safe += "&amp;";
+                break;
+            case '<':
+                safe += "&lt;";
+                break;
+            case '>':
+                safe += "&gt;";
+                break;
+            case '"':
+                safe += "&quot;";
+                break;
+            case '\'':
+                safe += "&#39;";
+                break;
+            default:
+                safe += c;
         }
     return safe;
 }

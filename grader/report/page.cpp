@@ -5,9 +5,9 @@
 
 #include <cmath>
 
+#include "diagnosis/diagnosis.h"
 #include "report/bar.h"
 #include "report/cost.h"
-#include "diagnosis/diagnosis.h"
 #include "report/escape.h"
 #include "report/picture.h"
 #include "report/style.h"
@@ -70,7 +70,9 @@ std::string statistics(const CheckRecord& check) {
             "class=\"number\">{:.3g}</td><td>{}</td>"
             "<td class=\"number\">{}</td><td>{}</td></tr>\n",
             html(s.id), html(s.what), number_in_table(s.value),
-            interval ? fmt::format("<br><span class=\"soft\">{} to {}</span>", number_in_table(s.low), number_in_table(s.high)) : "",
+            interval ? fmt::format("<br><span class=\"soft\">{} to {}</span>", number_in_table(s.low),
+                                   number_in_table(s.high))
+                     : "",
             number_in_table(s.truth), s.tolerance, bar(s), s.replicates, badge(s.verdict));
     }
     text += "</table>\n";
@@ -106,7 +108,8 @@ std::string fragment_section(const FragmentRecord& fragment, const std::string& 
         "<section class=\"card\" id=\"{0}\"><div class=\"head\"><h3>{0}</h3>{1}<span class=\"points\"><b>{2:g}</b> of "
         "{3:g}</span></div>\n",
         html(fragment.name), badge(fragment.verdict), fragment.points, fragment.max_points);
-    if (fragment.verdict == Verdict::did_not_build) text += fmt::format("<pre>{}</pre>\n", html(fragment.message));
+    if (fragment.verdict == Verdict::did_not_build)
+        text += fmt::format("<pre>{}</pre>\n", html(fragment.message));
     else if (!fragment.message.empty())
         text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(fragment.verdict), html(fragment.message));
     else if (!fragment.finding.arguments.empty())
@@ -150,7 +153,8 @@ std::string own_picture(const Record& record) {
             html(record.own_picture_fault));
     if (record.own_picture.pixels.empty()) return {};
     return fmt::format(
-        "<h2>The submission's own picture</h2><section class=\"card own\">{}<p class=\"soft\">{}, with all fragments of "
+        "<h2>The submission's own picture</h2><section class=\"card own\">{}<p class=\"soft\">{}, with all fragments "
+        "of "
         "the submission; blanks stand in for those that are missing or do not build{}.</p></section>\n",
         three_pictures(record.own_picture, record.own_picture_right, record.own_picture_exposure,
                        "of " + record.own_picture_scene),
@@ -163,7 +167,8 @@ std::string own_picture(const Record& record) {
 /// What has changed since the last grading.
 std::string notes(const Record& record) {
     std::string text;
-    for (const std::string& note : record.notes) text += fmt::format("<section class=\"card\"><p>Note: {}</p></section>\n", html(note));
+    for (const std::string& note : record.notes)
+        text += fmt::format("<section class=\"card\"><p>Note: {}</p></section>\n", html(note));
     return text;
 }
 
@@ -188,8 +193,8 @@ std::string page(const Record& record, const Assignment& assignment, const std::
         "<span>of {:g}</span>"
         "<div class=\"meter\" role=\"img\" aria-label=\"{:.0f} percent\"><i "
         "style=\"width:{:.1f}%\"></i></div></div></header>\n",
-        html(record.title), html(record.submission), record.seed,
-        record.score(), record.max_score(), 100 * share, 100 * share);
+        html(record.title), html(record.submission), record.seed, record.score(), record.max_score(), 100 * share,
+        100 * share);
     text += notes(record) + changes(record) + overview(record, assignment, handout) + own_picture(record);
     for (const Part& part : assignment.parts) {
         std::string sections;

@@ -14,9 +14,9 @@ struct Series {
     std::string name;
     std::vector<Point> points;
     bool dashed = false;
-    int color = -1;       // of the palette; -1: the series' place
-    bool dots = true;     // on the points; a dashed line has none
-    bool joined = true;   // by a line
+    int color = -1;      // of the palette; -1: the series' place
+    bool dots = true;    // on the points; a dashed line has none
+    bool joined = true;  // by a line
 };
 
 /// A power law to compare with: a thin line of this slope.

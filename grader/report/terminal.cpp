@@ -19,10 +19,14 @@ constexpr std::size_t line_width = 100;
 
 const char* color_of_verdict(Verdict verdict) {
     switch (verdict) {
-        case Verdict::passed: return "\033[32m";
-        case Verdict::not_started: return "\033[2m";
-        case Verdict::inconclusive: return "\033[33m";
-        default: return "\033[31m";
+        case Verdict::passed:
+            return "\033[32m";
+        case Verdict::not_started:
+            return "\033[2m";
+        case Verdict::inconclusive:
+            return "\033[33m";
+        default:
+            return "\033[31m";
     }
 }
 
@@ -85,8 +89,9 @@ std::string table(const Record& record, const Assignment& assignment, bool color
         std::ranges::copy_if(record.fragments, std::back_inserter(of_part.fragments),
                              [&](const FragmentRecord& fragment) { return fragment.part == part.name; });
         if (of_part.fragments.empty()) continue;
-        text += fmt::format("{}{:<43}{:>6} of {}{}\n{}\n", color ? "\033[1m" : "", part.title, points_in_line(of_part.score()),
-                            points_in_line(of_part.max_score()), color ? "\033[0m" : "", fragment_rows(of_part, color));
+        text += fmt::format("{}{:<43}{:>6} of {}{}\n{}\n", color ? "\033[1m" : "", part.title,
+                            points_in_line(of_part.score()), points_in_line(of_part.max_score()),
+                            color ? "\033[0m" : "", fragment_rows(of_part, color));
     }
     text += fmt::format("{}{:<43}{:>6} of {}{}\n", color ? "\033[1m" : "", "Total", points_in_line(record.score()),
                         points_in_line(record.max_score()), color ? "\033[0m" : "");
@@ -94,7 +99,8 @@ std::string table(const Record& record, const Assignment& assignment, bool color
     if (!record.changes.empty()) text += "Since the last run:\n";
     for (const std::string& change : record.changes) text += "  " + change + "\n";
     if (const auto ratio = record.efficiency_ratio())
-        text += fmt::format("Efficiency of pictures, 1/(MSE x CPU time): {:.2g} times the solution's (median)\n", *ratio);
+        text +=
+            fmt::format("Efficiency of pictures, 1/(MSE x CPU time): {:.2g} times the solution's (median)\n", *ratio);
     return text;
 }
 
@@ -104,8 +110,10 @@ void ProgressLine::show(int done, int all, const std::string& doing) {
     if (!on_) return;
     const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     std::string left;
-    if (done > 0 && done < all && elapsed > 1) left = fmt::format(", about {:.0f} s left", elapsed * (all - done) / done);
-    fmt::print(stderr, "\r\033[K{:.0f} %{}  {}", all > 0 ? std::min(100.0, 100.0 * done / all) : 0, left, printable(doing, 60));
+    if (done > 0 && done < all && elapsed > 1)
+        left = fmt::format(", about {:.0f} s left", elapsed * (all - done) / done);
+    fmt::print(stderr, "\r\033[K{:.0f} %{}  {}", all > 0 ? std::min(100.0, 100.0 * done / all) : 0, left,
+               printable(doing, 60));
     std::fflush(stderr);
     shown_ = true;
 }

@@ -8,8 +8,8 @@ namespace grade {
 /// Moments of a spot of light on black, per axis and about its centre, in pixels. Where pixels average over their area
 /// they add 1/12 to the variance.
 struct Blob {
-    double mass = 0;             // sum of brightness
-    rt::vec2 centroid{0};        // from the image's top left corner
+    double mass = 0;       // sum of brightness
+    rt::vec2 centroid{0};  // from the image's top left corner
     rt::vec2 variance{0};
     double covariance = 0;
     double radial_square = 0;    // mean square of the distance from the centroid

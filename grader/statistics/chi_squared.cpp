@@ -36,8 +36,10 @@ ChiSquared chi_squared_test(std::span<const double> observed, std::span<const do
     for (const Pool& pool : pools)
         if (pool.due > 0) result.statistic += (pool.seen - pool.due) * (pool.seen - pool.due) / pool.due;
     result.degrees = int(pools.size()) - 1;
-    if (impossible) result.p = 0;
-    else if (result.degrees > 0) result.p = chi_squared_tail(result.degrees, result.statistic);
+    if (impossible)
+        result.p = 0;
+    else if (result.degrees > 0)
+        result.p = chi_squared_tail(result.degrees, result.statistic);
     return result;
 }
 

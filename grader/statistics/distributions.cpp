@@ -27,9 +27,7 @@ double student_quantile(double degrees, double tail) {
     return entry->second;
 }
 
-double student_tail(double degrees, double x) {
-    return boost::math::cdf(boost::math::complement(Student(degrees), x));
-}
+double student_tail(double degrees, double x) { return boost::math::cdf(boost::math::complement(Student(degrees), x)); }
 
 double chi_squared_tail(double degrees, double x) {
     return boost::math::cdf(boost::math::complement(ChiSquaredLaw(degrees), x));

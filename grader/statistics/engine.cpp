@@ -31,8 +31,8 @@ struct Judge::Comparison {
     double value, truth;
     double deviation;  // value - truth
     double se, degrees;
-    double spread;     // standard deviation of a replicate
-    double least;      // the smallest deviation of a replicate, counted towards the mean's side
+    double spread;          // standard deviation of a replicate
+    double least;           // the smallest deviation of a replicate, counted towards the mean's side
     bool finite, constant;  // constant: own replicates all equal
 };
 
@@ -124,8 +124,10 @@ void Judge::look_at() {
         return judge(Verdict::passed, all);
 
     // looks wrong: is it, in fresh replicates?
-    if (look_ < first_failure ? is_gross(all) : fails(all, screen_tail_)) wanted_ = 2 * look_;
-    else next(next_look(look_));
+    if (look_ < first_failure ? is_gross(all) : fails(all, screen_tail_))
+        wanted_ = 2 * look_;
+    else
+        next(next_look(look_));
 }
 
 void Judge::confirm() {

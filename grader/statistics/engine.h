@@ -28,7 +28,7 @@ struct Judgement {
     double se = 0;             // standard error of value - truth
     double low = 0, high = 0;  // confidence interval of the value, at 1 - beta on either side
     int replicates = 0;
-    bool constant = false;     // the submission's replicates were all equal
+    bool constant = false;  // the submission's replicates were all equal
 };
 
 /// Decides between right and wrong from replicates, as soon as it is certain.
@@ -65,9 +65,9 @@ private:
     Comparison compare(int first, int last) const;
     bool fails(const Comparison& c, double tail) const;
     bool is_gross(const Comparison& c) const;
-    void advance();      // takes every look for which there are replicates
-    void look_at();      // one of them
-    void confirm();      // or at the fresh replicates
+    void advance();  // takes every look for which there are replicates
+    void look_at();  // one of them
+    void confirm();  // or at the fresh replicates
     void next(int look);
     void judge(Verdict verdict, const Comparison& c);
 
@@ -76,8 +76,8 @@ private:
     std::optional<double> truth_;
     std::vector<double> own_, reference_;
 
-    int look_, wanted_;          // wanted_ is twice look_ while a failure waits for its confirmation
-    double beta_left_;           // not spent yet
+    int look_, wanted_;  // wanted_ is twice look_ while a failure waits for its confirmation
+    double beta_left_;   // not spent yet
     double screen_tail_, confirm_tail_;
     std::optional<Judgement> judgement_;
 };

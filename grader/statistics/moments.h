@@ -7,7 +7,8 @@ namespace grade {
 /// Mean and variance of a set of numbers, updated one number at a time; no sum of squares is ever formed, so a small
 /// variance about a large mean stays exact.
 ///
-/// Source: Welford, "Note on a Method for Calculating Corrected Sums of Squares and Products", Technometrics 4(3), 1962.
+/// Source: Welford, "Note on a Method for Calculating Corrected Sums of Squares and Products", Technometrics 4(3),
+/// 1962.
 struct Moments {
     double count = 0;
     double mean = 0;

@@ -14,8 +14,7 @@ Spread edge_spread(std::span<const double> profile) {
         s.mean += step[k] * (double(k) + 0.5);
     }
     s.mean /= s.mass;
-    for (std::size_t k = 0; k < step.size(); ++k)
-        s.variance += step[k] * rt::sqr(double(k) + 0.5 - s.mean) / s.mass;
+    for (std::size_t k = 0; k < step.size(); ++k) s.variance += step[k] * rt::sqr(double(k) + 0.5 - s.mean) / s.mass;
     s.mean += 0.5;  // the first difference lies between pixels 0 and 1
     return s;
 }

@@ -10,7 +10,7 @@ namespace grade {
 /// Moments of a one-dimensional distribution, in pixels.
 struct Spread {
     double mass = 0;
-    double mean = 0;      // pixel k spans k to k + 1
+    double mean = 0;  // pixel k spans k to k + 1
     double variance = 0;
 };
 

@@ -9,16 +9,16 @@ namespace grade {
 enum class Verdict {
     passed,
     failed,
-    not_started,    // still the blank
+    not_started,  // still the blank
     did_not_build,
     crashed,
     timed_out,
-    not_finite,     // NaN or infinity
-    inconclusive,   // neither right nor wrong within the budget: for the instructor to look at
+    not_finite,    // NaN or infinity
+    inconclusive,  // neither right nor wrong within the budget: for the instructor to look at
 };
 
-constexpr std::array<std::string_view, 8> verdict_names = {
-    "passed", "failed", "not_started", "did_not_build", "crashed", "timed_out", "not_finite", "inconclusive"};
+constexpr std::array<std::string_view, 8> verdict_names = {"passed",  "failed",    "not_started", "did_not_build",
+                                                           "crashed", "timed_out", "not_finite",  "inconclusive"};
 
 /// The verdict as the record spells it.
 constexpr std::string_view name(Verdict verdict) { return verdict_names[static_cast<std::size_t>(verdict)]; }

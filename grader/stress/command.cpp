@@ -8,11 +8,11 @@
 
 #include "assignment/assignment.h"
 #include "files/files.h"
-#include "studies/studies.h"
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
 #include "stress/report.h"
 #include "stress/run.h"
+#include "studies/studies.h"
 
 namespace grade::stress {
 

@@ -7,8 +7,8 @@
 #include <mutex>
 #include <thread>
 
-#include "programs/runner.h"
 #include "programs/parallel.h"
+#include "programs/runner.h"
 
 namespace grade::stress {
 
@@ -87,8 +87,10 @@ std::vector<CountRecord> big_counts(Programs& programs, const fs::path& meshes, 
     std::vector<CountRecord> all;
     for (auto& [kind, record] : kinds(settings.rays)) {
         record.message = complaint_about(programs, record.fragments);
-        if (record.message.empty()) count_faults(kind, record, programs, meshes, settings);
-        else record.calls = 0;
+        if (record.message.empty())
+            count_faults(kind, record, programs, meshes, settings);
+        else
+            record.calls = 0;
         all.push_back(record);
     }
     return all;

@@ -48,8 +48,8 @@ double depth_in(const Truth& truth, bool is_quad) {
 struct Aim {
     double size = 1, length = 1;  // of patch and ray; of the direction
     double aspect = 1;
-    double angle = 0;             // between ray and patch; 0: not small
-    vec3 shift{0};                // of everything
+    double angle = 0;  // between ray and patch; 0: not small
+    vec3 shift{0};     // of everything
 };
 
 /// 200 rays that hit or clearly miss a patch. The error of a hit is in proportion to its distance and to `forgiven`.
@@ -97,27 +97,51 @@ std::vector<Family> flat_families() {
     std::vector<Family> all;
     for (const bool quad : {true, false}) {
         const std::string shape = quad ? "quad" : "triangle", hit = "hit_" + shape;
-        const FlatFamily both[] = {
-            {.suffix = "_scale", .swept = "size of " + shape + " and ray [m]", .error = "error of the hit / size",
-             .decades = sweep(-60, 60, 3), .scored = {-3, 3}, .aim = [](double x) { return Aim{.size = x}; }},
-            {.suffix = "_direction", .swept = "length of the direction", .error = "error of the hit",
-             .decades = sweep(-12, 12), .scored = {-3, 3}, .aim = [](double x) { return Aim{.length = x}; }},
-            {.suffix = "_grazing", .swept = "angle between ray and " + shape, .error = "error of the hit x angle",
-             .decades = sweep(-12, -1), .scored = {-3, -1}, .aim = [](double x) { return Aim{.angle = x}; },
-             .forgiven = [](double x) { return 1 / x; }},
-            {.suffix = "_far", .swept = "distance from the world's origin [m]", .error = "error of the hit",
-             .decades = sweep(0, 12), .scored = {0, 3},
-             .aim = [](double x) { return Aim{.shift = x * vec3(0.7, -0.2, 0.5)}; }},
-            {.suffix = "_needle", .swept = "length / width of the " + shape, .error = "error of the hit / aspect",
-             .decades = sweep(0, 12), .scored = {0, 3}, .aim = [](double x) { return Aim{.aspect = x}; },
-             .forgiven = [](double x) { return x; }}};
+        const FlatFamily both[] = {{.suffix = "_scale",
+                                    .swept = "size of " + shape + " and ray [m]",
+                                    .error = "error of the hit / size",
+                                    .decades = sweep(-60, 60, 3),
+                                    .scored = {-3, 3},
+                                    .aim = [](double x) { return Aim{.size = x}; }},
+                                   {.suffix = "_direction",
+                                    .swept = "length of the direction",
+                                    .error = "error of the hit",
+                                    .decades = sweep(-12, 12),
+                                    .scored = {-3, 3},
+                                    .aim = [](double x) { return Aim{.length = x}; }},
+                                   {.suffix = "_grazing",
+                                    .swept = "angle between ray and " + shape,
+                                    .error = "error of the hit x angle",
+                                    .decades = sweep(-12, -1),
+                                    .scored = {-3, -1},
+                                    .aim = [](double x) { return Aim{.angle = x}; },
+                                    .forgiven = [](double x) { return 1 / x; }},
+                                   {.suffix = "_far",
+                                    .swept = "distance from the world's origin [m]",
+                                    .error = "error of the hit",
+                                    .decades = sweep(0, 12),
+                                    .scored = {0, 3},
+                                    .aim = [](double x) { return Aim{.shift = x * vec3(0.7, -0.2, 0.5)}; }},
+                                   {.suffix = "_needle",
+                                    .swept = "length / width of the " + shape,
+                                    .error = "error of the hit / aspect",
+                                    .decades = sweep(0, 12),
+                                    .scored = {0, 3},
+                                    .aim = [](double x) { return Aim{.aspect = x}; },
+                                    .forgiven = [](double x) { return x; }}};
         for (const FlatFamily& f : both)
-            all.push_back({.name = shape + f.suffix, .fragments = {hit}, .swept = f.swept, .error = f.error,
-                           .tolerance = 1e-7, .bound = 64 * rt::roundoff, .decades = f.decades, .scored = f.scored,
-                           .measure = [=, aim = f.aim, forgiven = f.forgiven](double x, Generator& random,
-                                                                              const Asker& ask) {
-                               return error_of_patches(quad, aim(x), forgiven(x), random, ask);
-                           }});
+            all.push_back(
+                {.name = shape + f.suffix,
+                 .fragments = {hit},
+                 .swept = f.swept,
+                 .error = f.error,
+                 .tolerance = 1e-7,
+                 .bound = 64 * rt::roundoff,
+                 .decades = f.decades,
+                 .scored = f.scored,
+                 .measure = [=, aim = f.aim, forgiven = f.forgiven](double x, Generator& random, const Asker& ask) {
+                     return error_of_patches(quad, aim(x), forgiven(x), random, ask);
+                 }});
     }
     return all;
 }

@@ -26,7 +26,10 @@ Wall wall(Surface kind, double size, Generator& random) {
     const rt::Frame frame = rt::frame_about(direction(random));
     const double radius = size * log_between(random, 0.5, 2);
     const rt::Quad quad{center, radius * frame.x, radius * frame.y};
-    return {kind, {center, radius}, quad, {center - quad.u - quad.v, center + quad.u - quad.v, center + 2.0 * quad.v},
+    return {kind,
+            {center, radius},
+            quad,
+            {center - quad.u - quad.v, center + quad.u - quad.v, center + 2.0 * quad.v},
             rt::largest(vec3(std::abs(center.x), std::abs(center.y), std::abs(center.z)) + radius)};
 }
 
@@ -110,20 +113,35 @@ std::vector<Family> leaving_families() {
     std::vector<Family> all;
     for (const Surface kind : {Surface::sphere, Surface::quad, Surface::triangle}) {
         const std::string hit = fragment_of(kind);
-        all.push_back({.name = "self_" + hit, .fragments = {"shadow_ray", hit}, .swept = "size of the scene [m]",
-                       .error = "share of rays that meet the surface they leave", .tolerance = 0.01,
-                       .decades = sweep(-60, 60, 3), .scored = {-3, 3},
+        all.push_back({.name = "self_" + hit,
+                       .fragments = {"shadow_ray", hit},
+                       .swept = "size of the scene [m]",
+                       .error = "share of rays that meet the surface they leave",
+                       .tolerance = 0.01,
+                       .decades = sweep(-60, 60, 3),
+                       .scored = {-3, 3},
                        .measure = [=](double x, Generator& random, const Asker& ask) {
                            return self_hits(kind, x, random, ask);
                        }});
     }
-    all.insert(all.end(), {
-        {.name = "shadow_offset", .fragments = {"shadow_ray"}, .swept = "size of the scene [m]",
-         .error = "gap between surface and ray / size", .tolerance = 5e-3, .bound = 1e-9,
-         .decades = sweep(-60, 60, 3), .scored = {-3, 3}, .measure = shadow_offset},
-        {.name = "shadow_end", .fragments = {"shadow_ray"}, .swept = "distance of the light [m]",
-         .error = "gap between ray and light / distance", .tolerance = 5e-3, .bound = 1e-6,
-         .decades = sweep(-60, 60, 3), .scored = {-3, 3}, .measure = shadow_end}});
+    all.insert(all.end(), {{.name = "shadow_offset",
+                            .fragments = {"shadow_ray"},
+                            .swept = "size of the scene [m]",
+                            .error = "gap between surface and ray / size",
+                            .tolerance = 5e-3,
+                            .bound = 1e-9,
+                            .decades = sweep(-60, 60, 3),
+                            .scored = {-3, 3},
+                            .measure = shadow_offset},
+                           {.name = "shadow_end",
+                            .fragments = {"shadow_ray"},
+                            .swept = "distance of the light [m]",
+                            .error = "gap between ray and light / distance",
+                            .tolerance = 5e-3,
+                            .bound = 1e-6,
+                            .decades = sweep(-60, 60, 3),
+                            .scored = {-3, 3},
+                            .measure = shadow_end}});
     return all;
 }
 

@@ -53,8 +53,7 @@ std::string overview(const StressRecord& record) {
             "<tr><td><a href=\"#{0}\">{0}</a></td><td "
             "class=\"soft\">{1}{2}</td><td>{3}</td><td>{4}</td><td>{5}</td><td>{6}</td></tr>\n",
             html(f.family->name), html(f.family->swept), message.empty() ? "" : "<br>" + html(message), badge(f),
-            f.started ? reach_bar(f) : "", f.started ? html(in_words(f.reach)) : "",
-            html(in_words(f.solution)));
+            f.started ? reach_bar(f) : "", f.started ? html(in_words(f.reach)) : "", html(in_words(f.solution)));
     }
     return text + "</table></section>\n";
 }
@@ -99,9 +98,8 @@ std::string page(const StressRecord& record, const std::string& title) {
         "class=\"score\"><b>{}</b> <span>of {} families</span>"
         "<div class=\"meter\" role=\"img\" aria-label=\"{:.0f} percent\"><i style=\"width:{:.1f}%\"></i></div>"
         "<p class=\"soft\">bonus: {} decades beyond ordinary scenes; the solution {}</p></div></header>\n",
-        html(title), html(record.submission), record.scored(),
-        record.most_scored(), 100 * share, 100 * share, record.bonus(),
-        record.most_bonus());
+        html(title), html(record.submission), record.scored(), record.most_scored(), 100 * share, 100 * share,
+        record.bonus(), record.most_bonus());
     text += overview(record) + counts(record) + plots(record);
     return text + fmt::format(
                       "<h2>About this run</h2><section class=\"card soft\"><p>Again: <code>{}</code></p><p>Toolchain: "

@@ -85,8 +85,10 @@ std::string error_plot(const FamilyRecord& f) {
         const DecadeRecord& d = f.decades[i];
         const double x = at.middle(i), v = y(height_of(*f.family, d));
         // failures are triangles, so that shape tells as well as colour
-        if (d.passed) svg += fmt::format("<circle class=\"dot good\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\"/>", x, v);
-        else svg += fmt::format("<path class=\"dot bad\" d=\"M{:.1f} {:.1f} l4 7 h-8 Z\"/>", x, v - 4);
+        if (d.passed)
+            svg += fmt::format("<circle class=\"dot good\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\"/>", x, v);
+        else
+            svg += fmt::format("<path class=\"dot bad\" d=\"M{:.1f} {:.1f} l4 7 h-8 Z\"/>", x, v - 4);
     }
     return svg + "</svg>";
 }

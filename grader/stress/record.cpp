@@ -62,12 +62,9 @@ std::string in_words(const Reach& reach) {
 }
 
 std::string to_json(const StressRecord& record) {
-    Json json{{"schema", "penumbra/stress/v1"},
-              {"submission", record.submission},
-              {"scored", record.scored()},
-              {"max_scored", record.most_scored()},
-              {"bonus", record.bonus()},
-              {"solution_bonus", record.most_bonus()}};
+    Json json{{"schema", "penumbra/stress/v1"}, {"submission", record.submission},
+              {"scored", record.scored()},      {"max_scored", record.most_scored()},
+              {"bonus", record.bonus()},        {"solution_bonus", record.most_bonus()}};
     for (const FamilyRecord& f : record.families) {
         Json family{{"name", f.family->name},
                     {"fragments", f.family->fragments},

@@ -24,7 +24,7 @@ struct FamilyRecord {
     std::string message;                // else: why not
     std::vector<DecadeRecord> decades;  // as in the family
     Reach reach;
-    Reach solution;                     // of the solution
+    Reach solution;  // of the solution
 
     bool is_scored() const { return !family->scored.empty(); }
     bool scored_passed() const {
@@ -37,11 +37,11 @@ struct FamilyRecord {
 
 /// One of the big counts of a long run.
 struct CountRecord {
-    std::string name, what;               // "mesh", "rays from within a closed mesh that get out"
-    std::vector<std::string> fragments;   // that took part
+    std::string name, what;              // "mesh", "rays from within a closed mesh that get out"
+    std::vector<std::string> fragments;  // that took part
     double calls = 0, faults = 0;
-    double seconds = 0;                   // CPU time
-    std::string message;                  // why it ended early
+    double seconds = 0;   // CPU time
+    std::string message;  // why it ended early
 };
 
 struct StressRecord {
@@ -50,10 +50,10 @@ struct StressRecord {
     std::vector<CountRecord> counts;  // of a long run
     double cpu_seconds = 0;           // of the submission's program
 
-    int scored() const;         // families whose ordinary decades all pass
+    int scored() const;  // families whose ordinary decades all pass
     int most_scored() const;
     int bonus() const;
-    int most_bonus() const;     // of the solution
+    int most_bonus() const;  // of the solution
 };
 
 /// The decades that pass, on from the mildest of the family.

@@ -8,9 +8,9 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "programs/runner.h"
 #include "programs/parallel.h"
 #include "programs/programs.h"
+#include "programs/runner.h"
 #include "stress/count.h"
 
 namespace grade::stress {
@@ -40,21 +40,19 @@ std::vector<DecadeRecord> sweep_family(const Family& family, const Programs& pro
     std::unique_ptr<Runner> runner;
     const auto alive = [&]() -> Runner& {
         if (!runner)
-            runner =
-                std::make_unique<Runner>(programs.copy_for(name, program), programs.sandbox(), meshes, time_limit);
+            runner = std::make_unique<Runner>(programs.copy_for(name, program), programs.sandbox(), meshes, time_limit);
         return *runner;
     };
-    const Asker ask{
-        [&](const std::string& fragment, const Rows& rows) {
-            Rows out = value_of(alive().probe(fragment, rows));
-            cpu_seconds += alive().seconds();
-            return out;
-        },
-        [&](const std::string& scene, int samples) {
-            rt::Image image = value_of(alive().render({scene, samples, "random"}, 1));
-            cpu_seconds += alive().seconds();
-            return image;
-        }};
+    const Asker ask{[&](const std::string& fragment, const Rows& rows) {
+                        Rows out = value_of(alive().probe(fragment, rows));
+                        cpu_seconds += alive().seconds();
+                        return out;
+                    },
+                    [&](const std::string& scene, int samples) {
+                        rt::Image image = value_of(alive().render({scene, samples, "random"}, 1));
+                        cpu_seconds += alive().seconds();
+                        return image;
+                    }};
 
     // outwards from the mildest
     std::vector<int> order = family.decades;
@@ -73,7 +71,8 @@ std::vector<DecadeRecord> sweep_family(const Family& family, const Programs& pro
             } catch (const std::out_of_range&) {
                 result.message = "the answer is too short";
             }
-        else result.message = "not tried: a milder one did not end";
+        else
+            result.message = "not tried: a milder one did not end";
         result.passed = result.error <= family.allowed(decade);
         decades.push_back(std::move(result));
     }

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "assignment/assignment.h"
-#include "submission/submission.h"
 #include "programs/toolchain.h"
 #include "stress/record.h"
+#include "submission/submission.h"
 
 namespace grade::stress {
 

@@ -55,9 +55,8 @@ auto exponent(bool direct) {
             const Exact3 n = unit(Exact3(s.n)), d = unit(Exact3(s.to_light)), c = unit(Exact3(s.to_viewer));
             truths.push_back(pow(dot(2 * dot(n, d) * n - d, c), Exact(x)));
         }
-        return worst_of_rows(ask, direct ? "direct_light" : "phong", rows, [&](std::size_t i, const Row& out) {
-            return relative(from_row<Color>(out), truths[i]);
-        });
+        return worst_of_rows(ask, direct ? "direct_light" : "phong", rows,
+                             [&](std::size_t i, const Row& out) { return relative(from_row<Color>(out), truths[i]); });
     };
 }
 
@@ -87,7 +86,8 @@ auto intensity(const std::string& fragment) {
                 const Color light(rows == &one ? 1 : x);
                 if (fragment == "point_irradiance")
                     rows->push_back(row(PointLight{2.0 * s.to_light, light}, vec3(0), s.n));
-                else rows->push_back(call_of(fragment == "direct_light", m, light, s));
+                else
+                    rows->push_back(call_of(fragment == "direct_light", m, light, s));
             }
         }
         const Rows base = ask.probe(fragment, one);
@@ -103,25 +103,68 @@ std::vector<Family> shading_families() {
     constexpr double u = rt::roundoff;
     const std::vector<int> wide = sweep(-60, 60, 3);
     return {
-        {.name = "light_distance", .fragments = {"point_irradiance"}, .swept = "distance of a point light [m]",
-         .error = "relative error", .tolerance = 1e-5, .bound = 32 * u, .decades = wide, .scored = {-3, 3},
+        {.name = "light_distance",
+         .fragments = {"point_irradiance"},
+         .swept = "distance of a point light [m]",
+         .error = "relative error",
+         .tolerance = 1e-5,
+         .bound = 32 * u,
+         .decades = wide,
+         .scored = {-3, 3},
          .measure = light_distance},
-        {.name = "light_intensity", .fragments = {"point_irradiance"}, .swept = "intensity of a point light",
-         .error = "relative error", .tolerance = 1e-5, .bound = 16 * u, .decades = wide, .scored = {-3, 3},
+        {.name = "light_intensity",
+         .fragments = {"point_irradiance"},
+         .swept = "intensity of a point light",
+         .error = "relative error",
+         .tolerance = 1e-5,
+         .bound = 16 * u,
+         .decades = wide,
+         .scored = {-3, 3},
          .measure = intensity("point_irradiance")},
-        {.name = "phong_exponent", .fragments = {"phong"}, .swept = "exponent of a highlight",
-         .error = "relative error", .tolerance = 2e-2, .bound = 1e-10, .decades = sweep(0, 14), .scored = {0, 4},
+        {.name = "phong_exponent",
+         .fragments = {"phong"},
+         .swept = "exponent of a highlight",
+         .error = "relative error",
+         .tolerance = 2e-2,
+         .bound = 1e-10,
+         .decades = sweep(0, 14),
+         .scored = {0, 4},
          .measure = exponent(false)},
-        {.name = "phong_intensity", .fragments = {"phong"}, .swept = "irradiance", .error = "relative error",
-         .tolerance = 1e-5, .bound = 16 * u, .decades = wide, .scored = {-3, 3}, .measure = intensity("phong")},
-        {.name = "direct_exponent", .fragments = {"direct_light"}, .swept = "exponent of a highlight",
-         .error = "relative error", .tolerance = 2e-2, .bound = 1e-10, .decades = sweep(0, 14), .scored = {0, 4},
+        {.name = "phong_intensity",
+         .fragments = {"phong"},
+         .swept = "irradiance",
+         .error = "relative error",
+         .tolerance = 1e-5,
+         .bound = 16 * u,
+         .decades = wide,
+         .scored = {-3, 3},
+         .measure = intensity("phong")},
+        {.name = "direct_exponent",
+         .fragments = {"direct_light"},
+         .swept = "exponent of a highlight",
+         .error = "relative error",
+         .tolerance = 2e-2,
+         .bound = 1e-10,
+         .decades = sweep(0, 14),
+         .scored = {0, 4},
          .measure = exponent(true)},
-        {.name = "direct_density", .fragments = {"direct_light"}, .swept = "density of a light's sample [1/sr]",
-         .error = "relative error", .tolerance = 1e-5, .bound = 32 * u, .decades = wide, .scored = {-3, 3},
+        {.name = "direct_density",
+         .fragments = {"direct_light"},
+         .swept = "density of a light's sample [1/sr]",
+         .error = "relative error",
+         .tolerance = 1e-5,
+         .bound = 32 * u,
+         .decades = wide,
+         .scored = {-3, 3},
          .measure = density_of_light},
-        {.name = "direct_intensity", .fragments = {"direct_light"}, .swept = "radiance of a light",
-         .error = "relative error", .tolerance = 1e-5, .bound = 16 * u, .decades = wide, .scored = {-3, 3},
+        {.name = "direct_intensity",
+         .fragments = {"direct_light"},
+         .swept = "radiance of a light",
+         .error = "relative error",
+         .tolerance = 1e-5,
+         .bound = 16 * u,
+         .decades = wide,
+         .scored = {-3, 3},
          .measure = intensity("direct_light")},
     };
 }

@@ -43,9 +43,9 @@ double error_of(double t, const Sphere& sphere, const Ray& ray, double size) {
 }
 
 double error_of_shots(const Rows& rows, double size, const Asker& ask) {
-    return worst_of<rt::hit_sphere>(
-        ask, "hit_sphere", rows,
-        [=](double t, const Sphere& sphere, const Ray& ray) { return error_of(t, sphere, ray, size); });
+    return worst_of<rt::hit_sphere>(ask, "hit_sphere", rows, [=](double t, const Sphere& sphere, const Ray& ray) {
+        return error_of(t, sphere, ray, size);
+    });
 }
 
 /// Rays at spheres from so far away.
@@ -125,23 +125,58 @@ double sphere_rim(double x, Generator& random, const Asker& ask) {
 std::vector<Family> sphere_families() {
     constexpr double u = rt::roundoff;
     return {
-        {.name = "far_sphere", .fragments = {"hit_sphere"}, .swept = "distance of a sphere / its radius",
-         .error = "error of the hit / distance", .tolerance = 1e-7, .bound = 16 * u, .decades = sweep(0, 12),
-         .scored = {0, 3}, .measure = far_sphere},
-        {.name = "ground_sphere", .fragments = {"hit_sphere"}, .swept = "radius of the ground [10 m]",
-         .error = "error of the hit / radius", .tolerance = 1e-7, .bound = 16 * u, .decades = sweep(0, 12),
-         .scored = {0, 2}, .measure = ground_sphere},
-        {.name = "sphere_scale", .fragments = {"hit_sphere"}, .swept = "size of sphere and ray [m]",
-         .error = "error of the hit / size", .tolerance = 1e-7, .bound = 64 * u, .decades = sweep(-60, 60, 3),
-         .scored = {-3, 3}, .measure = sphere_scale},
-        {.name = "sphere_direction", .fragments = {"hit_sphere"}, .swept = "length of the direction",
-         .error = "error of the hit", .tolerance = 1e-7, .bound = 64 * u, .decades = sweep(-12, 12),
-         .scored = {-3, 3}, .measure = sphere_direction},
-        {.name = "sphere_offset", .fragments = {"hit_sphere"}, .swept = "distance from the world's origin [m]",
-         .error = "error of the hit", .tolerance = 1e-7, .bound = 64 * u, .decades = sweep(0, 12), .scored = {0, 3},
+        {.name = "far_sphere",
+         .fragments = {"hit_sphere"},
+         .swept = "distance of a sphere / its radius",
+         .error = "error of the hit / distance",
+         .tolerance = 1e-7,
+         .bound = 16 * u,
+         .decades = sweep(0, 12),
+         .scored = {0, 3},
+         .measure = far_sphere},
+        {.name = "ground_sphere",
+         .fragments = {"hit_sphere"},
+         .swept = "radius of the ground [10 m]",
+         .error = "error of the hit / radius",
+         .tolerance = 1e-7,
+         .bound = 16 * u,
+         .decades = sweep(0, 12),
+         .scored = {0, 2},
+         .measure = ground_sphere},
+        {.name = "sphere_scale",
+         .fragments = {"hit_sphere"},
+         .swept = "size of sphere and ray [m]",
+         .error = "error of the hit / size",
+         .tolerance = 1e-7,
+         .bound = 64 * u,
+         .decades = sweep(-60, 60, 3),
+         .scored = {-3, 3},
+         .measure = sphere_scale},
+        {.name = "sphere_direction",
+         .fragments = {"hit_sphere"},
+         .swept = "length of the direction",
+         .error = "error of the hit",
+         .tolerance = 1e-7,
+         .bound = 64 * u,
+         .decades = sweep(-12, 12),
+         .scored = {-3, 3},
+         .measure = sphere_direction},
+        {.name = "sphere_offset",
+         .fragments = {"hit_sphere"},
+         .swept = "distance from the world's origin [m]",
+         .error = "error of the hit",
+         .tolerance = 1e-7,
+         .bound = 64 * u,
+         .decades = sweep(0, 12),
+         .scored = {0, 3},
          .measure = sphere_offset},
-        {.name = "sphere_rim", .fragments = {"hit_sphere"}, .swept = "distance of a ray from the rim / radius",
-         .error = "wrong verdicts", .decades = sweep(-13, -1), .scored = {-3, -1}, .measure = sphere_rim},
+        {.name = "sphere_rim",
+         .fragments = {"hit_sphere"},
+         .swept = "distance of a ray from the rim / radius",
+         .error = "wrong verdicts",
+         .decades = sweep(-13, -1),
+         .scored = {-3, -1},
+         .measure = sphere_rim},
     };
 }
 

@@ -16,7 +16,8 @@ std::string table(const StressRecord& record, bool color) {
         const std::string scored = !f.is_scored() ? "" : f.scored_passed() ? "passed" : f.started ? "failed" : "-";
         const char* code = !f.is_scored() || !f.started ? "\033[2m" : f.scored_passed() ? "\033[32m" : "\033[31m";
         text += fmt::format("{:<30}{:<47}{}{:<17}{}\n", f.family->name, f.family->swept,
-                            paint(code, fmt::format("{:<13}", scored)), f.started ? in_words(f.reach) : "-", in_words(f.solution));
+                            paint(code, fmt::format("{:<13}", scored)), f.started ? in_words(f.reach) : "-",
+                            in_words(f.solution));
         if (!f.started)
             text += fmt::format("    {}: {}\n", f.family->fragments.front(),
                                 printable(f.message.substr(0, f.message.find('\n')), 90));

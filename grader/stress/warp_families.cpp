@@ -42,9 +42,8 @@ double strata_end(double x, Generator&, const Asker& ask) {
         rows.push_back(row(n - 1, n, vec2(u))), rows.push_back(row(n / 2, n, vec2(u))),
             rows.push_back(row(0, n, vec2(u)));
     }
-    return worst_of<rt::stratified_2d>(ask, "stratified_2d", rows, [](vec2 p) {
-        return p.x >= 0 && p.x < 1 && p.y >= 0 && p.y < 1 ? 0 : rt::inf;
-    });
+    return worst_of<rt::stratified_2d>(ask, "stratified_2d", rows,
+                                       [](vec2 p) { return p.x >= 0 && p.x < 1 && p.y >= 0 && p.y < 1 ? 0 : rt::inf; });
 }
 
 /// A pixel so far from the film's corner: all samples are in it, and fill a cell of the right area each.
@@ -103,20 +102,49 @@ double hemisphere_border(double x, Generator&, const Asker& ask) {
 std::vector<Family> warp_families() {
     constexpr double u = rt::roundoff;
     return {
-        {.name = "strata_count", .fragments = {"stratified_2d"}, .swept = "number of cells",
-         .error = "relative error of a cell's area", .tolerance = 1e-4, .bound = 1e-9, .decades = sweep(0, 9),
-         .scored = {0, 4}, .measure = strata_count},
-        {.name = "strata_end", .fragments = {"stratified_2d"}, .swept = "distance of u from 1",
-         .error = "points at 1", .decades = sweep(-16, -1), .scored = {-3, -1}, .measure = strata_end},
-        {.name = "film_position", .fragments = {"film_sample"}, .swept = "place of a pixel on the film",
-         .error = "error of a cell's area / place", .tolerance = 1e-3, .bound = 64 * u, .decades = sweep(0, 9),
-         .scored = {0, 3}, .measure = film_position},
-        {.name = "disk_border", .fragments = {"uniform_disk"}, .swept = "distance of u from a border",
-         .error = "length beyond 1, error of the density", .tolerance = 1e-5, .bound = 8 * u,
-         .decades = sweep(-16, -1), .scored = {-3, -1}, .measure = disk_border},
-        {.name = "hemisphere_border", .fragments = {"cosine_hemisphere"}, .swept = "distance of u from a border",
-         .error = "error of length and density", .tolerance = 1e-5, .bound = 8 * u, .decades = sweep(-16, -1),
-         .scored = {-3, -1}, .measure = hemisphere_border},
+        {.name = "strata_count",
+         .fragments = {"stratified_2d"},
+         .swept = "number of cells",
+         .error = "relative error of a cell's area",
+         .tolerance = 1e-4,
+         .bound = 1e-9,
+         .decades = sweep(0, 9),
+         .scored = {0, 4},
+         .measure = strata_count},
+        {.name = "strata_end",
+         .fragments = {"stratified_2d"},
+         .swept = "distance of u from 1",
+         .error = "points at 1",
+         .decades = sweep(-16, -1),
+         .scored = {-3, -1},
+         .measure = strata_end},
+        {.name = "film_position",
+         .fragments = {"film_sample"},
+         .swept = "place of a pixel on the film",
+         .error = "error of a cell's area / place",
+         .tolerance = 1e-3,
+         .bound = 64 * u,
+         .decades = sweep(0, 9),
+         .scored = {0, 3},
+         .measure = film_position},
+        {.name = "disk_border",
+         .fragments = {"uniform_disk"},
+         .swept = "distance of u from a border",
+         .error = "length beyond 1, error of the density",
+         .tolerance = 1e-5,
+         .bound = 8 * u,
+         .decades = sweep(-16, -1),
+         .scored = {-3, -1},
+         .measure = disk_border},
+        {.name = "hemisphere_border",
+         .fragments = {"cosine_hemisphere"},
+         .swept = "distance of u from a border",
+         .error = "error of length and density",
+         .tolerance = 1e-5,
+         .bound = 8 * u,
+         .decades = sweep(-16, -1),
+         .scored = {-3, -1},
+         .measure = hemisphere_border},
     };
 }
 

@@ -18,6 +18,8 @@ constexpr std::array<Study, 4> studies{
      {"lesson", "part 1 in plots: how fast errors fall, by the way of sampling"},
      {"calibrate", "grade known wrong and right fragments: how far can verdicts be trusted?"}}};
 
-constexpr const char* purpose_of(std::string_view name) { return std::ranges::find(studies, name, &Study::name)->purpose; }
+constexpr const char* purpose_of(std::string_view name) {
+    return std::ranges::find(studies, name, &Study::name)->purpose;
+}
 
 }  // namespace grade

@@ -13,9 +13,9 @@ namespace grade {
 struct Found {
     std::map<std::string, std::string> texts, complaints;
     std::map<std::string, std::string> near;  // by path: the fragment that this file, by its name, is nearly
-    std::set<std::string> doubled;            // paths that are there twice, with different texts: the later one is taken
-    std::vector<std::string> archives;        // within the submission
-    int unnamed = 0;                          // files whose names cannot be read
+    std::set<std::string> doubled;      // paths that are there twice, with different texts: the later one is taken
+    std::vector<std::string> archives;  // within the submission
+    int unnamed = 0;                    // files whose names cannot be read
 
     /// Notes a file that is no fragment by its name.
     void look_at_name(const std::string& path, const std::vector<std::string>& fragments);

@@ -13,8 +13,10 @@ namespace {
 /// The end of the literal that starts with the quote at `start`.
 std::size_t end_of_literal(std::string_view text, std::size_t start) {
     for (std::size_t i = start + 1; i < text.size(); ++i) {
-        if (text[i] == '\\') ++i;
-        else if (text[i] == text[start] || text[i] == '\n') return i + 1;
+        if (text[i] == '\\')
+            ++i;
+        else if (text[i] == text[start] || text[i] == '\n')
+            return i + 1;
     }
     return text.size();
 }

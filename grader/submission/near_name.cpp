@@ -10,7 +10,8 @@ namespace grade {
 
 namespace {
 
-constexpr std::array sources{"cpp", "cc", "cxx", "c++", "c", "cp", "hpp", "hxx", "hh", "h", "txt", "text", "bak", "orig", "old", "save", "cpp~"};
+constexpr std::array sources{"cpp", "cc",  "cxx",  "c++", "c",    "cp",  "hpp",  "hxx", "hh",
+                             "h",   "txt", "text", "bak", "orig", "old", "save", "cpp~"};
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
@@ -61,7 +62,8 @@ std::optional<std::string> nearly_named(std::string_view file, const std::vector
     std::optional<std::string> best;
     for (const std::string& fragment : fragments) {
         std::string words = stem;
-        std::replace_if(words.begin(), words.end(), [](char c) { return c == '-' || c == ' ' || c == '.'; }, '_');
+        std::replace_if(
+            words.begin(), words.end(), [](char c) { return c == '-' || c == ' ' || c == '.'; }, '_');
         const bool holds = has_word(words, fragment) || has_word(stem, bare(fragment)) || letters == bare(fragment);
         if (holds && (!best || fragment.size() > best->size())) best = fragment;
     }
@@ -70,14 +72,16 @@ std::optional<std::string> nearly_named(std::string_view file, const std::vector
     for (const std::string& fragment : fragments) names.push_back(bare(fragment));
     const auto nearest = rt::nearest_word(letters, names);
     const std::size_t differ = letters.size() / 5;  // letters, in a slip of the fingers
-    if (!nearest || letters.size() < 5 || letters.size() + differ < nearest->size() || nearest->size() + differ < letters.size()) return {};
+    if (!nearest || letters.size() < 5 || letters.size() + differ < nearest->size() ||
+        nearest->size() + differ < letters.size())
+        return {};
     return fragments[std::size_t(std::find(names.begin(), names.end(), *nearest) - names.begin())];
 }
 
 bool is_set_aside(std::string_view folder) {
     const std::string name = lower(folder);
-    for (const char* word : {"old", "older", "backup", "backups", "bak", "copy", "copies", "previous", "prev", "orig", "original",
-                             "archive", "archived", "trash", "unused"})
+    for (const char* word : {"old", "older", "backup", "backups", "bak", "copy", "copies", "previous", "prev", "orig",
+                             "original", "archive", "archived", "trash", "unused"})
         if (has_word(name, word)) return true;
     return name.starts_with(".");
 }

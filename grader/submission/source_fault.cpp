@@ -37,8 +37,13 @@ SourceFault start_of(std::string_view text) {
     const char* source = "the fragment's C++ source";
     if (starts("<!doctype") || starts("<html") || starts("<?xml")) return {first, "this is a web page", source};
     if (starts("{\\rtf")) return {first, "this is a document of a word processor (RTF)", "plain text"};
-    if (starts("%pdf") || starts("pk\x03\x04") || starts("\x7f" "elf") || starts("\xd0\xcf\x11\xe0")) return {first, "this is no text file", source};
-    if (starts("```")) return {first, "this is Markdown: the line " + in_quotes(text.substr(first)) + " is no C++", "C++ alone"};
+    if (starts("%pdf") || starts("pk\x03\x04") ||
+        starts("\x7f"
+               "elf") ||
+        starts("\xd0\xcf\x11\xe0"))
+        return {first, "this is no text file", source};
+    if (starts("```"))
+        return {first, "this is Markdown: the line " + in_quotes(text.substr(first)) + " is no C++", "C++ alone"};
     if (starts("diff --git") || starts("--- a/")) return {first, "this is a patch, not the patched file", source};
     return {text.npos, {}, {}};
 }
@@ -91,10 +96,12 @@ std::string source_fault(std::string_view text, const std::string& shown) {
     const auto said = [&](const SourceFault& fault) {
         const std::string_view before = text.substr(0, fault.at);
         const std::size_t start = before.rfind('\n') + 1;  // npos + 1 is 0
-        return fmt::format("{}:{}:{}: error: {}; expected {}\n", shown, 1 + std::count(before.begin(), before.end(), '\n'),
-                           1 + fault.at - start, fault.wrong, fault.expected);
+        return fmt::format("{}:{}:{}: error: {}; expected {}\n", shown,
+                           1 + std::count(before.begin(), before.end(), '\n'), 1 + fault.at - start, fault.wrong,
+                           fault.expected);
     };
-    if (is_wide(text)) return said({0, "the file is UTF-16 text, which no compiler reads", "UTF-8: save it again as such"});
+    if (is_wide(text))
+        return said({0, "the file is UTF-16 text, which no compiler reads", "UTF-8: save it again as such"});
     for (const SourceFault& fault : {start_of(text), conflict_in(text), open_comment_in(text)})
         if (fault.at != text.npos) return said(fault);
     if (const std::size_t nul = text.find('\0'); nul != text.npos)

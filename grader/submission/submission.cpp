@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "submission/archive.h"
 #include "files/files.h"
+#include "submission/archive.h"
 #include "submission/near_name.h"
 
 namespace grade {
@@ -39,10 +39,12 @@ bool is_folder(const fs::path& path) {
     return fs::symlink_status(path, error).type() == fs::file_type::directory;
 }
 
-void look_at_names(const fs::path& folder, const std::string& prefix, const std::vector<std::string>& fragments, Found& found) {
+void look_at_names(const fs::path& folder, const std::string& prefix, const std::vector<std::string>& fragments,
+                   Found& found) {
     std::error_code error;
     int count = 0;
-    for (fs::directory_iterator at(folder, error), end; !error && at != end && ++count < most_files; at.increment(error))
+    for (fs::directory_iterator at(folder, error), end; !error && at != end && ++count < most_files;
+         at.increment(error))
         if (fs::symlink_status(at->path(), error).type() == fs::file_type::regular)
             found.look_at_name(prefix + at->path().filename().string(), fragments);
 }
@@ -56,7 +58,8 @@ Found look_into_folder(const fs::path& folder, const std::vector<std::string>& f
     };
     look("");
     for (const char* usual : {"fragments/", "starter/fragments/"})
-        if (is_folder(folder / fs::path(usual).parent_path()) && is_folder(folder / *fs::path(usual).begin())) look(usual);
+        if (is_folder(folder / fs::path(usual).parent_path()) && is_folder(folder / *fs::path(usual).begin()))
+            look(usual);
     if (!found.texts.empty() || !found.complaints.empty()) return found;
     std::error_code error;
     std::vector<std::string> inside;
@@ -65,8 +68,10 @@ Found look_into_folder(const fs::path& folder, const std::vector<std::string>& f
     for (const fs::recursive_directory_iterator end; !error && at != end && ++count < most_files; at.increment(error)) {
         if (!is_folder(at->path())) continue;
         const std::string name = at->path().filename().string();
-        if (name.starts_with(".") || name == "build" || at.depth() >= deepest_folder) at.disable_recursion_pending();
-        else inside.push_back(at->path().lexically_relative(folder).generic_string() + "/");
+        if (name.starts_with(".") || name == "build" || at.depth() >= deepest_folder)
+            at.disable_recursion_pending();
+        else
+            inside.push_back(at->path().lexically_relative(folder).generic_string() + "/");
     }
     std::ranges::sort(inside);
     for (const std::string& prefix : inside) look(prefix);
@@ -90,7 +95,8 @@ struct Place {
             return set_aside ? "" : fmt::format("{} looks set aside by its name", other.folder);
         if (count != other.count) return count < other.count ? "" : "it holds more fragments";
         if (named != other.named) return named ? "it is named fragments" : "";
-        if (folder.size() != other.folder.size()) return folder.size() < other.folder.size() ? "its path is shorter" : "";
+        if (folder.size() != other.folder.size())
+            return folder.size() < other.folder.size() ? "its path is shorter" : "";
         return folder < other.folder ? "its name comes first" : "";
     }
 };
@@ -132,16 +138,17 @@ std::string nearest_to(const std::string& fragment, const std::string& folder, c
     for (const auto& [path, text] : found.texts)
         if (path.ends_with("/" + file) || path == file) consider(path, 1);
     if (best.empty()) return {};
-    if (best_rank == 1)
-        return fmt::format("not in {}; there is {}: put it there", in_words(folder), best);
-    return fmt::format("not in the submission; there is {}: rename it to {}", best, folder_of(best) == folder ? file : folder + file);
+    if (best_rank == 1) return fmt::format("not in {}; there is {}: put it there", in_words(folder), best);
+    return fmt::format("not in the submission; there is {}: rename it to {}", best,
+                       folder_of(best) == folder ? file : folder + file);
 }
 
 /// What is told of a submission with several files for one fragment.
 void note_copies(const std::vector<Place>& places, const Found& found, Submission& submission) {
     for (const std::string& path : found.doubled)
         if (folder_of(path) == submission.folder)
-            submission.notes.push_back(fmt::format("{} is in the archive twice, with different texts; the later one was taken, as by unpacking", path));
+            submission.notes.push_back(fmt::format(
+                "{} is in the archive twice, with different texts; the later one was taken, as by unpacking", path));
     for (std::size_t i = 1; i < places.size(); ++i) {
         const auto copies = [&](const std::string& fragment) {
             const std::string file = fragment + ".cpp";
@@ -151,10 +158,12 @@ void note_copies(const std::vector<Place>& places, const Found& found, Submissio
         for (const auto& [fragment, text] : submission.texts)
             if (copies(fragment)) names.push_back(fragment + ".cpp");
         if (names.empty()) continue;
-        const std::string which = names.size() > 3 ? fmt::format("{} fragments are", names.size())
-                                                   : fmt::format("{} {}", fmt::join(names, ", "), names.size() == 1 ? "is" : "are");
-        submission.notes.push_back(fmt::format("{} in {} and in {}; what is in {} was taken: {}", which, in_words(submission.folder),
-                                               in_words(places[i].folder), in_words(submission.folder), places[0].better_than(places[i])));
+        const std::string which = names.size() > 3
+                                      ? fmt::format("{} fragments are", names.size())
+                                      : fmt::format("{} {}", fmt::join(names, ", "), names.size() == 1 ? "is" : "are");
+        submission.notes.push_back(fmt::format("{} in {} and in {}; what is in {} was taken: {}", which,
+                                               in_words(submission.folder), in_words(places[i].folder),
+                                               in_words(submission.folder), places[0].better_than(places[i])));
     }
     for (const auto& [path, fragment] : found.near)
         if (path.ends_with(".cpp") && submission.texts.contains(fragment) && folder_of(path) == submission.folder)
@@ -164,9 +173,11 @@ void note_copies(const std::vector<Place>& places, const Found& found, Submissio
 }
 
 std::string no_fragment(const fs::path& path, const Found& found, const std::vector<std::string>& fragments) {
-    const std::string expected = fmt::format("expected files such as fragments/{}.cpp", fragments.empty() ? "NAME" : fragments.front());
+    const std::string expected =
+        fmt::format("expected files such as fragments/{}.cpp", fragments.empty() ? "NAME" : fragments.front());
     if (!found.archives.empty())
-        return fmt::format("{}: holds no fragment, but another archive, {}: unpack it; {}", path.string(), found.archives.front(), expected);
+        return fmt::format("{}: holds no fragment, but another archive, {}: unpack it; {}", path.string(),
+                           found.archives.front(), expected);
     if (found.unnamed > 0)
         return fmt::format("{}: holds no fragment whose name can be read; {}", path.string(), expected);
     return fmt::format("{}: holds no fragment; {}", path.string(), expected);

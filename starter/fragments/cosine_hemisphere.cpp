@@ -12,7 +12,8 @@ namespace rt {
 /// returns  unit direction, z >= 0, and its density [1/sr]
 /// blank    the z axis
 ///
-/// Source: Malley's method; Shirley and Wang, "Monte Carlo Techniques for Direct Lighting Calculations", ACM TOG 15(1), 1996.
+/// Source: Malley's method; Shirley and Wang, "Monte Carlo Techniques for Direct Lighting Calculations",
+/// ACM TOG 15(1), 1996.
 DirectionSample cosine_hemisphere(vec2 u) {
     // YOUR CODE HERE
     return not_started(DirectionSample{{0, 0, 1}, 1 / pi});

@@ -6,7 +6,8 @@ namespace rt {
 ///
 ///     (r_d max(0, n . d) + r_s max(0, r . c)^a) L / density,    r = 2 (n . d) n - d,    r_d = albedo / pi
 ///
-/// as in phong, with L / density in place of the irradiance of a surface that faces the light; nothing where n . d <= 0.
+/// as in phong, with L / density in place of the irradiance of a surface that faces the light; nothing where
+/// n . d <= 0.
 ///
 /// material   albedo, specular r_s and shininess a
 /// radiance   L of the light [W/(sr m2)]

@@ -4,9 +4,9 @@ namespace rt {
 
 /// Whether the light of an emitter that a path hits counts: bouncing highlights (caustics), and nothing twice.
 ///
-/// At a diffuse surface, shadow rays have already gathered the light of each emitter that is sampled. A diffuse ray that
-/// happens to hit such an emitter would gather it again. From everywhere else (the camera, a mirror, glass, a glossy lobe, a
-/// medium) no shadow ray was sent.
+/// At a diffuse surface, shadow rays have already gathered the light of each emitter that is sampled. A diffuse ray
+/// that happens to hit such an emitter would gather it again. From everywhere else (the camera, a mirror, glass, a
+/// glossy lobe, a medium) no shadow ray was sent.
 ///
 /// previous  where the ray comes from
 /// sampled   whether shadow rays look for this emitter

@@ -18,9 +18,9 @@ namespace rt {
 /// both of its triangles the same number with opposite signs, bit by bit. A product's rounding never swaps which of two
 /// is larger, so the sign is right or the number is 0, and 0 counts for both triangles.
 ///
-/// For a needle u, v and w have few digits left, so t comes from the plane, o + t d on (b - a) x (c - a), which is as good
-/// for a needle as for any other as long as the cross product does not cancel: then a ray that leaves the triangle meets
-/// it behind.
+/// For a needle u, v and w have few digits left, so t comes from the plane, o + t d on (b - a) x (c - a), which is as
+/// good for a needle as for any other as long as the cross product does not cancel: then a ray that leaves the triangle
+/// meets it behind.
 ///
 /// Source: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
 Real hit_triangle(const Triangle& triangle, const Ray& ray) {

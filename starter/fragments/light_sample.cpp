@@ -14,8 +14,8 @@ namespace rt {
 ///          [1/sr]; density 0 where the light does not shine on p
 /// blank    density 0: the light gives no light
 ///
-/// Of a sphere only the near half is seen from p, in a cone of directions with sine radius / distance (see sphere_cone):
-/// uniform directions of that cone leave less noise than points of the whole surface.
+/// Of a sphere only the near half is seen from p, in a cone of directions with sine radius / distance (see
+/// sphere_cone): uniform directions of that cone leave less noise than points of the whole surface.
 ///
 /// Source: Shirley and Wang, "Monte Carlo Techniques for Direct Lighting Calculations", ACM TOG 15(1), 1996.
 LightSample light_sample(const Emitter& light, vec3 p, vec2 u) {

@@ -6,8 +6,9 @@ namespace rt {
 
 /// A random point in cell i of n cells of equal area that tile the unit square.
 ///
-/// Where n is a square, the cells are a grid of sqrt(n) by sqrt(n). Elsewhere: c = floor(sqrt(n)) columns, column j holding the
-/// cells ceil(j n/c) to ceil((j+1) n/c) - 1, as wide as the share of the cells that it holds, and they share its height.
+/// Where n is a square, the cells are a grid of sqrt(n) by sqrt(n). Elsewhere: c = floor(sqrt(n)) columns, column j
+/// holding the cells ceil(j n/c) to ceil((j+1) n/c) - 1, as wide as the share of the cells that it holds, and they
+/// share its height.
 ///
 /// i        the cell, 0 to n - 1
 /// n        number of cells, > 0

@@ -30,8 +30,9 @@ struct alignas(64) Batch {
     Index event[lanes];   // where the ray comes from: an Event
     Index depth[lanes];   // mirrors, glass and lobes so far
     Index bounce[lanes];  // diffuse bounces so far
-    Real density[lanes];  // with which a lobe took the ray, where it is weighed against lamps, else 0; only after lobes [1/sr]
-    Bits inside[lanes];   // the regions that the ray is in: see media/nesting.h; 0: none
+    // With which a lobe took the ray, where it is weighed against lamps, else 0; only after lobes [1/sr].
+    Real density[lanes];
+    Bits inside[lanes];  // the regions that the ray is in: see media/nesting.h; 0: none
 
     Ray ray(int i) const { return {origin.at(i), direction.at(i), near[i], far[i]}; }
     void set_ray(int i, const Ray& r) {
@@ -43,7 +44,8 @@ struct alignas(64) Batch {
         set_ray(to, ray(from));
         time[to] = time[from], shape[to] = shape[from];
         weight.set(to, weight.at(from));
-        key[to] = key[from], sample[to] = sample[from], slot[to] = slot[from], event[to] = event[from], density[to] = density[from];
+        key[to] = key[from], sample[to] = sample[from], slot[to] = slot[from], event[to] = event[from],
+        density[to] = density[from];
         depth[to] = depth[from], bounce[to] = bounce[from], inside[to] = inside[from];
     }
 };
@@ -52,10 +54,10 @@ struct alignas(64) Batch {
 struct alignas(64) Surfaces {
     Vectors<> point;
     Real error[lanes];
-    Vectors<> flat, shading;  // the surface's own normal, and the one that light is reckoned with; on the side of the ray
-    Index material[lanes];  // nothing: no surface here
-    Index behind[lanes];    // 1 where the ray came from the back side
-    Index shines[lanes];    // 1 where the side that is seen sends out light
+    Vectors<> flat, shading;  // the surface's own normal, and the one that light is reckoned with; on the ray's side
+    Index material[lanes];    // nothing: no surface here
+    Index behind[lanes];      // 1 where the ray came from the back side
+    Index shines[lanes];      // 1 where the side that is seen sends out light
 
     vec3 normal(int i) const { return shading.at(i); }
     Hit hit(int i) const { return {point.at(i), flat.at(i), error[i]}; }

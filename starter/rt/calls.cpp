@@ -9,7 +9,8 @@ std::vector<Calls> calls_of(const RenderPlan& plan) {
         if (called) all.back().fragments.push_back(fragment);
     };
     const bool cells = plan.sampling.sampler == Sampler::uniform || plan.sampling.sampler == Sampler::stratified;
-    const bool reflects = plan.diffuse || plan.phong, follows = plan.mirrors || plan.glass || plan.glossy || plan.translucent;
+    const bool reflects = plan.diffuse || plan.phong,
+               follows = plan.mirrors || plan.glass || plan.glossy || plan.translucent;
 
     stage("camera");
     call("film_sample", plan.pixel);
@@ -47,7 +48,8 @@ std::vector<Calls> calls_of(const RenderPlan& plan) {
     call("pixel_mean", plan.pixel);
     // whichever stage draws two numbers at once; those for the film are film_sample's
     stage("patterns");
-    call("stratified_2d", cells && (plan.lens || plan.light || plan.environment_lit || plan.lobe || plan.bounce || plan.medium));
+    call("stratified_2d",
+         cells && (plan.lens || plan.light || plan.environment_lit || plan.lobe || plan.bounce || plan.medium));
     return all;
 }
 

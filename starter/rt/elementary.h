@@ -6,8 +6,8 @@
 
 #include "rt/math.h"
 
-/// Exponential, logarithm and arc tangent without library calls: loops over them vectorise, and every machine and compiler
-/// gets the same bits. Errors below 2 units in the last place, of the arc tangent below 3.
+/// Exponential, logarithm and arc tangent without library calls: loops over them vectorise, and every machine and
+/// compiler gets the same bits. Errors below 2 units in the last place, of the arc tangent below 3.
 ///
 /// Source: Muller, "Elementary Functions: Algorithms and Implementation", 3rd ed., 2016, chapters 3 and 11.
 namespace rt {

@@ -10,11 +10,11 @@
 ///     #pragma GCC ivdep    no lane depends on another: any order will do. tests/vectorised_test.py asks GCC whether
 ///                          each loop that is marked so is vectorised
 ///     for all `lanes`      also those that are not in use: the length is known, and no lane is left over
-///     arrays of numbers    a loop that copies structures stays scalar. Hence Vectors, and `?:` coordinate by coordinate
+///     arrays of numbers    a loop that copies structures stays scalar. Hence Vectors, and `?:` by coordinate
 ///     alignas(64)          eight numbers are one line of the cache
 ///     noinline             the compiler gives up on loops in a large function; those that matter have one of their own
 ///     always_inline        nor does it vectorise a loop with a call; what it does for one lane becomes part of it
-///     x = x_in_memory      a copy of what all lanes share stays in registers: nothing that the loop writes can change it
+///     x = x_in_memory      a copy of what all lanes share stays in registers: nothing that the loop writes changes it
 ///     `|`, `&` of bools    `||` and `&&` are branches
 namespace rt {
 

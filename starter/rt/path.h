@@ -27,7 +27,7 @@ struct Worker {
     const World& world;
     Chunk chunk;
     std::optional<BadSample> bad_sample;  // the first there was
-    Trace* trace = nullptr;  // where the fragments' answers are told; none: not told
+    Trace* trace = nullptr;               // where the fragments' answers are told; none: not told
 
     explicit Worker(const World& world) : world(world) {}
 

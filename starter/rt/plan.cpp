@@ -32,9 +32,8 @@ std::vector<int> find_lamps(const Scene& scene) {
 }
 
 bool has_quad_lamp(const RenderPlan& plan, const Scene& scene) {
-    return std::ranges::any_of(plan.lamps, [&](int lamp) {
-        return std::holds_alternative<Quad>(scene.shapes[std::size_t(lamp)].geometry);
-    });
+    return std::ranges::any_of(
+        plan.lamps, [&](int lamp) { return std::holds_alternative<Quad>(scene.shapes[std::size_t(lamp)].geometry); });
 }
 
 /// What surfaces do with light.
@@ -43,7 +42,8 @@ void add_materials(const Scene& scene, RenderPlan& plan) {
     for (std::size_t i = 0; i < used.size(); ++i) {
         if (!used[i]) continue;
         const Material& m = scene.materials[i];
-        const bool dielectric = m.transmittance != Color(0), mirror = m.reflectance != Color(0), sharp = m.exponent == inf;
+        const bool dielectric = m.transmittance != Color(0), mirror = m.reflectance != Color(0),
+                   sharp = m.exponent == inf;
         plan.diffuse |= m.albedo != Color(0);
         plan.ambient |= m.ambient != Color(0) && scene.ambient != Color(0);
         plan.phong |= m.specular != Color(0);
@@ -132,11 +132,11 @@ std::string describe_integrals(const RenderPlan& plan, const Scene& scene) {
 std::string describe_stages(const RenderPlan& plan, const Scene& scene) {
     std::size_t triangles = 0;
     for (const Mesh& mesh : scene.meshes) triangles += mesh.triangles.size();
-    return "stages\n" +
-           row("camera", true, plan.lens ? "through the lens" : "through the pinhole", "") +
+    return "stages\n" + row("camera", true, plan.lens ? "through the lens" : "through the pinhole", "") +
            row("nearest", true,
                fmt::format("{} shapes, {} triangles in meshes, {}", scene.shapes.size(), triangles,
-                           plan.bvh ? "in a tree" : "one by one"), "") +
+                           plan.bvh ? "in a tree" : "one by one"),
+               "") +
            row("medium", plan.medium, "", "no medium") +
            row("surface", plan.spheres || plan.triangles || plan.quads || plan.discs, "", "nothing to hit") +
            row("emission", plan.emission || plan.environment || scene.background != Color(0),
@@ -144,7 +144,8 @@ std::string describe_stages(const RenderPlan& plan, const Scene& scene) {
                                  : "all that is seen counts: nothing bounces",
                "nothing shines that a ray can hit") +
            row("direct", plan.point_lights || plan.light || plan.environment_lit || scene.ambient != Color(0),
-               fmt::format("{} lights without extent, {} with", scene.lights.size(), plan.light ? plan.lamps.size() : 0),
+               fmt::format("{} lights without extent, {} with", scene.lights.size(),
+                           plan.light ? plan.lamps.size() : 0),
                "no lights") +
            row("scatter", plan.specular || plan.lobe || plan.bounce,
                plan.split    ? "mirror and glass rays are both followed"
@@ -165,9 +166,10 @@ std::string describe_costs(const RenderPlan& plan, const Scene& scene) {
     const std::size_t shadow = scene.lights.size() + std::size_t(lamps) + plan.environment_lit;
     const int waves = 1 + (plan.bounce ? scene.bounces : 0);
     const int samples = sampling.passes ? 1 : sampling.samples;
-    return text + fmt::format("rays per {:<7} {} camera, at most {} shadow where no path meets mirrors, glass or media\n",
-                              sampling.passes ? "sample" : "pixel", samples,
-                              std::size_t(samples) * shadow * std::size_t(waves));
+    return text +
+           fmt::format("rays per {:<7} {} camera, at most {} shadow where no path meets mirrors, glass or media\n",
+                       sampling.passes ? "sample" : "pixel", samples,
+                       std::size_t(samples) * shadow * std::size_t(waves));
 }
 
 }  // namespace
@@ -210,7 +212,8 @@ std::string describe(const RenderPlan& plan, const Scene& scene) {
     std::string text = describe_integrals(plan, scene) + describe_stages(plan, scene) + describe_costs(plan, scene);
     text += "fragments that the stages call\n";
     for (const Calls& calls : calls_of(plan))
-        if (!calls.fragments.empty()) text += fmt::format("  {:<14} {}\n", calls.stage, fmt::join(calls.fragments, ", "));
+        if (!calls.fragments.empty())
+            text += fmt::format("  {:<14} {}\n", calls.stage, fmt::join(calls.fragments, ", "));
     return text;
 }
 

@@ -70,7 +70,8 @@ bool processor_is(const char* kind) {
 
 void require_processor() {
     if (processor_is(RT_BUILT_FOR)) return;
-    say("This program is built for " RT_BUILT_FOR " processors, and this one is none. Build it again on this machine, as ./grade "
+    say("This program is built for " RT_BUILT_FOR
+        " processors, and this one is none. Build it again on this machine, as ./grade "
         "does, or for more of them: cmake -DRT_MARCH=x86-64-v2; see starter/cmake/flags.cmake.\n");
     _exit(3);
 }

@@ -9,16 +9,16 @@ namespace rt {
 
 /// The points origin + t direction with near < t < far.
 struct Ray {
-    vec3 origin;     // [world]
-    vec3 direction;  // unit, unless said otherwise [world]
+    vec3 origin;               // [world]
+    vec3 direction;            // unit, unless said otherwise [world]
     Real near = 0, far = inf;  // in units of |direction|
 };
 
 /// Where a ray met a surface.
 struct Hit {
-    vec3 point;     // [world]
-    vec3 normal;    // unit, on the side that the ray came from [world]
-    Real error = 0; // bound of the rounding error of the point, along the normal [world]
+    vec3 point;      // [world]
+    vec3 normal;     // unit, on the side that the ray came from [world]
+    Real error = 0;  // bound of the rounding error of the point, along the normal [world]
 };
 
 /// Rays by what sent them.

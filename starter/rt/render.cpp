@@ -29,7 +29,8 @@ Real cpu_seconds() {
     return seconds(used.ru_utime) + seconds(used.ru_stime);
 }
 
-/// The sum of all passes, each counted by its samples; and at the end a second one of the pixels that are rendered twice.
+/// The sum of all passes, each counted by its samples; and at the end a second one of the pixels that are rendered
+/// twice.
 struct Total {
     std::uint64_t samples = 0;
     std::vector<std::array<Sum, 3>> sums;  // channel by channel
@@ -46,8 +47,8 @@ struct Total {
     Color mean(std::size_t k) const { return sum(k) / Real(samples); }
 };
 
-/// Root mean square over pixels and channels of the error of one of two independent estimates: its variance is half of that
-/// of their difference.
+/// Root mean square over pixels and channels of the error of one of two independent estimates: its variance is half of
+/// that of their difference.
 template <class First, class Second>
 Real rmse(const std::vector<std::size_t>& control, First first, Second second) {
     Sum squares;
@@ -59,23 +60,26 @@ Real rmse(const std::vector<std::size_t>& control, First first, Second second) {
 }
 
 /// One pass with all samples.
-void render_at_once(const RenderSettings& settings, Passes& passes, Watch& watch, Clock::time_point start, Rendering& r) {
+void render_at_once(const RenderSettings& settings, Passes& passes, Watch& watch, Clock::time_point start,
+                    Rendering& r) {
     const auto finished = [&](std::size_t first, std::size_t last, Real share) {
         if (watch.paints()) watch.paint(first, last, [&](std::size_t k) { return passes.means()[k]; });
         watch.look(share, seconds_since(start) * (1 - share) / share);
     };
-    const bool whole = passes.run({settings.sampler, settings.seed, 0, settings.samples},
-                                  [&] { return settings.stop && settings.stop(); }, finished);
+    const bool whole = passes.run(
+        {settings.sampler, settings.seed, 0, settings.samples}, [&] { return settings.stop && settings.stop(); },
+        finished);
     std::copy(passes.means(), passes.means() + passes.pixels(), r.image.pixels.begin());
     r.samples = std::uint64_t(settings.samples);
     r.done = whole ? 1 : Real(passes.done()) / Real(passes.pixels() + passes.control().size());
     if (whole)
-        r.rmse = rmse(passes.control(), [&](std::size_t k) { return passes.means()[k]; },
-                      [&](std::size_t i) { return passes.again()[i]; });
+        r.rmse = rmse(
+            passes.control(), [&](std::size_t k) { return passes.means()[k]; },
+            [&](std::size_t i) { return passes.again()[i]; });
 }
 
-/// Pass after pass until a limit. Of the first one, what is there in time is better than nothing; of a later one, half would
-/// make the picture uneven.
+/// Pass after pass until a limit. Of the first one, what is there in time is better than nothing; of a later one, half
+/// would make the picture uneven.
 void render_until(const RenderSettings& settings, Passes& passes, Watch& watch, Clock::time_point start, Rendering& r) {
     const Goals limits{settings.time_limit, settings.target_error};
     const std::size_t pixels = passes.pixels();
@@ -85,11 +89,14 @@ void render_until(const RenderSettings& settings, Passes& passes, Watch& watch, 
         const int count = next_pass(limits, so_far);
         if (count == 0) break;
         const Slice slice = next_slice(settings.sampler, settings.seed, pass, total.samples, count);
-        const auto stop = [&] { return (settings.stop && settings.stop()) || seconds_since(start) > grace * limits.time; };
+        const auto stop = [&] {
+            return (settings.stop && settings.stop()) || seconds_since(start) > grace * limits.time;
+        };
         const auto finished = [&](std::size_t first, std::size_t last, Real) {
             if (watch.paints())
                 watch.paint(first, last, [&](std::size_t k) {
-                    return (total.sum(k) + Real(count) * passes.means()[k]) / Real(total.samples + std::uint64_t(count));
+                    return (total.sum(k) + Real(count) * passes.means()[k]) /
+                           Real(total.samples + std::uint64_t(count));
                 });
             const Real spent = seconds_since(start), of_error = sqr(limits.error / so_far.rmse),
                        share = std::min<Real>(1, std::max(spent / limits.time, of_error));
@@ -102,8 +109,9 @@ void render_until(const RenderSettings& settings, Passes& passes, Watch& watch, 
         if (!whole) break;
 
         const Real seconds = seconds_since(start);
-        r.rmse = rmse(passes.control(), [&](std::size_t k) { return total.mean(k); },
-                      [&](std::size_t i) { return total.mean(pixels + i); });
+        r.rmse = rmse(
+            passes.control(), [&](std::size_t k) { return total.mean(k); },
+            [&](std::size_t i) { return total.mean(pixels + i); });
         so_far = {total.samples, seconds, (seconds - so_far.seconds) / count, std::isnan(r.rmse) ? inf : r.rmse};
     }
     tbb::parallel_for(std::size_t(0), pixels, [&](std::size_t k) { r.image.pixels[k] = total.mean(k); });

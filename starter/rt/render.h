@@ -23,12 +23,13 @@ struct RenderSettings {
     std::uint64_t seed = 0;
     int threads = 0;  // 0: one for each core
     Sampler sampler = Sampler::orthogonal;
-    bool one_of_many = false;   // pictures with other seeds are averaged with this one: one sample a pixel is random, too
-    std::optional<Crop> crop;   // default: the whole film
-    bool estimate_error = true; // renders some pixels twice
+    bool one_of_many =
+        false;  // pictures with other seeds are averaged with this one: one sample a pixel is random, too
+    std::optional<Crop> crop;    // default: the whole film
+    bool estimate_error = true;  // renders some pixels twice
     // With a limit, passes follow each other until it is reached, and `samples` does not count; else one pass.
-    Real time_limit = inf;      // of rendering, with the estimate of the error [s]
-    Real target_error = 0;      // RMSE
+    Real time_limit = inf;  // of rendering, with the estimate of the error [s]
+    Real target_error = 0;  // RMSE
     // Asked and told now and then, by any thread, but never by two at once:
     std::function<void(Real done, Real seconds_left)> progress;  // done: share of the work, 0 to 1
     std::function<void(const Image&)> show;                      // the picture of the crop; black where nothing is yet
@@ -41,14 +42,14 @@ inline Sampling sampling_of(const RenderSettings& s) {
 }
 
 struct Rendering {
-    Image image;           // of the crop
+    Image image;                // of the crop
     std::uint64_t samples = 0;  // a pixel, in all passes
-    Real done = 1;         // share of the pixels that are there; the others are black
-    bool stopped = false;  // RenderSettings::stop has ended it
+    Real done = 1;              // share of the pixels that are there; the others are black
+    bool stopped = false;       // RenderSettings::stop has ended it
     RayCounts rays{};
-    Real wall_seconds = 0, cpu_seconds = 0;  // of rendering alone
+    Real wall_seconds = 0, cpu_seconds = 0;              // of rendering alone
     Real rmse = std::numeric_limits<Real>::quiet_NaN();  // estimated from pixels that are rendered twice; nan: unknown
-    std::optional<BadSample> bad_sample;  // the first there was
+    std::optional<BadSample> bad_sample;                 // the first there was
 };
 
 /// Renders a scene. Without limits, the image depends on scene, samples, seed and sampler only: not on threads.

@@ -98,7 +98,8 @@ constexpr Bits field_products(int h, Bits element) {
     return products;
 }
 
-/// An orthogonal array of n = 2^m samples has two digits of this many bits for each dimension, the second one bit less where m is odd.
+/// An orthogonal array of n = 2^m samples has two digits of this many bits for each dimension, the second one bit less
+/// where m is odd.
 inline int digit_bits(int n) { return std::bit_width(unsigned(n - 1)) / 2 + std::bit_width(unsigned(n - 1)) % 2; }
 
 inline Dimension::Dimension(Bits number, int pair, int n) : number(number) {
@@ -116,19 +117,21 @@ inline std::uint32_t mixed(std::uint32_t i, int m, std::uint32_t key) {
 
 /// Sample i of n in one pair of the dimensions of an orthogonal array of strength 2, scrambled.
 ///
-/// n = 2^m is at most 2^16. In the field of 2^h elements, h = m/2, sample (a, b) has the leading digits u = b + c a and v = u + a,
-/// with another c for each pair: any two dimensions of two pairs have one sample in each of 2^h x 2^h cells. The second digits
-/// are those of the other dimension of the pair, turned round, which makes each pair a (0,m,2)-net. Where m is odd, a lacks a
-/// bit. There are 2^(h-1) pairs; those that follow take the samples in another order.
+/// n = 2^m is at most 2^16. In the field of 2^h elements, h = m/2, sample (a, b) has the leading digits u = b + c a and
+/// v = u + a, with another c for each pair: any two dimensions of two pairs have one sample in each of 2^h x 2^h cells.
+/// The second digits are those of the other dimension of the pair, turned round, which makes each pair a (0,m,2)-net.
+/// Where m is odd, a lacks a bit. There are 2^(h-1) pairs; those that follow take the samples in another order.
 ///
-/// Source: Bose, "On the Application of the Properties of Galois Fields to the Problem of Construction of Hyper-Graeco-Latin
-/// Squares", Sankhya 3(4), 1938; Jarosz et al., "Orthogonal Array Sampling for Monte Carlo Rendering", EGSR 2019.
+/// Source: Bose, "On the Application of the Properties of Galois Fields to the Problem of Construction of
+/// Hyper-Graeco-Latin Squares", Sankhya 3(4), 1938; Jarosz et al., "Orthogonal Array Sampling for Monte Carlo
+/// Rendering", EGSR 2019.
 [[gnu::always_inline]] inline vec2 orthogonal_2d(Bits key, int sample, int n, Dimension dimension) {
     const int m = std::bit_width(std::uint32_t(n - 1)), h = digit_bits(n);
     std::uint32_t i = std::uint32_t(sample);
     if (dimension.round > 0) {
         const Bits order = combine(~key, dimension.round);
-        i = mixed(mixed(mixed(i, m, std::uint32_t(order)), m, std::uint32_t(order >> 16)), m, std::uint32_t(order >> 32));
+        i = mixed(mixed(mixed(i, m, std::uint32_t(order)), m, std::uint32_t(order >> 16)), m,
+                  std::uint32_t(order >> 32));
     }
     const std::uint32_t a = i >> h;
     std::uint32_t u = i & ((1u << h) - 1);
@@ -179,7 +182,8 @@ template <Sampler sampler>
     if constexpr (sampler == Sampler::sobol) return sobol_2d(key, std::uint32_t(i), dimension.number);
     if constexpr (sampler == Sampler::orthogonal) return orthogonal_2d(key, i, n, dimension);
     if constexpr (sampler == Sampler::stratified)
-        return stratified_2d(permuted(i, n, combine(~key, dimension.number)), n, random_2d(key, Bits(i), dimension.number));
+        return stratified_2d(permuted(i, n, combine(~key, dimension.number)), n,
+                             random_2d(key, Bits(i), dimension.number));
     return stratified_2d(permuted(i, n, combine(0, dimension.number)), n, vec2(0.5));
 }
 
@@ -189,7 +193,9 @@ template <Sampler sampler>
     if constexpr (sampler == Sampler::sobol) return sobol_2d(key, std::uint32_t(i), dimension.number).x;
     if constexpr (sampler == Sampler::orthogonal) return orthogonal_2d(key, i, n, dimension).x;
     if constexpr (sampler == Sampler::stratified)
-        return std::min((permuted(i, n, combine(~key, dimension.number)) + random_1d(key, Bits(i), dimension.number)) / n, below_one);
+        return std::min(
+            (permuted(i, n, combine(~key, dimension.number)) + random_1d(key, Bits(i), dimension.number)) / n,
+            below_one);
     return (permuted(i, n, combine(0, dimension.number)) + 0.5) / n;
 }
 

@@ -64,29 +64,31 @@ struct Medium {
 /// A surface, and what is behind it. Black where nothing is set.
 struct Material {
     std::string name;
-    Color ambient{0};        // r_a: reflectance of the ambient light [1]
-    Color albedo{0};         // diffuse: r_d = albedo / pi
-    Color specular{0};       // r_s: reflectance of Phong's highlight [1]
-    Real shininess = 1;      // exponent of the highlight
-    Color reflectance{0};    // of a mirror, or of the glossy lobe about the mirror direction [1]
+    Color ambient{0};      // r_a: reflectance of the ambient light [1]
+    Color albedo{0};       // diffuse: r_d = albedo / pi
+    Color specular{0};     // r_s: reflectance of Phong's highlight [1]
+    Real shininess = 1;    // exponent of the highlight
+    Color reflectance{0};  // of a mirror, or of the glossy lobe about the mirror direction [1]
     Color transmittance{
-        0};  // of glass, or of the lobe about the refracted direction; > 0: Fresnel's law shares the light
-    Real exponent = inf;     // of the lobe; inf: a perfect mirror, clear glass
-    Real ior = 1;            // index of refraction behind the surface; in front it is 1
-    Color emission{0};       // radiance that leaves the front side
-    bool sampled = true;     // whether shadow rays look for this emitter; false: only paths that happen to hit it
+        0};               // of glass, or of the lobe about the refracted direction; > 0: Fresnel's law shares the light
+    Real exponent = inf;  // of the lobe; inf: a perfect mirror, clear glass
+    Real ior = 1;         // index of refraction behind the surface; in front it is 1
+    Color emission{0};    // radiance that leaves the front side
+    bool sampled = true;  // whether shadow rays look for this emitter; false: only paths that happen to hit it
     Medium medium;
 };
 
 /// Whether light goes through a surface without a bend: a boundary that only encloses a medium, or tints.
-inline bool goes_straight_through(const Material& m) { return m.transmittance != Color(0) && m.ior == 1 && m.exponent == inf; }
+inline bool goes_straight_through(const Material& m) {
+    return m.transmittance != Color(0) && m.ior == 1 && m.exponent == inf;
+}
 
 // ---- lights ----
 
 /// A light without extent.
 struct PointLight {
-    vec3 position{0};          // directional: unit vector towards the light
-    Color intensity{1};        // I [W/sr]; directional: irradiance of a surface that faces the light [W/m2]
+    vec3 position{0};    // directional: unit vector towards the light
+    Color intensity{1};  // I [W/sr]; directional: irradiance of a surface that faces the light [W/m2]
     bool directional = false;
 };
 
@@ -123,10 +125,10 @@ inline Real area(const Emitter& light) {
 struct Camera {
     vec3 eye{0};
     vec3 right{1, 0, 0}, up{0, 1, 0}, back{0, 0, 1};  // unit, at right angles [world]
-    Real tan_half_fov = 0.5;  // half the film's height over its distance
-    ivec2 size{256, 256};     // [pixel]
-    Real lens_radius = 0;     // 0: a pinhole
-    Real focus = inf;         // distance of the plane in focus, along the axis
+    Real tan_half_fov = 0.5;                          // half the film's height over its distance
+    ivec2 size{256, 256};                             // [pixel]
+    Real lens_radius = 0;                             // 0: a pinhole
+    Real focus = inf;                                 // distance of the plane in focus, along the axis
 };
 
 /// The time in which light is gathered.
@@ -161,14 +163,14 @@ struct Scene {
     Color environment{0};  // radiance from infinitely far away, in every direction
     Color background{0};   // what a camera ray sees that meets nothing, where there is no environment; lights nothing
 
-    int samples = 16;      // a pixel
-    int bounces = 0;       // diffuse bounces after the first surface
-    int depth = 16;        // mirrors, glass and lobes on one path
+    int samples = 16;  // a pixel
+    int bounces = 0;   // diffuse bounces after the first surface
+    int depth = 16;    // mirrors, glass and lobes on one path
     Sampler sampler = Sampler::orthogonal;
     bool multiple_importance = false;  // lamps are sampled for glossy lobes too, and both ways are weighed
     bool solid_angle = false;          // quads are sampled by solid angle, not by area
     bool one_lamp = false;             // of many lamps one is chosen at each point, at random
-    Real exposure = 1;     // factor for previews only
+    Real exposure = 1;                 // factor for previews only
 };
 
 }  // namespace rt

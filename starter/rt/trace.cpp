@@ -21,7 +21,8 @@ PixelTrace trace_paths(const Scene& scene, const RenderSettings& settings, int x
 
 std::string trace_pixel(const Scene& scene, const RenderSettings& settings, int x, int y) {
     const PixelTrace traced = trace_paths(scene, settings, x, y);
-    std::string out = fmt::format("pixel {},{}: {} {}\n", x, y, settings.samples, settings.samples == 1 ? "sample" : "samples");
+    std::string out =
+        fmt::format("pixel {},{}: {} {}\n", x, y, settings.samples, settings.samples == 1 ? "sample" : "samples");
     for (const Told& told : traced.trace.samples) out += told.text;
     return out + fmt::format("{:<22}{}\n", settings.samples > 1 ? "pixel_mean" : "pixel", text(traced.mean));
 }

@@ -9,8 +9,8 @@
 /// What raytrace --pixel tells: along the paths of a pixel, each fragment that is called, and what it answers. Nobody
 /// needs this file nor trace/ for the assignment.
 ///
-/// The stages are not touched: where a trace is asked for, the fragments are asked once more, for one lane after another, with
-/// the same arguments and random numbers. Rays, hits and weights are the stages' own.
+/// The stages are not touched: where a trace is asked for, the fragments are asked once more, for one lane after
+/// another, with the same arguments and random numbers. Rays, hits and weights are the stages' own.
 namespace rt {
 
 /// What is told of one sample of the pixel.

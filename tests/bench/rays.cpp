@@ -34,9 +34,7 @@ double cpu_seconds() {
 }
 
 /// A number in [0, 1) for each ray.
-Real number(std::size_t ray, int which) {
-    return Real(combine(combine(7, ray), Bits(which)) >> 11) * 0x1p-53;
-}
+Real number(std::size_t ray, int which) { return Real(combine(combine(7, ray), Bits(which)) >> 11) * 0x1p-53; }
 
 /// A tube with bumps along a trefoil knot, about n triangles, on a floor of two.
 Mesh knot(int n) {
@@ -74,7 +72,7 @@ using Rays = std::vector<Ray>;
 /// Four rays through each of 256 x 256 pixels.
 Rays camera_rays() {
     const vec3 eye{0, 4, 4.6}, back = unit(eye - vec3(0, 0.6, 0)), right = unit(cross(vec3(0, 1, 0), back)),
-               up = cross(back, right);
+                               up = cross(back, right);
     Rays rays;
     for (int y = 0; y < 256; ++y)
         for (int x = 0; x < 256; ++x)

@@ -1,8 +1,8 @@
 /// Lenses, fields of view, shutters: extremes.md 58 to 60, 62.
 
 #include "extremes/extremes.h"
-#include "rt/sampler.h"
 #include "rt/files/scene_reader.h"
+#include "rt/sampler.h"
 
 using namespace rt;
 
@@ -21,7 +21,7 @@ TEST_CASE("58 59 focus from 1e-9 to 1e12 and infinitely far: the ray meets the p
         const vec2 u = random.point();
         const Ray ray = lens_ray(camera, pinhole, u);
         const Real t = camera.focus / -dot(pinhole.direction, camera.back);
-        const Long target = (long double)(t) * Long(pinhole.direction), o = Long(ray.origin), d = Long(ray.direction);
+        const Long target = (long double)(t)*Long(pinhole.direction), o = Long(ray.origin), d = Long(ray.direction);
         const Long to = target - o;
         const long double apart = exact_length(to - exact_dot(to, d) / exact_dot(d, d) * d);
         missed.see(double(apart / (exact_length(to) + exact_length(o))) / roundoff);

@@ -9,8 +9,9 @@ using namespace rt;
 
 namespace {
 
-const std::vector<std::string> ten_scenes = {"whitted", "penumbra", "sphere_light", "depth_of_field", "motion_blur",
-                                             "glossy", "color_bleeding", "scattering", "mesh", "many_shapes"};
+const std::vector<std::string> ten_scenes = {"whitted",     "penumbra",   "sphere_light",   "depth_of_field",
+                                             "motion_blur", "glossy",     "color_bleeding", "scattering",
+                                             "mesh",        "many_shapes"};
 const std::vector<std::string> whitted_scenes = {"whitted", "phong",  "refraction", "fresnel",
                                                  "mirror",  "shadow", "mesh"};
 
@@ -85,7 +86,8 @@ TEST_CASE("3 moved by 2^20, vertices on a grid of 2^-20: primary distances bit b
         const auto same = [](auto x) { return x; };
         transform(scene, to_grid, same, same);
         Scene moved_scene = scene;
-        transform(moved_scene, [](vec3 p) { return p + vec3(0x1p20, -0x1p20, 0x1p20); }, same, same);
+        transform(
+            moved_scene, [](vec3 p) { return p + vec3(0x1p20, -0x1p20, 0x1p20); }, same, same);
         const World here = make_world(scene), there = make_world(moved_scene);
         for (int y = 0; y < 64; ++y) {
             Batch a{}, b{};

@@ -39,7 +39,7 @@ Flat flatness(const Image& image) {
 
 /// E (1 - a^(n))/(1 - a), the sum of n terms, exactly enough.
 Real geometric(Real e, Real a, std::int64_t n) {
-    return double(-e * std::expm1((long double)(n) * std::log((long double)(a))) / (1 - (long double)(a)));
+    return double(-e * std::expm1((long double)(n)*std::log((long double)(a))) / (1 - (long double)(a)));
 }
 
 }  // namespace
@@ -93,8 +93,8 @@ TEST_CASE("52 a glass ball in a furnace: invisible up to what is left at the gre
     }
     figure(52, "glass ball against 1 - (1 - R) R^(depth - 1)", off.value, 1e-11);
 
-    // Each path one way only, to an end where hardly any light is left: with a bubble beside the ball, both ways at each
-    // surface would be more rays than fit anywhere.
+    // Each path one way only, to an end where hardly any light is left: with a bubble beside the ball, both ways at
+    // each surface would be more rays than fit anywhere.
     scene.depth = 1 << 20;
     scene.shapes.push_back({Sphere{vec3(0, 1.2, -1), 0.9}, 1, vec3(0)});
     scene.materials.push_back(glass);

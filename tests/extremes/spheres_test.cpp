@@ -10,7 +10,7 @@ namespace {
 
 /// By how much a hit point is off the sphere.
 long double off(const Sphere& s, const Ray& ray, Real t) {
-    const Long p = Long(ray.origin) + (long double)(t) * Long(ray.direction);
+    const Long p = Long(ray.origin) + (long double)(t)*Long(ray.direction);
     return std::abs(exact_length(p - Long(s.center)) - s.radius);
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "extremes/extremes.h"
-#include "rt/render.h"
 #include "rt/files/scene_reader.h"
+#include "rt/render.h"
 
 /// Scenes as a whole: moved, scaled, drawn in small.
 

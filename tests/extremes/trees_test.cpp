@@ -18,10 +18,18 @@ Scene crowd(int n, Random& random) {
         const Frame frame = frame_about(random.direction());
         Shape shape;
         switch (i % 4) {
-            case 0: shape.geometry = Sphere{c, size * random.scale(0.01, 1)}; break;
-            case 1: shape.geometry = Triangle{c, c + size * random.in_cube(), c + size * random.in_cube()}; break;
-            case 2: shape.geometry = Quad{c, size * frame.x, size * random.scale(0.01, 1) * frame.y}; break;
-            case 3: shape.geometry = Disc{c, frame.z, size * random.scale(0.01, 1)}; break;
+            case 0:
+                shape.geometry = Sphere{c, size * random.scale(0.01, 1)};
+                break;
+            case 1:
+                shape.geometry = Triangle{c, c + size * random.in_cube(), c + size * random.in_cube()};
+                break;
+            case 2:
+                shape.geometry = Quad{c, size * frame.x, size * random.scale(0.01, 1) * frame.y};
+                break;
+            case 3:
+                shape.geometry = Disc{c, frame.z, size * random.scale(0.01, 1)};
+                break;
         }
         scene.shapes.push_back(shape);
     }

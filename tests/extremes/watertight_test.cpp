@@ -13,8 +13,10 @@ vec3 target_on(const Mesh& mesh, Random& random) {
     const vec3 a = mesh.vertices[std::size_t(t.x)], b = mesh.vertices[std::size_t(t.y)],
                c = mesh.vertices[std::size_t(t.z)];
     switch (random.integer(0, 2)) {
-        case 0: return a;
-        case 1: return a + random.number() * (b - a);
+        case 0:
+            return a;
+        case 1:
+            return a + random.number() * (b - a);
         default: {
             const vec2 u = random.point();
             return (1 - u.x) * a + u.x * ((1 - u.y) * b + u.y * c);
@@ -45,9 +47,15 @@ void shoot(const World& world, const Mesh& mesh, vec3 middle, Real scale, int ba
         for (int i = 0; i < lanes; ++i) {
             const vec3 target = target_on(mesh, random);
             switch (random.integer(0, 3)) {
-                case 0: b.set_ray(i, {middle, random.direction(), 0, inf}); break;
-                case 1: b.set_ray(i, {middle, target - middle, 0, inf}); break;
-                case 2: b.set_ray(i, {middle, unit(target - middle), 0, inf}); break;
+                case 0:
+                    b.set_ray(i, {middle, random.direction(), 0, inf});
+                    break;
+                case 1:
+                    b.set_ray(i, {middle, target - middle, 0, inf});
+                    break;
+                case 2:
+                    b.set_ray(i, {middle, unit(target - middle), 0, inf});
+                    break;
                 default: {
                     // From outside, and on to the middle.
                     const vec3 outwards = unit(target - middle), eye = target + random.scale(1, 1e3) * scale * outwards;

@@ -4,9 +4,9 @@
 #include <exception>
 
 #include "files/files.h"
+#include "mutate.h"
 #include "programs/runner.h"
 #include "protocol/protocol.h"
-#include "mutate.h"
 
 /// answers FAKE_CHILD CASES [SEED]: children that answer with mutated bytes. What comes back is what was asked for, or
 /// a fault, and soon.

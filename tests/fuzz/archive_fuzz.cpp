@@ -9,7 +9,8 @@
 #include "submission/archive.h"
 #include "submission/submission.h"
 
-/// A file is a submission whose fragments are short and whose names stay within it, or an error that says why it is none.
+/// A file is a submission whose fragments are short and whose names stay within it, or an error that says why it is
+/// none.
 namespace {
 
 const std::vector<std::string> fragments = {"camera_ray", "hit_sphere", "phong", "uniform_disk"};
@@ -35,7 +36,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const grade::Submission submission = grade::read_submission(path, fragments);
         require(submission.texts.size() + submission.complaints.size() > 0, "a submission of nothing");
         require(submission.notes.size() < 50'000, "too many notes");
-    } catch (const grade::SubmissionError&) {
-    }
+    } catch (const grade::SubmissionError&) {}
     return 0;
 }

@@ -72,10 +72,14 @@ int main(int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
         const std::string word = argv[i];
         const bool more = i + 1 < argc;
-        if (word == "--seed" && more) seed = std::strtoull(argv[++i], nullptr, 10);
-        else if (word == "--cases" && more) cases = std::strtoull(argv[++i], nullptr, 10);
-        else if (word == "--seconds" && more) seconds = std::atof(argv[++i]);
-        else if (word == "--only" && more) only = std::strtoull(argv[++i], nullptr, 10), one = true;
+        if (word == "--seed" && more)
+            seed = std::strtoull(argv[++i], nullptr, 10);
+        else if (word == "--cases" && more)
+            cases = std::strtoull(argv[++i], nullptr, 10);
+        else if (word == "--seconds" && more)
+            seconds = std::atof(argv[++i]);
+        else if (word == "--only" && more)
+            only = std::strtoull(argv[++i], nullptr, 10), one = true;
         else if (fs::is_directory(word)) {
             std::vector<fs::path> paths;
             for (const auto& entry : fs::directory_iterator(word))

@@ -23,12 +23,24 @@ inline std::string mutated(const std::vector<std::string>& corpus, const std::ve
     for (std::size_t k = 0; k <= changes; ++k) {
         const std::size_t at = below(random, text.size() + 1), length = std::min(text.size() - at, below(random, 24));
         switch (below(random, 7)) {
-            case 0: if (at < text.size()) text[at] = char(text[at] ^ (1 << below(random, 8))); break;
-            case 1: if (at < text.size()) text[at] = char(random()); break;
-            case 2: text.erase(at, length); break;
-            case 3: text.insert(below(random, text.size() + 1), text.substr(at, length)); break;
-            case 4: text.resize(at); break;
-            case 5: if (!words.empty()) text.replace(at, length, words[below(random, words.size())]); break;
+            case 0:
+                if (at < text.size()) text[at] = char(text[at] ^ (1 << below(random, 8)));
+                break;
+            case 1:
+                if (at < text.size()) text[at] = char(random());
+                break;
+            case 2:
+                text.erase(at, length);
+                break;
+            case 3:
+                text.insert(below(random, text.size() + 1), text.substr(at, length));
+                break;
+            case 4:
+                text.resize(at);
+                break;
+            case 5:
+                if (!words.empty()) text.replace(at, length, words[below(random, words.size())]);
+                break;
             default: {
                 const std::string& other = corpus[below(random, corpus.size())];
                 text.replace(at, length, other.substr(below(random, other.size() + 1), below(random, 64)));

@@ -11,7 +11,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         for (const std::string& name : object.defined)
             if (name.size() > size) std::fprintf(stderr, "object_fuzz: a name longer than the object\n"), std::abort();
         grade::object_fault(object);
-    } catch (const grade::BadObject&) {
-    }
+    } catch (const grade::BadObject&) {}
     return 0;
 }

@@ -15,8 +15,7 @@ void read_as(std::span<const double> row) {
     try {
         grade::from_row<Value>(row);
     } catch (const std::out_of_range&) {
-    } catch (const std::domain_error&) {
-    }
+    } catch (const std::domain_error&) {}
 }
 
 }  // namespace

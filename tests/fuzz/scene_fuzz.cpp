@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "rt/plan.h"
 #include "rt/files/scene_reader.h"
+#include "rt/plan.h"
 
 /// A scene file is a scene of finite numbers, or a located error.
 namespace {

@@ -1,5 +1,6 @@
 /// Workers on several threads share nothing but the world. The threads are the standard library's, not the scheduler's:
-/// the thread sanitizer cannot see into a scheduler that was built without it, and takes all that it hands over for races.
+/// the thread sanitizer cannot see into a scheduler that was built without it, and takes all that it hands over for
+/// races.
 ///
 ///     threads SCENE...    0: the pictures have the same bits as with one thread; 1: they have not
 
@@ -10,8 +11,8 @@
 #include <sstream>
 #include <thread>
 
-#include "rt/path.h"
 #include "rt/files/scene_reader.h"
+#include "rt/path.h"
 
 namespace {
 

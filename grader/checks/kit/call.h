@@ -76,8 +76,10 @@ template <auto fragment, class F>
 auto of_call(F f) {
     return [f](const Row& inputs, const Row& outputs) {
         const auto value = result<fragment>(outputs);
-        if constexpr (std::is_invocable_v<F, decltype(value)>) return f(value);
-        else return std::apply(f, std::tuple_cat(std::tuple(value), Signature<decltype(fragment)>::arguments(inputs)));
+        if constexpr (std::is_invocable_v<F, decltype(value)>)
+            return f(value);
+        else
+            return std::apply(f, std::tuple_cat(std::tuple(value), Signature<decltype(fragment)>::arguments(inputs)));
     };
 }
 

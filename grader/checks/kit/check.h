@@ -78,7 +78,7 @@ struct Statistic {
     std::optional<double> truth;                        // closed form; none: the solution's own replicates
     double delta0 = 0;                                  // deviation that is still right, same unit
     double delta = 0;                                   // deviation that must be found
-    bool exact = false;  // without noise: one replicate decides, |deviation| <= delta
+    bool exact = false;                                 // without noise: one replicate decides, |deviation| <= delta
     Hint hint;
     Cause cause{};  // what it tells comes before the hint
 };

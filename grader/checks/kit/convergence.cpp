@@ -49,9 +49,12 @@ double beyond_edge(vec2 across, double beside) {
 }
 
 Statistic order(std::string what, double truth, std::function<double(const Observation&)> measure, Hint hint) {
-    return {.id = "G3", .what = std::move(what),
+    return {.id = "G3",
+            .what = std::move(what),
             .measure = std::move(measure),
-            .truth = truth, .delta0 = 0.04, .delta = 0.22,
+            .truth = truth,
+            .delta0 = 0.04,
+            .delta = 0.22,
             .hint = std::move(hint)};
 }
 
@@ -83,14 +86,15 @@ Check error_orders(Generator& random, const SamplesOfASquare& samples) {
     const Integrand2d plane = [=](vec2 p) { return rt::dot(p - 0.5, across); };
     const Integrand2d edge = [=](vec2 p) { return rt::dot(p - 0.5, across) > beside ? 1.0 : 0.0; };
     const double covered = beyond_edge(across, beside);
-    return probe_check(
-        "convergence", inputs,
-        {order("power of N with which the error of a slope of brightness falls", -1,
-               [=](const Observation& seen) { return slope_of(seen, samples, plane, 0); },
-               order_hint("of a smooth function", -1)),
-         order("power of N with which the error of an edge falls", -0.75,
-               [=](const Observation& seen) { return slope_of(seen, samples, edge, covered); },
-               order_hint("of an edge", -0.75))});
+    return probe_check("convergence", inputs,
+                       {order(
+                            "power of N with which the error of a slope of brightness falls", -1,
+                            [=](const Observation& seen) { return slope_of(seen, samples, plane, 0); },
+                            order_hint("of a smooth function", -1)),
+                        order(
+                            "power of N with which the error of an edge falls", -0.75,
+                            [=](const Observation& seen) { return slope_of(seen, samples, edge, covered); },
+                            order_hint("of an edge", -0.75))});
 }
 
 Check rings(Generator& random, const SamplesOfASquare& samples) {
@@ -134,28 +138,34 @@ Check rings(Generator& random, const SamplesOfASquare& samples) {
           .what = "rings too fine for the pixels: what is left of them in the mean, over what one sample in the middle "
                   "leaves",
           .measure = left,
-          .truth = 0, .delta0 = 0.02, .delta = 0.2,
+          .truth = 0,
+          .delta0 = 0.02,
+          .delta = 0.2,
           .hint = [](double value, double) {
-              return fmt::format("rings that are too fine for the pixels do not fade: {:.2g} of what one sample in the "
-                                 "middle leaves of them stays, however many pictures are averaged. Do samples fall "
-                                 "everywhere in their cells, and the cells on all of the pixel?",
-                                 value);
+              return fmt::format(
+                  "rings that are too fine for the pixels do not fade: {:.2g} of what one sample in the "
+                  "middle leaves of them stays, however many pictures are averaged. Do samples fall "
+                  "everywhere in their cells, and the cells on all of the pixel?",
+                  value);
           }}});
 }
 
 Statistic error_order(std::string what, int count, int repeated, RowNumber error, double slope, Hint hint) {
-    return order(std::move(what), slope, [=](const Observation& seen) {
-        std::vector<double> counts, errors;
-        std::size_t k = 0;
-        for (const int n : levels(count)) {
-            std::vector<double> off;
-            for (int repeat = 0; repeat < repeated; ++repeat, ++k)
-                off.push_back(error(seen.inputs[k], seen.outputs[k]));
-            counts.push_back(n);
-            errors.push_back(root_mean_square(off));
-        }
-        return error_slope(counts, errors);
-    }, std::move(hint));
+    return order(
+        std::move(what), slope,
+        [=](const Observation& seen) {
+            std::vector<double> counts, errors;
+            std::size_t k = 0;
+            for (const int n : levels(count)) {
+                std::vector<double> off;
+                for (int repeat = 0; repeat < repeated; ++repeat, ++k)
+                    off.push_back(error(seen.inputs[k], seen.outputs[k]));
+                counts.push_back(n);
+                errors.push_back(root_mean_square(off));
+            }
+            return error_slope(counts, errors);
+        },
+        std::move(hint));
 }
 
 }  // namespace grade

@@ -20,7 +20,9 @@ Statistic mean_of(const Mean& m) {
                         mean.add(number(seen.inputs[k], seen.outputs[k]));
                     return mean.mean;
                 },
-            .truth = m.truth, .delta0 = m.delta0.value_or(0.001 * unit), .delta = m.delta.value_or(0.05 * unit),
+            .truth = m.truth,
+            .delta0 = m.delta0.value_or(0.001 * unit),
+            .delta = m.delta.value_or(0.05 * unit),
             .hint = m.hint,
             .cause = m.cause};
 }
@@ -44,8 +46,10 @@ double chi_squared_over_degrees(const Observation& seen, const RowPoint& point, 
         const int x = int(std::floor(p.x * columns)), y = int(std::floor(p.y * rows));
         // rounding may put a point on the upper rim
         const bool inside = p.x >= -1e-6 && p.y >= -1e-6 && p.x <= 1 + 1e-6 && p.y <= 1 + 1e-6;
-        if (inside) ++observed[std::clamp(y, 0, rows - 1) * columns + std::clamp(x, 0, columns - 1)];
-        else ++outside;
+        if (inside)
+            ++observed[std::clamp(y, 0, rows - 1) * columns + std::clamp(x, 0, columns - 1)];
+        else
+            ++outside;
     }
     if (counted == 0) return NAN;
     const std::vector<double> expected(cells, counted / cells);
@@ -79,7 +83,9 @@ Statistic uniform_in_square(const Evenness& e) {
             .what = e.what,
             .measure = [point = e.point, columns = e.columns, rows = e.rows](
                            const Observation& seen) { return chi_squared_over_degrees(seen, point, columns, rows); },
-            .truth = 1, .delta0 = e.delta0, .delta = e.delta,
+            .truth = 1,
+            .delta0 = e.delta0,
+            .delta = e.delta,
             .hint = e.hint,
             .cause = e.cause};
 }
@@ -90,8 +96,8 @@ Hint always(std::string words) {
 
 Hint by_value(std::string what, std::vector<KnownValue> known, double near, std::string else_words) {
     return [=](double value, double truth) {
-        return explained(fmt::format("{} is {:.3g}, not {:.3g}", what, value, truth),
-                         nearest_words(known, value, near), else_words);
+        return explained(fmt::format("{} is {:.3g}, not {:.3g}", what, value, truth), nearest_words(known, value, near),
+                         else_words);
     };
 }
 

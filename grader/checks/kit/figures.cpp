@@ -26,20 +26,25 @@ std::vector<Statistic> figure_statistics(const rt::Camera& camera, const Sight& 
     const auto blob = [](const rt::Image& image) { return blob_moments(image, whole(image)); };
 
     const auto beside = [&](const std::string& axis, PictureNumber off) {
-        return of_picture({.id = "A1", .what = "place of the " + figure + ", " + axis + " by [pixel]",
+        return of_picture({.id = "A1",
+                           .what = "place of the " + figure + ", " + axis + " by [pixel]",
                            .number = std::move(off),
-                           .truth = 0, .delta = 0.15,
+                           .truth = 0,
+                           .delta = 0.15,
                            .hint = [=](double value, double) {
-                               return fmt::format("the {} is seen {:.3g} pixels beside its place, {}", figure, value, axis);
+                               return fmt::format("the {} is seen {:.3g} pixels beside its place, {}", figure, value,
+                                                  axis);
                            }});
     };
     const auto ratio = [&](const std::string& of, double delta, PictureNumber squared) {
-        return of_picture({.id = "A1", .what = of + figure + ", over what must be",
+        return of_picture({.id = "A1",
+                           .what = of + figure + ", over what must be",
                            .number = [=](const rt::Image& image) { return std::sqrt(squared(image)); },
                            .delta = delta,
                            .hint = by_ratio("the " + of + figure, {})});
     };
-    const Statistic light = of_picture({.id = "A1", .what = "light of the " + figure + ", over what must be",
+    const Statistic light = of_picture({.id = "A1",
+                                        .what = "light of the " + figure + ", over what must be",
                                         .number = [=](const rt::Image& i) { return blob(i).mass / due.mass; },
                                         .delta = 0.03,
                                         .hint = by_ratio("the light of the " + figure, {{0, "it is not seen"}})});

@@ -106,19 +106,23 @@ Statistic formula(const RowFormula& f) {
     return {.id = f.id,
             .what = f.what,
             .measure = largest([right = f.right](const Row& in, const Row& out) { return deviation(out, right(in)); }),
-            .truth = 0, .delta = f.tolerance, .exact = true,
+            .truth = 0,
+            .delta = f.tolerance,
+            .exact = true,
             .hint = [](double value,
                        double) { return fmt::format("the formula is off by up to {:.3g} of its value", value); },
             .cause = [f](const Observation& seen) { return cause_of(f, seen); }};
 }
 
 Statistic property(const Property& p) {
-    Statistic s{.id = p.id,
-                .what = p.what,
-                .measure = largest(p.violation),
-                .truth = 0, .delta = p.tolerance, .exact = true,
-                .hint = [says = p.says](double value,
-                                        double) { return fmt::format("{} (off by {:.3g})", says, value); }};
+    Statistic s{
+        .id = p.id,
+        .what = p.what,
+        .measure = largest(p.violation),
+        .truth = 0,
+        .delta = p.tolerance,
+        .exact = true,
+        .hint = [says = p.says](double value, double) { return fmt::format("{} (off by {:.3g})", says, value); }};
     if (!p.mistakes.empty())
         s.cause = [p](const Observation& seen) -> std::string {
             for (const auto& [words, violation] : p.mistakes)
@@ -138,19 +142,24 @@ std::function<Rows(Generator&)> with_repeats(std::function<Rows(Generator&)> inp
 }
 
 Statistic purity() {
-    return {.id = "V0", .what = "difference between two calls with the same arguments",
-            .measure = [](const Observation& seen) {
-                const std::size_t start = seen.outputs.size() - std::min(repeated, seen.outputs.size() / 2);
-                double worst = 0;
-                for (std::size_t k = start; k < seen.outputs.size(); ++k)
-                    worst = worse(deviation(seen.outputs[k], seen.outputs[k - start]), worst);
-                return worst;
-            },
-            .truth = 0, .exact = true,
-            .hint = [](double, double) {
-                return std::string("the result changes from call to call: a fragment has no random numbers of its own, "
-                                   "they are arguments");
-            }};
+    return {.id = "V0",
+            .what = "difference between two calls with the same arguments",
+            .measure =
+                [](const Observation& seen) {
+                    const std::size_t start = seen.outputs.size() - std::min(repeated, seen.outputs.size() / 2);
+                    double worst = 0;
+                    for (std::size_t k = start; k < seen.outputs.size(); ++k)
+                        worst = worse(deviation(seen.outputs[k], seen.outputs[k - start]), worst);
+                    return worst;
+                },
+            .truth = 0,
+            .exact = true,
+            .hint =
+                [](double, double) {
+                    return std::string(
+                        "the result changes from call to call: a fragment has no random numbers of its own, "
+                        "they are arguments");
+                }};
 }
 
 }  // namespace grade

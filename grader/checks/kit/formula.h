@@ -48,8 +48,10 @@ private:
         return [f](const Row& inputs, const Row& right) {
             return std::apply(
                 [&](const auto&... arguments) {
-                    if constexpr (std::is_invocable_v<F, decltype(arguments)...>) return row(f(arguments...));
-                    else return row(of_call<fragment>(f)(inputs, right));
+                    if constexpr (std::is_invocable_v<F, decltype(arguments)...>)
+                        return row(f(arguments...));
+                    else
+                        return row(of_call<fragment>(f)(inputs, right));
                 },
                 Signature<decltype(fragment)>::arguments(inputs));
         };
@@ -106,18 +108,20 @@ Statistic property(const Property& property);
 /// The direction that a fragment returns, alone or in a sample, must have length 1.
 template <auto fragment>
 Statistic unit_direction(const std::string& id, double tolerance = 1e-4) {
-    return property({.id = id,
-                     .what = "length of the direction, off 1 by",
-                     .violation = of_call<fragment>(
-                         [](const auto& sample) { return std::abs(glm::length(sample.direction) - 1); }),
-                     .tolerance = tolerance,
-                     .says = "the direction is no unit vector"});
+    return property(
+        {.id = id,
+         .what = "length of the direction, off 1 by",
+         .violation = of_call<fragment>([](const auto& sample) { return std::abs(glm::length(sample.direction) - 1); }),
+         .tolerance = tolerance,
+         .says = "the direction is no unit vector"});
 }
 
 /// A camera's ray is valid from 0 to infinity.
 template <auto fragment>
 Statistic whole_ray(const std::string& id) {
-    return property({.id = id, .what = "the ray's interval", .violation = of_call<fragment>([](const rt::Ray& ray) {
+    return property({.id = id,
+                     .what = "the ray's interval",
+                     .violation = of_call<fragment>([](const rt::Ray& ray) {
                          return ray.near >= 0 && ray.near < 0.01 && ray.far > 1e6 ? 0.0 : 1.0;
                      }),
                      .says = "the ray must be valid from 0 to infinity"});

@@ -46,14 +46,17 @@ Check invisible_glass(Generator& random) {
                               sphere("air", place({1.2, 0, 0}), 1);
     const auto light = [=](const std::string& thing, Region region, const std::string& question) {
         return of_picture(
-            {.id = "F3", .what = "radiance of " + thing + ", over that of its surroundings",
+            {.id = "F3",
+             .what = "radiance of " + thing + ", over that of its surroundings",
              .number = [=](const rt::Image& image) { return brightness(region_mean(image, region)) / around; },
              .delta = 0.01,
-             .hint = [=](double value, double) {
-                 return fmt::format("{} where light comes from everywhere alike must be invisible, but its radiance is "
-                                    "{:.3g} times that of its surroundings: {}",
-                                    thing, value, question);
-             }});
+             .hint =
+                 [=](double value, double) {
+                     return fmt::format(
+                         "{} where light comes from everywhere alike must be invisible, but its radiance is "
+                         "{:.3g} times that of its surroundings: {}",
+                         thing, value, question);
+                 }});
     };
     return render_check(
         "invisible_glass", {scene, 4, "sobol"},

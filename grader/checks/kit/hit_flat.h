@@ -71,7 +71,8 @@ std::vector<Suspect<fragment>> flat_suspects(const FlatShape<Shape>& flat) {
              when([](const Ray& r, double t) { return t > 0 && t < r.far; })},
             {"the far end of the ray's interval is ignored", when([](const Ray& r, double t) { return t > r.near; })},
             {"the whole plane is hit, not the shape alone",
-             hit_where(flat, [](const Shape&, const Ray&) { return true; }, in_interval)},
+             hit_where(
+                 flat, [](const Shape&, const Ray&) { return true; }, in_interval)},
             {"t is a length; expected in units of |direction|, which need not be 1",
              [](double right, const Shape&, const Ray& r) { return right * glm::length(r.direction); }}};
 }
@@ -85,7 +86,9 @@ Checks flat_checks(const FlatShape<Shape>& flat, const std::vector<Suspect<fragm
                    Row (*draw)(Generator&, bool clipped), Row (*small)(Generator&)) {
     const auto distance = [&](const std::string& what) {
         return formula<fragment>(
-            {.id = "W1", .what = what, .tolerance = 1e-3,
+            {.id = "W1",
+             .what = what,
+             .tolerance = 1e-3,
              .right = hit_where(flat, flat.inside, in_interval),
              .suspects = suspects,
              .circumstances = {

@@ -20,17 +20,17 @@ rt::vec3 lobe_direction(rt::vec3 axis, double exponent, rt::vec2 u) {
 std::vector<LobeSuspect> common_lobe_suspects(rt::vec3 axis, rt::vec3 outward, double n) {
     const double weight = (n + 2) / (n + 1);
     std::vector<LobeSuspect> suspects;
-    for (const auto& [words, wrong] : {std::pair("2n", 2 * n), std::pair("n + 1", n + 1),
-                                      std::pair("n - 1", n - 1), std::pair("n/2", n / 2)})
+    for (const auto& [words, wrong] :
+         {std::pair("2n", 2 * n), std::pair("n + 1", n + 1), std::pair("n - 1", n - 1), std::pair("n/2", n / 2)})
         for (const double factor : {weight, (wrong + 2) / (wrong + 1)})
             suspects.push_back(lobe_about(fmt::format("the exponent of the lobe is {}; expected n", words), axis,
                                           outward, wrong, factor));
-    suspects.push_back({"what goes below the surface is mirrored up; its weight must be 0", [=](rt::vec2 u) {
-                            const rt::vec3 d = lobe_direction(axis, n, u);
-                            const double cosine = rt::dot(d, outward);
-                            return Scattered{cosine < 0 ? d - 2 * cosine * outward : d,
-                                             rt::Color(weight * std::abs(cosine))};
-                        }});
+    suspects.push_back(
+        {"what goes below the surface is mirrored up; its weight must be 0", [=](rt::vec2 u) {
+             const rt::vec3 d = lobe_direction(axis, n, u);
+             const double cosine = rt::dot(d, outward);
+             return Scattered{cosine < 0 ? d - 2 * cosine * outward : d, rt::Color(weight * std::abs(cosine))};
+         }});
     return suspects;
 }
 
@@ -75,18 +75,21 @@ RowNumber weighted(std::function<double(rt::vec3)> f) {
 
 /// What holds for each ray by itself.
 std::vector<Statistic> ray_properties_of_lobe(rt::vec3 outward) {
-    return {property({.id = "P3", .what = "weight of rays to the wrong side of the surface",
+    return {property({.id = "P3",
+                      .what = "weight of rays to the wrong side of the surface",
                       .violation = of_result<Scattered>([outward](const Scattered& s) {
                           return rt::dot(s.direction, outward) < -1e-9 ? rt::largest(s.weight) : 0.0;
                       }),
                       .says = "a ray of the lobe that goes to the wrong side of the surface must have weight 0"}),
-            property({.id = "P1", .what = "length of the direction, off 1 by",
+            property({.id = "P1",
+                      .what = "length of the direction, off 1 by",
                       .violation = of_result<Scattered>([](const Scattered& s) {
                           return s.weight == rt::Color(0) ? 0.0 : std::abs(glm::length(s.direction) - 1);
                       }),
                       .tolerance = 1e-4,
                       .says = "the direction is no unit vector"}),
-            property({.id = "P1", .what = "difference of the weight's channels",
+            property({.id = "P1",
+                      .what = "difference of the weight's channels",
                       .violation = of_result<Scattered>(
                           [](const Scattered& s) { return rt::largest(s.weight - rt::Color(s.weight.x)); }),
                       .tolerance = 1e-6,
@@ -99,7 +102,8 @@ Statistic mean_weight(const LobeSetting& setting, double all, double angle) {
     // without the light below the surface, |cosine| in place of max(0, cosine) adds as much as the signed cosine lacks
     const double below = all - std::cos(angle);
     return find_half_a_percent(mean_of(
-        {.id = "P2", .what = "reflected or transmitted share",
+        {.id = "P2",
+         .what = "reflected or transmitted share",
          .number = weighted([](rt::vec3) { return 1.0; }),
          .truth = all,
          .hint = by_value(
@@ -167,17 +171,19 @@ std::vector<Statistic> lobe_statistics(const LobeSetting& setting) {
 
     const rt::Frame frame = rt::frame_about(setting.axis);
     const auto lean = [&](const std::string& way, rt::vec3 axis) {
-        return mean_of({.id = "P1", .what = "mean weight of the direction, " + way,
+        return mean_of({.id = "P1",
+                        .what = "mean weight of the direction, " + way,
                         .number = weighted([=](rt::vec3 d) { return rt::dot(d, axis); }),
-                        .truth = 0, .unit = std::sqrt(width),
+                        .truth = 0,
+                        .unit = std::sqrt(width),
                         .hint = always("the lobe leans to one side: do its angle and its turn each use a number of "
                                        "their own?")});
     };
     std::vector<Statistic> statistics = ray_properties_of_lobe(setting.outward);
     const bool head_on = angle <= 0.05;
-    statistics.insert(statistics.end(),
-                      {spread, albedo,
-                       lean("sideways", head_on ? frame.x : rt::unit(rt::cross(setting.outward, setting.axis)))});
+    statistics.insert(
+        statistics.end(),
+        {spread, albedo, lean("sideways", head_on ? frame.x : rt::unit(rt::cross(setting.outward, setting.axis)))});
     if (head_on) statistics.push_back(lean("upwards", frame.y));
     statistics.push_back(purity());
     return statistics;
@@ -204,13 +210,17 @@ Checks lobe_of_any_exponent(bool reflected, Row (*row_with)(rt::vec3 d, rt::vec3
         const rt::vec3 n = exact_direction(random);
         return row_with(-n, n, log_between(random, 1, 1e4), u);
     };
-    return {probe_check("any_exponent", inputs,
-                        {mean_of({.id = "P1", .what = "width of lobes with exponents n from 1 to 10,000: mean of 1 - cos(alpha), times n + 3",
-                                  .number = widened,
-                                  .delta0 = 0.002, .delta = 0.02,
-                                  .hint = by_ratio("the width of lobes with exponents from 1 to 10,000", {},
-                                                   "is the exponent clamped, or another one than n?")})}),
-            axes_of_the_world(along_axis)};
+    return {
+        probe_check(
+            "any_exponent", inputs,
+            {mean_of({.id = "P1",
+                      .what = "width of lobes with exponents n from 1 to 10,000: mean of 1 - cos(alpha), times n + 3",
+                      .number = widened,
+                      .delta0 = 0.002,
+                      .delta = 0.02,
+                      .hint = by_ratio("the width of lobes with exponents from 1 to 10,000", {},
+                                       "is the exponent clamped, or another one than n?")})}),
+        axes_of_the_world(along_axis)};
 }
 
 }  // namespace grade

@@ -53,17 +53,22 @@ std::vector<Statistic> blurred_lamp(const LobeSurface& surface, const rt::Sphere
     };
     const auto place = [&](const std::string& what, int axis) {
         return of_picture(
-            {.id = "P1", .what = what,
+            {.id = "P1",
+             .what = what,
              .number = [=](const rt::Image& image) { return moments(image).centroid[axis] - due.centroid[axis]; },
-             .truth = 0, .delta = 0.8,
-             .hint = [=](double value, double) {
-                 return fmt::format("the blurred lamp is {:.3g} pixels from where it must be: is the lobe about {}?",
-                                    std::abs(value), lobe_about);
-             }});
+             .truth = 0,
+             .delta = 0.8,
+             .hint =
+                 [=](double value, double) {
+                     return fmt::format(
+                         "the blurred lamp is {:.3g} pixels from where it must be: is the lobe about {}?",
+                         std::abs(value), lobe_about);
+                 }});
     };
     return {
         of_picture(
-            {.id = "P2", .what = "light of the blurred lamp, over what must be",
+            {.id = "P2",
+             .what = "light of the blurred lamp, over what must be",
              .number = [=](const rt::Image& image) { return moments(image).mass / due.mass; },
              .delta = 0.06,
              .hint = by_ratio(
@@ -74,7 +79,8 @@ std::vector<Statistic> blurred_lamp(const LobeSurface& surface, const rt::Sphere
                  fmt::format("is the lobe about {}, and the weight BRDF x cosine / density?", lobe_about))}),
         place("blurred lamp, right of where it must be [pixel]", 0),
         place("blurred lamp, below where it must be [pixel]", 1),
-        of_picture({.id = "P1", .what = "mean square width of the blurred lamp, over what must be",
+        of_picture({.id = "P1",
+                    .what = "mean square width of the blurred lamp, over what must be",
                     .number = [=](const rt::Image& image) { return moments(image).radial_square / due.radial_square; },
                     .delta = 0.06,
                     .hint = by_ratio("the mean square width of the blurred lamp",

@@ -38,7 +38,8 @@ std::function<Rows(Generator&)> rows_of_decades(int low, int high, int each, F r
     return [=](Generator& random) {
         Rows rows;
         for (int decade = low; decade < high; ++decade)
-            for (int k = 0; k < each; ++k) rows.push_back(row_with(random, std::pow(10, decade + between(random, 0, 1))));
+            for (int k = 0; k < each; ++k)
+                rows.push_back(row_with(random, std::pow(10, decade + between(random, 0, 1))));
         return rows;
     };
 }

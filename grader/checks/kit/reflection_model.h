@@ -20,7 +20,7 @@ struct Model {
     bool highlight = true;
     bool diffuse = true;
     bool ambient = true;
-    bool ambient_below = false;                     // where the light is below the horizon
+    bool ambient_below = false;  // where the light is below the horizon
 };
 
 /// Reflected radiance over irradiance of a surface that faces the light.
@@ -60,8 +60,8 @@ inline rt::vec3 viewer(Generator& random, rt::vec3 n, rt::vec3 d) {
     return tilted(random, n, between(random, 0, 1.5));
 }
 
-/// A highlight as the handout promises it: of any exponent from 1 to 10,000, seen from within it or from where it is 0 since
-/// the viewer is on the other side of the mirrored light; now and then white.
+/// A highlight as the handout promises it: of any exponent from 1 to 10,000, seen from within it or from where it is 0
+/// since the viewer is on the other side of the mirrored light; now and then white.
 struct Highlight {
     rt::Material material;
     rt::vec3 n, to_light, to_viewer;

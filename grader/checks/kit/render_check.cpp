@@ -12,7 +12,10 @@ Statistic of_picture(const Picture& p) {
     return {.id = p.id,
             .what = p.what,
             .measure = [number = p.number](const Observation& seen) { return number(seen.image); },
-            .truth = p.truth, .delta0 = p.delta0.value_or(p.delta / 10), .delta = p.delta, .exact = p.exact,
+            .truth = p.truth,
+            .delta0 = p.delta0.value_or(p.delta / 10),
+            .delta = p.delta,
+            .exact = p.exact,
             .hint = p.hint,
             .cause = p.cause};
 }

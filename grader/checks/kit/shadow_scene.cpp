@@ -21,8 +21,8 @@ std::string text(Generator& random, const ShadowScene& s, double camera_height) 
     const double half_view = 1.6 * penumbra_of(s) + 0.35;  // of the floor, across the edge
     const double vfov = vfov_of(half_view * size.y / size.x, camera_height);
     std::string scene = toml(View{place({0, 0, camera_height}), place({0, 0, 0}), y, vfov, size}) +
-                        material("floor", {{"albedo", s.albedo}, {"specular", s.specular}}) + material("black", {}) + place.floor("floor", 5) +
-                        quad("black", place({-2.5, 0, s.blocker_height}), 2.5 * x, 5.0 * y) +
+                        material("floor", {{"albedo", s.albedo}, {"specular", s.specular}}) + material("black", {}) +
+                        place.floor("floor", 5) + quad("black", place({-2.5, 0, s.blocker_height}), 2.5 * x, 5.0 * y) +
                         place.floor("black", 5, s.light_height + 0.7);
     const vec3 light = place({0, 0, s.light_height});
     if (!s.kind) return scene + point_light(light, s.radiance);
@@ -170,12 +170,15 @@ Check shadow_check(Generator& random, const std::string& name, const ShadowScene
         return penumbra(column_profile(image, whole(image)), due.unblocked, due.reach);
     };
     std::vector<Statistic> statistics = {
-        of_picture({.id = "L4", .what = "brightest pixel of the umbra",
+        of_picture({.id = "L4",
+                    .what = "brightest pixel of the umbra",
                     .number = [=](const rt::Image& image) { return brightest(image, due.umbra); },
-                    .truth = 0, .exact = true,
+                    .truth = 0,
+                    .exact = true,
                     .hint = always("light falls into the umbra, where the blocker hides the whole light")}),
         of_picture(
-            {.id = "L1", .what = "light of the open floor, over what must be",
+            {.id = "L1",
+             .what = "light of the open floor, over what must be",
              .number = [=](const rt::Image& image) { return brightness(region_mean(image, due.open)) / due.light; },
              .delta = 0.04,
              .hint = by_ratio(
@@ -188,7 +191,8 @@ Check shadow_check(Generator& random, const std::string& name, const ShadowScene
                  "is the density per solid angle that of the sample?")})};
     if (s.kind)
         statistics.push_back(of_picture(
-            {.id = "L3", .what = "width of the penumbra, over what must be",
+            {.id = "L3",
+             .what = "width of the penumbra, over what must be",
              .number =
                  [=](const rt::Image& image) {
                      return std::sqrt(std::max(0.0, edge(image).variance) / due.penumbra.variance);
@@ -200,9 +204,11 @@ Check shadow_check(Generator& random, const std::string& name, const ShadowScene
                                {0.816, "samples crowd in the middle of the light"}},
                               "are samples spread evenly over the light?")}));
     statistics.push_back(of_picture(
-        {.id = "L3", .what = "place of the shadow's edge, off by [pixel]",
+        {.id = "L3",
+         .what = "place of the shadow's edge, off by [pixel]",
          .number = [=](const rt::Image& image) { return edge(image).mean - due.penumbra.mean; },
-         .truth = 0, .delta = 0.6,
+         .truth = 0,
+         .delta = 0.6,
          .hint = always("the shadow's edge is shifted: the light is sampled more on one side, or the ray starts too "
                         "far from the floor")}));
     return render_check(name, {scene, 32, "sobol"}, statistics);

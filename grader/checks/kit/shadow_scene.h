@@ -14,8 +14,8 @@ struct ShadowScene {
     std::optional<rt::Emitter::Kind> kind;
     double light_height = 2, blocker_height = 1;
     double half_width = 0.25,
-           half_length = 0.3;  // of a quad across and along the blocker's edge; else half_width is the radius
-    double albedo = 0.7, radiance = 5;            // a point light's intensity
+           half_length = 0.3;           // of a quad across and along the blocker's edge; else half_width is the radius
+    double albedo = 0.7, radiance = 5;  // a point light's intensity
     double specular = 0;
 };
 ShadowScene any_shadow(Generator& random, std::optional<rt::Emitter::Kind> kind);

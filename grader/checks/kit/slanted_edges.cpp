@@ -47,26 +47,28 @@ std::vector<Statistic> of_edge(const std::string& axis, const Edge& edge, int sa
                                std::function<SlantedSpread(const rt::Image&)> spread) {
     const double due = (1 + rt::sqr(edge.slope)) / 12;
     return {of_picture(
-            {.id = "A1", .what = "place of an edge " + axis + " the picture, from where it must be [pixel]",
-             .number = [=](const rt::Image& image) { return spread(image).mean; },
-             .truth = 0, .delta = 0.05,
-             .hint = by_value("an edge's place " + axis + " the picture, from where it must be [pixel],",
-                              {{0.5, "are positions shifted by half a pixel?"},
-                               {-0.5, "are positions shifted by half a pixel, or is 1/n computed with integers?"},
-                               {-0.5 + 0.5 / samples, "is a stratum computed by integer division?"},
-                               {0.5 - 0.5 / samples, "is a stratum computed by integer division?"},
-                               {1, "are positions shifted by a pixel?"},
-                               {-1, "are positions shifted by a pixel?"}},
-                              0.06)}),
-        of_picture(
-            {.id = "A1", .what = "width of an edge " + axis + " the picture: mean square, over that of a pixel",
-             .number = [=](const rt::Image& image) { return spread(image).mean_square / due; },
-             .delta = 0.15,
-             .hint = by_value("an edge's mean square width " + axis + " the picture, over that of a pixel,",
-                              {{0, "is every sample in the same place? The edge is a staircase"},
-                               {4, "do the samples fill two pixels?"},
-                               {0.25, "do the samples fill half of the pixel?"}},
-                              0.2)})};
+                {.id = "A1",
+                 .what = "place of an edge " + axis + " the picture, from where it must be [pixel]",
+                 .number = [=](const rt::Image& image) { return spread(image).mean; },
+                 .truth = 0,
+                 .delta = 0.05,
+                 .hint = by_value("an edge's place " + axis + " the picture, from where it must be [pixel],",
+                                  {{0.5, "are positions shifted by half a pixel?"},
+                                   {-0.5, "are positions shifted by half a pixel, or is 1/n computed with integers?"},
+                                   {-0.5 + 0.5 / samples, "is a stratum computed by integer division?"},
+                                   {0.5 - 0.5 / samples, "is a stratum computed by integer division?"},
+                                   {1, "are positions shifted by a pixel?"},
+                                   {-1, "are positions shifted by a pixel?"}},
+                                  0.06)}),
+            of_picture({.id = "A1",
+                        .what = "width of an edge " + axis + " the picture: mean square, over that of a pixel",
+                        .number = [=](const rt::Image& image) { return spread(image).mean_square / due; },
+                        .delta = 0.15,
+                        .hint = by_value("an edge's mean square width " + axis + " the picture, over that of a pixel,",
+                                         {{0, "is every sample in the same place? The edge is a staircase"},
+                                          {4, "do the samples fill two pixels?"},
+                                          {0.25, "do the samples fill half of the pixel?"}},
+                                         0.2)})};
 }
 
 }  // namespace
@@ -101,17 +103,23 @@ Check slanted_edges(Generator& random) {
                                       [=](const rt::Image& image) { return spread(image, across); }))
             statistics.push_back(std::move(one));
     statistics.push_back(of_picture(
-        {.id = "G2", .what = "noise of the pixels on an edge, over that of independent samples",
+        {.id = "G2",
+         .what = "noise of the pixels on an edge, over that of independent samples",
          .number = [=](const rt::Image& image) { return edge_dispersion(image, upright, 32, lamp, samples); },
-         .truth = 0.25, .delta = 0.35, .delta0 = 0.15,
-         .hint = [](double value, double) {
-             return value > 0.8 ? fmt::format("pixels on an edge have {:.3g} times the noise of independent samples: "
-                                              "each sample must fall in a cell of its own",
-                                              value)
-                                : fmt::format("pixels on an edge are {:.3g} times as noisy as independent samples make "
-                                              "them; expected about 0.25",
-                                              value);
-         }}));
+         .truth = 0.25,
+         .delta = 0.35,
+         .delta0 = 0.15,
+         .hint =
+             [](double value, double) {
+                 return value > 0.8 ? fmt::format(
+                                          "pixels on an edge have {:.3g} times the noise of independent samples: "
+                                          "each sample must fall in a cell of its own",
+                                          value)
+                                    : fmt::format(
+                                          "pixels on an edge are {:.3g} times as noisy as independent samples make "
+                                          "them; expected about 0.25",
+                                          value);
+             }}));
     return render_check("slanted_edges", {scene, samples, "stratified"}, statistics);
 }
 

@@ -27,25 +27,29 @@ inline Cause half_circles(RowPoint point) {
 
 constexpr double neighbour_step = 1e-7;
 
-/// How far apart the answers to numbers u are that lie side by side, over the distance of these: a warp keeps strata and
-/// patterns together. Rows 2k and 2k + 1 are neighbours; the first `count` numbers of an answer are its place.
+/// How far apart the answers to numbers u are that lie side by side, over the distance of these: a warp keeps strata
+/// and patterns together. Rows 2k and 2k + 1 are neighbours; the first `count` numbers of an answer are its place.
 inline Statistic keeps_neighbours(std::size_t count) {
-    return {.id = "V3", .what = "how far apart neighbours of the unit square come",
-            .measure =
-                [count](const Observation& seen) {
-                    std::vector<double> stretched;
-                    for (std::size_t k = 0; k + 1 < seen.outputs.size(); k += 2) {
-                        double square = 0;
-                        for (std::size_t i = 0; i < count; ++i)
-                            square += rt::sqr(seen.outputs[k][i] - seen.outputs[k + 1][i]);
-                        stretched.push_back(std::sqrt(square) / neighbour_step);
-                    }
-                    std::ranges::nth_element(stretched, stretched.begin() + std::ptrdiff_t(stretched.size() / 2));
-                    return stretched[stretched.size() / 2];
-                },
-            .truth = 0, .delta = 40, .exact = true,
-            .hint = always("numbers u side by side give answers far apart: is an angle in degrees where cos and sin take "
-                           "radians? One turn is 2 pi")};
+    return {
+        .id = "V3",
+        .what = "how far apart neighbours of the unit square come",
+        .measure =
+            [count](const Observation& seen) {
+                std::vector<double> stretched;
+                for (std::size_t k = 0; k + 1 < seen.outputs.size(); k += 2) {
+                    double square = 0;
+                    for (std::size_t i = 0; i < count; ++i)
+                        square += rt::sqr(seen.outputs[k][i] - seen.outputs[k + 1][i]);
+                    stretched.push_back(std::sqrt(square) / neighbour_step);
+                }
+                std::ranges::nth_element(stretched, stretched.begin() + std::ptrdiff_t(stretched.size() / 2));
+                return stretched[stretched.size() / 2];
+            },
+        .truth = 0,
+        .delta = 40,
+        .exact = true,
+        .hint = always("numbers u side by side give answers far apart: is an angle in degrees where cos and sin take "
+                       "radians? One turn is 2 pi")};
 }
 
 /// Neighbours stay neighbours.
@@ -84,11 +88,14 @@ Check well_formed(const std::string& name, rt::vec2 (*draw_u)(Generator&), RowWi
         return counts ? std::abs(std::hypot(out[0], out[1], out[2]) - 1) : 0.0;
     };
     return probe_check(name, inputs,
-                       {property({.id = "V3", .what = "answers that are no finite numbers, " + where,
+                       {property({.id = "V3",
+                                  .what = "answers that are no finite numbers, " + where,
                                   .violation = not_finite,
                                   .says = "an answer is no finite number " + where}),
-                        property({.id = "V3", .what = "length of directions " + where + ", off 1 by",
-                                  .violation = off_one, .tolerance = 1e-4,
+                        property({.id = "V3",
+                                  .what = "length of directions " + where + ", off 1 by",
+                                  .violation = off_one,
+                                  .tolerance = 1e-4,
                                   .says = "the direction is no unit vector " + where})});
 }
 
@@ -101,13 +108,15 @@ Check ends_of_square(RowWith row_with) {
 /// For row_with that draws axes of the world: a frame must exist about each.
 template <class RowWith>
 Check axes_of_the_world(RowWith row_with) {
-    return well_formed("axes_of_the_world", square, row_with, "where the direction or the normal is an axis of the world");
+    return well_formed("axes_of_the_world", square, row_with,
+                       "where the direction or the normal is an axis of the world");
 }
 
 /// The density that is returned must be that of the direction or point that is returned: density(sample).
 template <auto fragment, class Density>
 Statistic right_density(Density density, double tolerance, std::vector<KnownRatio> known) {
-    Statistic s = property({.id = "V3", .what = "returned density, off by its share",
+    Statistic s = property({.id = "V3",
+                            .what = "returned density, off by its share",
                             .violation = of_call<fragment>([density](const auto& sample) {
                                 const double right = density(sample);
                                 return std::abs(sample.density - right) / (right + 1e-6);

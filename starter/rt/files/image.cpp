@@ -63,7 +63,8 @@ Imf::Header header_of(const Image& image, const Label& label) {
     for (const auto& [name, value] : label.attributes) {
         if (const int* number = std::get_if<int>(&value)) header.insert(name, Imf::IntAttribute(*number));
         if (const double* number = std::get_if<double>(&value)) header.insert(name, Imf::DoubleAttribute(*number));
-        if (const std::string* text = std::get_if<std::string>(&value)) header.insert(name, Imf::StringAttribute(*text));
+        if (const std::string* text = std::get_if<std::string>(&value))
+            header.insert(name, Imf::StringAttribute(*text));
     }
     header.compression() = Imf::ZIP_COMPRESSION;
     header.zipCompressionLevel() = 1;  // noise hardly shrinks, however long one tries

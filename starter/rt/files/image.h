@@ -23,8 +23,8 @@ struct Image {
 
 /// What an EXR file says of its picture.
 struct Label {
-    ivec2 corner{0};       // of the picture in the film: its data window
-    ivec2 film{0};         // size of the film, the display window; 0: the picture is all of it
+    ivec2 corner{0};  // of the picture in the film: its data window
+    ivec2 film{0};    // size of the film, the display window; 0: the picture is all of it
     std::vector<std::pair<std::string, std::variant<int, double, std::string>>> attributes{};  // name and value
 };
 
@@ -38,7 +38,8 @@ Image read_exr(const std::string& path);
 /// The label of a file: the attributes that a label can hold, in the order of their names. Throws as read_exr.
 Label read_label(const std::string& path);
 
-/// A number for the pixels as an EXR file holds them: equal pictures have equal hashes, whenever and however they were made.
+/// A number for the pixels as an EXR file holds them: equal pictures have equal hashes, whenever and however they were
+/// made.
 std::uint64_t hash_of(const Image& image);
 
 /// A channel as a screen shows it; a NaN is black.

@@ -10,8 +10,8 @@
 #include <system_error>
 
 #include "rt/files/mitsuba_parts.h"
-#include "rt/plan.h"
 #include "rt/files/scene_reader.h"
+#include "rt/plan.h"
 
 namespace rt {
 namespace {
@@ -30,7 +30,8 @@ std::string camera(const Scene& scene, const World* world) {
     xml +=
         fmt::format("\n    <transform name=\"to_world\"><lookat origin=\"{}\" target=\"{}\" up=\"{}\"/></transform>\n",
                     coordinates(c.eye), coordinates(c.eye - c.back), coordinates(c.up));
-    if (const std::string medium = world ? mitsuba_medium_at(*world, world->regions.start, "medium") : ""; !medium.empty())
+    if (const std::string medium = world ? mitsuba_medium_at(*world, world->regions.start, "medium") : "";
+        !medium.empty())
         xml += "    " + medium + "\n";
     xml += fmt::format("    <sampler type=\"independent\"><integer name=\"sample_count\" value=\"{}\"/></sampler>\n",
                        scene.samples);

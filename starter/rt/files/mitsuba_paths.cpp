@@ -31,8 +31,9 @@ MitsubaPaths mitsuba_paths(const Scene& scene, std::vector<std::string>& unsaid)
     searched |= !scene.lights.empty() || scene.environment != Color(0);
 
     if (scatters && !scene.lights.empty())
-        unsaid.emplace_back("a light without extent beside a medium that scatters: Mitsuba's media send shadow rays to it; "
-                            "expected lamps with extent");
+        unsaid.emplace_back(
+            "a light without extent beside a medium that scatters: Mitsuba's media send shadow rays to it; "
+            "expected lamps with extent");
     if (!diffuse) {
         if (!paths.media) paths.max_depth = scene.depth + 1;
     } else if (!specular && searched != found) {

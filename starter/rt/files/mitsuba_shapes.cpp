@@ -27,12 +27,14 @@ std::string geometry(const Triangle&) { return {}; }  // all of a material's bec
 
 Shape moved_to(Shape shape, Real time) {
     const vec3 shift = time * shape.velocity;
-    std::visit([&](auto& s) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(s)>, Triangle>)
-            s.a += shift, s.b += shift, s.c += shift;
-        else
-            s.center += shift;
-    }, shape.geometry);
+    std::visit(
+        [&](auto& s) {
+            if constexpr (std::is_same_v<std::decay_t<decltype(s)>, Triangle>)
+                s.a += shift, s.b += shift, s.c += shift;
+            else
+                s.center += shift;
+        },
+        shape.geometry);
     return shape;
 }
 
@@ -105,8 +107,7 @@ void add_mitsuba_shapes(const Scene& scene, const World* world, const std::strin
         const vec3 shift = scene.shutter.open * mesh.velocity;
         const auto corner = [&](int i) { return mesh.vertices[std::size_t(mesh.triangles[0][i])] + shift; };
         const vec3 front = mesh.triangles.empty() ? shift : before(Triangle{corner(0), corner(1), corner(2)});
-        out.meshes.push_back(
-            {fmt::format("{}{}.ply", stem, out.meshes.size()), ply(mesh, shift)});
+        out.meshes.push_back({fmt::format("{}{}.ply", stem, out.meshes.size()), ply(mesh, shift)});
         out.xml += shape(
             fmt::format("\"ply\"><string name=\"filename\" value=\"{}\"/><boolean name=\"face_normals\" value=\"{}\"/>",
                         out.meshes.back().name, mesh.normals.empty()),

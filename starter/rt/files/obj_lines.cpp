@@ -19,10 +19,11 @@ constexpr const char* blanks = " \t\v\f";
 constexpr std::string_view mark = "\xef\xbb\xbf";  // byte order mark
 
 /// Words of the format that say nothing about triangles.
-constexpr std::array ignored{"vt",     "vp",     "o",         "g",         "s",        "mg",       "usemtl", "mtllib", "usemap",
-                             "maplib", "l",      "p",         "curv",      "curv2",    "parm",     "trim",   "hole",   "scrv",
-                             "sp",     "end",    "con",       "cstype",    "deg",      "bmat",     "step",   "bevel",  "lod",
-                             "ctech",  "stech",  "shadow_obj", "trace_obj", "c_interp", "d_interp", "csh",    "vc"};
+constexpr std::array ignored{"vt",     "vp",         "o",         "g",        "s",        "mg",   "usemtl",
+                             "mtllib", "usemap",     "maplib",    "l",        "p",        "curv", "curv2",
+                             "parm",   "trim",       "hole",      "scrv",     "sp",       "end",  "con",
+                             "cstype", "deg",        "bmat",      "step",     "bevel",    "lod",  "ctech",
+                             "stech",  "shadow_obj", "trace_obj", "c_interp", "d_interp", "csh",  "vc"};
 /// Words that add to the shape what is not read here.
 constexpr std::array unsupported{"surf", "bsp", "bzp", "cdc", "cdp", "call"};
 
@@ -142,8 +143,8 @@ void ObjLines::fail(std::string_view word, const std::string& wrong, const std::
     Piece piece{0, std::max(lines_, 1), 1};
     for (const Piece& p : pieces_)
         if (p.at <= at) piece = p;
-    throw InputError(fmt::format("{}:{}:{}: {}; expected {}", path_, piece.line, piece.column + int(at - piece.at), wrong,
-                                 expected));
+    throw InputError(fmt::format("{}:{}:{}: {}; expected {}", path_, piece.line, piece.column + int(at - piece.at),
+                                 wrong, expected));
 }
 
 }  // namespace rt

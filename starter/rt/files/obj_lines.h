@@ -6,8 +6,8 @@
 
 namespace rt {
 
-/// The lines of an OBJ file, without comments, and with those put together that a backslash continues. Lines end with LF,
-/// CR or both; byte order marks are no text.
+/// The lines of an OBJ file, without comments, and with those put together that a backslash continues. Lines end with
+/// LF, CR or both; byte order marks are no text.
 class ObjLines {
 public:
     /// Reads the file. Throws std::system_error where it cannot be read, InputError where it is no text.

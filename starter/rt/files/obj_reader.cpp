@@ -74,7 +74,8 @@ struct Reading {
             parts[i] = rest.substr(0, slash);
             if (slash == rest.npos) break;
             rest = rest.substr(slash + 1);
-            if (i == 2) lines.fail(word, fmt::format("{} has too many slashes", in_quotes(word)), "vertex/texture/normal");
+            if (i == 2)
+                lines.fail(word, fmt::format("{} has too many slashes", in_quotes(word)), "vertex/texture/normal");
         }
         if (parts[0].empty())
             lines.fail(word, fmt::format("{} in a face is no corner", in_quotes(word)),
@@ -95,10 +96,13 @@ struct Reading {
             places.push_back(vertices[std::size_t(corners.back().vertex)]);
         }
         if (corners.size() < 3)
-            lines.fail(keyword, fmt::format("a face has {} corner{}", corners.size(), corners.size() == 1 ? "" : "s"), "three or more");
+            lines.fail(keyword, fmt::format("a face has {} corner{}", corners.size(), corners.size() == 1 ? "" : "s"),
+                       "three or more");
         const auto split = split_polygon(places);
         if (!split)
-            lines.fail(keyword, fmt::format("the face of {} corners crosses itself, and cannot be split into triangles", corners.size()),
+            lines.fail(keyword,
+                       fmt::format("the face of {} corners crosses itself, and cannot be split into triangles",
+                                   corners.size()),
                        "corners in their order around the face, or triangles");
         for (const auto& t : *split)
             triangles.push_back({corners[std::size_t(t[0])], corners[std::size_t(t[1])], corners[std::size_t(t[2])]});
@@ -111,8 +115,10 @@ struct Reading {
             const ObjWord kind = obj_word(keyword);
             if (kind == ObjWord::face) read_face(keyword);
             if (kind == ObjWord::unsupported)
-                lines.fail(keyword, fmt::format("{} makes a shape that is no polygon, or is in another file", in_quotes(keyword)),
-                           "faces ('f') in this file");
+                lines.fail(
+                    keyword,
+                    fmt::format("{} makes a shape that is no polygon, or is in another file", in_quotes(keyword)),
+                    "faces ('f') in this file");
             if (kind == ObjWord::unknown)
                 lines.fail(keyword, fmt::format("{} is no word of the format", in_quotes(keyword)),
                            "v, vn, f or another statement of a Wavefront OBJ file");
@@ -136,12 +142,14 @@ struct Reading {
                 lines.fail(word, fmt::format("{} is no number", in_quotes(word)),
                            word.find(',') == word.npos ? "three numbers" : "three numbers, with a point and no comma");
             if (extra) continue;
-            if (!(std::abs(*number) <= huge)) lines.fail(word, fmt::format("{} is {}", in_quotes(word), *number), any_number.expected);
+            if (!(std::abs(*number) <= huge))
+                lines.fail(word, fmt::format("{} is {}", in_quotes(word), *number), any_number.expected);
             exact[count] = *number;
             text += ' ';
             text += without_plus(word);
         }
-        if (count < 3) lines.fail(keyword, fmt::format("'{}' is followed by {} numbers", keyword, count), "three numbers");
+        if (count < 3)
+            lines.fail(keyword, fmt::format("'{}' is followed by {} numbers", keyword, count), "three numbers");
         if (none) exact = vec3(0), text = "vn 0 0 0";
         return text + '\n';
     }
@@ -233,8 +241,10 @@ Mesh read_obj(const std::string& path, bool smooth) {
     Mesh mesh;
     mesh.vertices = reading.vertices;
     for (const auto& t : reading.triangles) mesh.triangles.emplace_back(t[0].vertex, t[1].vertex, t[2].vertex);
-    if (smooth && has_normals(reading)) use_file_normals(reading, mesh);
-    else if (smooth) use_mean_normals(mesh);
+    if (smooth && has_normals(reading))
+        use_file_normals(reading, mesh);
+    else if (smooth)
+        use_mean_normals(mesh);
     return mesh;
 }
 

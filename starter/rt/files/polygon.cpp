@@ -49,7 +49,9 @@ bool is_convex(const std::vector<vec2>& p) {
 /// Whether two edges without a common end cross.
 bool crosses_itself(const std::vector<vec2>& p) {
     const std::size_t n = p.size();
-    const auto apart = [](Real a, Real b) { return (a > straight && b < -straight) || (a < -straight && b > straight); };
+    const auto apart = [](Real a, Real b) {
+        return (a > straight && b < -straight) || (a < -straight && b > straight);
+    };
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = i + 2; j < n; ++j) {
             const vec2 a = p[i], b = p[i + 1], c = p[j], d = p[(j + 1) % n];
@@ -107,7 +109,8 @@ std::optional<Triangles> split_polygon(const std::vector<vec3>& corners) {
     if (flat.empty()) {
         // Without area: all on one line, or as much one way round as the other.
         for (std::size_t i = 2; i < places.size(); ++i) {
-            const vec3 a = corners[std::size_t(places[0])], b = corners[std::size_t(places[i - 1])], c = corners[std::size_t(places[i])];
+            const vec3 a = corners[std::size_t(places[0])], b = corners[std::size_t(places[i - 1])],
+                       c = corners[std::size_t(places[i])];
             const Real size = std::max(largest(b - a), largest(c - a));
             if (size > 0 && length(exact_cross((b - a) / size, (c - a) / size)) > straight) return std::nullopt;
         }

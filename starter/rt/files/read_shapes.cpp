@@ -100,11 +100,21 @@ void read_shape(const Table& table, Scene& scene) {
     enum { sphere, triangle, quad, disc, mesh };
     const int type = table.choice("type", {"sphere", "triangle", "quad", "disc", "mesh"});
     switch (type) {
-        case sphere: table.only({"type", "material", "velocity", "center", "radius"}); break;
-        case triangle: table.only({"type", "material", "velocity", "a", "b", "c"}); break;
-        case quad: table.only({"type", "material", "velocity", "center", "u", "v"}); break;
-        case disc: table.only({"type", "material", "velocity", "center", "normal", "radius"}); break;
-        case mesh: table.only({"type", "material", "velocity", "file", "scale", "translate", "smooth"}); break;
+        case sphere:
+            table.only({"type", "material", "velocity", "center", "radius"});
+            break;
+        case triangle:
+            table.only({"type", "material", "velocity", "a", "b", "c"});
+            break;
+        case quad:
+            table.only({"type", "material", "velocity", "center", "u", "v"});
+            break;
+        case disc:
+            table.only({"type", "material", "velocity", "center", "normal", "radius"});
+            break;
+        case mesh:
+            table.only({"type", "material", "velocity", "file", "scale", "translate", "smooth"});
+            break;
     }
     Shape shape{{}, find_material(table, scene), table.vector("velocity", any_number, vec3(0))};
     if (type == triangle || type == mesh) shape.geometry = Triangle{};

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "rt/scene.h"
 #include "rt/files/toml_table.h"
+#include "rt/scene.h"
 
 /// The parts of a scene file that are long enough to have files of their own. All throw InputError.
 namespace rt {

@@ -27,8 +27,8 @@ std::string read_text(const std::string& path) {
 }
 
 void read_settings(const Table& settings, Scene& scene) {
-    settings.only({"samples", "bounces", "depth", "sampler", "multiple_importance", "solid_angle", "one_lamp",
-                   "exposure"});
+    settings.only(
+        {"samples", "bounces", "depth", "sampler", "multiple_importance", "solid_angle", "one_lamp", "exposure"});
     scene.samples = settings.integer("samples", 1, 1 << 30, scene.samples);
     scene.bounces = settings.integer("bounces", 0, 1 << 24, scene.bounces);
     scene.depth = settings.integer("depth", 0, 1 << 24, scene.depth);

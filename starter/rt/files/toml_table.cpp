@@ -38,13 +38,20 @@ std::string one_line(std::string text) {
 
 std::string type_of(const toml::node& node) {
     switch (node.type()) {
-        case toml::node_type::table: return "a table";
-        case toml::node_type::array: return "an array";
-        case toml::node_type::string: return "a string";
-        case toml::node_type::integer: return "a whole number";
-        case toml::node_type::floating_point: return "a number";
-        case toml::node_type::boolean: return "true or false";
-        default: return "a date or time";
+        case toml::node_type::table:
+            return "a table";
+        case toml::node_type::array:
+            return "an array";
+        case toml::node_type::string:
+            return "a string";
+        case toml::node_type::integer:
+            return "a whole number";
+        case toml::node_type::floating_point:
+            return "a number";
+        case toml::node_type::boolean:
+            return "true or false";
+        default:
+            return "a date or time";
     }
 }
 
@@ -90,8 +97,7 @@ toml::source_index line_of_fault(std::string_view text) {
             (void)toml::parse(text.substr(0, end + 1));
         } catch (const ParserFault&) {
             return line;
-        } catch (const toml::parse_error&) {
-        }
+        } catch (const toml::parse_error&) {}
     return line;
 }
 

@@ -34,7 +34,7 @@ inline constexpr Limits share{[](Real x) { return x >= 0 && x <= 1; }, "a number
 /// A table of a TOML file. Every function throws InputError, with the position in the file, when what it finds is not
 /// what it was asked for. Where `otherwise` is left out the key must be there.
 class Table {
-  public:
+public:
     /// The whole file.
     static Table parse(std::string_view text, const std::string& path);
 
@@ -69,7 +69,7 @@ class Table {
     /// Throws "file:line:column: wrong; expected ...", at the key, or at the table if the key is not there.
     [[noreturn]] void fail(std::string_view key, const std::string& wrong, const std::string& expected) const;
 
-  private:
+private:
     struct Inside;  // toml++'s types, whose header takes seconds to read
     std::shared_ptr<const Inside> inside_;
 };

@@ -3,8 +3,8 @@
 #include "rt/lamps/solid_angle.h"
 #include "rt/world.h"
 
-/// Multiple importance sampling of lamps that glossy lobes reflect: points of the lamp and rays of the lobe both find them, and each
-/// is weighed by its density against the other's.
+/// Multiple importance sampling of lamps that glossy lobes reflect: points of the lamp and rays of the lobe both find
+/// them, and each is weighed by its density against the other's.
 ///
 /// Source: Veach and Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering", SIGGRAPH 1995.
 namespace rt {

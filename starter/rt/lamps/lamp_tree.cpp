@@ -16,9 +16,7 @@ Real radius(const Emitter& lamp) {
 }
 
 /// The intensity in the direction in which a lamp shines most, summed over the channels [W/sr].
-Real power(const Emitter& lamp) {
-    return area(lamp) * (lamp.radiance.x + lamp.radiance.y + lamp.radiance.z);
-}
+Real power(const Emitter& lamp) { return area(lamp) * (lamp.radiance.x + lamp.radiance.y + lamp.radiance.z); }
 
 /// Divides lamps between the two halves of a node's leaves, along the axis on which they are furthest apart.
 void sort(const std::vector<Emitter>& lamps, std::span<std::size_t> order, std::size_t leaves) {

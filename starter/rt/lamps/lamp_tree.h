@@ -5,14 +5,15 @@
 
 #include "rt/scene.h"
 
-/// Better samples of lamps: which one, by solid angle, weighed against lobes. Nobody needs this folder for the assignment.
+/// Better samples of lamps: which one, by solid angle, weighed against lobes. Nobody needs this folder for the
+/// assignment.
 namespace rt {
 
-/// Chooses one of many lamps for a point, the more likely the more light it may send there: as bright lamps that are near
-/// do. A binary tree whose leaves are the lamps: the choice takes a logarithm of their number.
+/// Chooses one of many lamps for a point, the more likely the more light it may send there: as bright lamps that are
+/// near do. A binary tree whose leaves are the lamps: the choice takes a logarithm of their number.
 ///
-/// Source: Conty Estevez and Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting", Proc. ACM Comput.
-/// Graph. Interact. Tech. 1(2), 2018, without their bounds of angles.
+/// Source: Conty Estevez and Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting", Proc. ACM
+/// Comput. Graph. Interact. Tech. 1(2), 2018, without their bounds of angles.
 class LampTree {
 public:
     LampTree() = default;

@@ -3,20 +3,22 @@
 #include "rt/elementary.h"
 #include "rt/fragments.h"
 
-/// Sampling quads by the solid angle that they fill, in place of their area: no noise from distance and angle at the lamp.
+/// Sampling quads by the solid angle that they fill, in place of their area: no noise from distance and angle at the
+/// lamp.
 ///
 /// Source: Ureña, Fajardo, King, "An Area-Preserving Parametrization for Spherical Rectangles", EGSR 2013.
 namespace rt {
 
 /// A quad as seen from a point in front of it. Coordinates run from the point along the edges and towards the plane.
 struct SeenQuad {
-    vec3 x, y, normal;  // unit [world]
+    vec3 x, y, normal;    // unit [world]
     Real x0, x1, y0, y1;  // of the edges [m]
     Real height;          // of the point over the plane; negative behind it [m]
     vec2 left;            // (cos, sin) of the sum of the angles of the corners at x0
     Real solid_angle;     // [sr]; meaningless behind the quad
 
-    /// Below this solid angle the corners' angles cancel, and a point of the area is as good: distance and angle hardly vary.
+    /// Below this solid angle the corners' angles cancel, and a point of the area is as good: distance and angle hardly
+    /// vary.
     static constexpr Real least = 1e-3;
 
     /// Whether sample_by_angle has digits enough: not from afar, nor from a point that touches the quad.
@@ -26,8 +28,8 @@ struct SeenQuad {
 /// The product of complex numbers: angles are added.
 [[gnu::always_inline]] inline vec2 turned(vec2 a, vec2 b) { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
 
-/// The solid angle is the sum of atan(x y / (z r)) over the corners, r the distance of each, with alternating signs: the
-/// angle of a product of complex numbers.
+/// The solid angle is the sum of atan(x y / (z r)) over the corners, r the distance of each, with alternating signs:
+/// the angle of a product of complex numbers.
 [[gnu::always_inline]] inline SeenQuad seen_from(const Quad& quad, vec3 p) {
     const Real half_width = std::sqrt(dot(quad.u, quad.u)), half_height = std::sqrt(dot(quad.v, quad.v));
     SeenQuad seen;
@@ -76,7 +78,8 @@ struct SeenQuad {
     const bool w = seen.is_wide();
     return {{w ? by_angle.direction.x : by_area.direction.x, w ? by_angle.direction.y : by_area.direction.y,
              w ? by_angle.direction.z : by_area.direction.z},
-            w ? by_angle.distance : by_area.distance, w ? by_angle.density : by_area.density};
+            w ? by_angle.distance : by_area.distance,
+            w ? by_angle.density : by_area.density};
 }
 
 }  // namespace rt

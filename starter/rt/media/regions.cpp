@@ -29,7 +29,8 @@ void with_triangles(const World& world, Index shape, F f) {
         f(t.a, t.b, t.c);
     } else if (shape < world.first_disc) {
         const Quad& q = world.quads[std::size_t(shape - world.first_quad)];
-        const vec3 a = q.center - q.u - q.v, b = q.center + q.u - q.v, c = q.center + q.u + q.v, d = q.center - q.u + q.v;
+        const vec3 a = q.center - q.u - q.v, b = q.center + q.u - q.v, c = q.center + q.u + q.v,
+                   d = q.center - q.u + q.v;
         f(a, b, c), f(a, c, d);
     } else {
         const Disc& disc = world.discs[std::size_t(shape - world.first_disc)];

@@ -6,11 +6,11 @@
 #include "rt/media/nesting.h"
 #include "rt/tree/bvh.h"
 
-/// The regions that closed shapes enclose, where light travels through media: which of them a point is in, so that paths
-/// that start inside one know it. Nobody needs this folder for the assignment.
+/// The regions that closed shapes enclose, where light travels through media: which of them a point is in, so that
+/// paths that start inside one know it. Nobody needs this folder for the assignment.
 ///
-/// A sphere and a closed mesh enclose a region each; the quads, discs, triangles and open meshes of one material enclose
-/// one together. Where regions overlap, the smaller one is what is there.
+/// A sphere and a closed mesh enclose a region each; the quads, discs, triangles and open meshes of one material
+/// enclose one together. Where regions overlap, the smaller one is what is there.
 namespace rt {
 
 struct World;
@@ -23,14 +23,14 @@ struct Region {
 };
 
 struct Regions {
-    std::vector<Region> all;           // their numbers are 1, 2, ... by falling size; none where there are no media
-    std::vector<Bits> of_shape;        // by the shape's number; 0: bounds none
-    std::vector<Index> filled_with;    // by region, 0 too: the material whose medium is in it; -1: clear
-    int bits = 1;                      // of a number in a nesting
+    std::vector<Region> all;         // their numbers are 1, 2, ... by falling size; none where there are no media
+    std::vector<Bits> of_shape;      // by the shape's number; 0: bounds none
+    std::vector<Index> filled_with;  // by region, 0 too: the material whose medium is in it; -1: clear
+    int bits = 1;                    // of a number in a nesting
 
     // where the camera's rays start
-    Bits start = 0;                    // the regions that all of them start in
-    std::vector<Bits> asked;           // the regions that some may start in: each ray must ask
+    Bits start = 0;           // the regions that all of them start in
+    std::vector<Bits> asked;  // the regions that some may start in: each ray must ask
 
     bool any() const { return !all.empty(); }
 
@@ -53,7 +53,8 @@ bool is_inside(const World& world, const Region& region, vec3 p, Real time);
 /// All regions that a point is in.
 Bits regions_around(const World& world, vec3 p, Real time);
 
-/// Where a ray of the camera starts. On a boundary, that is the side to which it goes; near is moved beyond that boundary.
+/// Where a ray of the camera starts. On a boundary, that is the side to which it goes; near is moved beyond that
+/// boundary.
 Bits start_of(const World& world, Ray& ray, Real time);
 
 }  // namespace rt

@@ -6,9 +6,9 @@
 namespace rt {
 namespace {
 
-constexpr std::uint64_t enough_to_judge = 16;      // samples behind an estimate of the error that ends the rendering
-constexpr int passes_in_time = 12;                 // at least
-constexpr int largest_pass = 1 << 16;              // samples: one pixel's are a worker's, all at once
+constexpr std::uint64_t enough_to_judge = 16;        // samples behind an estimate of the error that ends the rendering
+constexpr int passes_in_time = 12;                   // at least
+constexpr int largest_pass = 1 << 16;                // samples: one pixel's are a worker's, all at once
 constexpr std::uint64_t longest_sequence = 1 << 30;  // samples, then another one begins: indices are 32 bits
 
 }  // namespace

@@ -23,8 +23,8 @@ public:
         for (std::size_t k = first; k < last; ++k) picture_.pixels[k] = color(k);
     }
 
-    /// A look, if it is time for one. Any thread may call this; the others go on meanwhile. A look takes at most a tenth
-    /// of a thread's time.
+    /// A look, if it is time for one. Any thread may call this; the others go on meanwhile. A look takes at most a
+    /// tenth of a thread's time.
     void look(Real done, Real seconds_left);
 
 private:

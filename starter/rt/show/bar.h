@@ -4,7 +4,8 @@
 
 namespace rt {
 
-/// A line on the standard error: how far the picture is, and the seconds that are left. stopping: its end has been asked for.
+/// A line on the standard error: how far the picture is, and the seconds that are left. stopping: its end has been
+/// asked for.
 void show_bar(Real done, Real seconds_left, bool stopping);
 
 /// Takes the line away.

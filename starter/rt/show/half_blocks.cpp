@@ -14,7 +14,8 @@ std::vector<std::string> half_blocks(const Shown& s) {
         std::string line;
         const std::uint8_t *ink = nullptr, *ground = nullptr;  // colours in use
         const auto use = [&](const std::uint8_t*& used, const std::uint8_t* rgb, int code) {
-            if (!used || !std::equal(rgb, rgb + 3, used)) line += fmt::format("\033[{};2;{};{};{}m", code, rgb[0], rgb[1], rgb[2]);
+            if (!used || !std::equal(rgb, rgb + 3, used))
+                line += fmt::format("\033[{};2;{};{};{}m", code, rgb[0], rgb[1], rgb[2]);
             used = rgb;
         };
         for (int x = 0; x < s.width; ++x) {

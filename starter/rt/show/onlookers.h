@@ -11,11 +11,11 @@ namespace rt {
 
 /// Who looks on while a picture is made.
 struct ShowOptions {
-    std::string preview;          // "auto", "blocks", "kitty" or "sixel"; empty: none
-    Real exposure = 1;            // of the preview
+    std::string preview;  // "auto", "blocks", "kitty" or "sixel"; empty: none
+    Real exposure = 1;    // of the preview
     std::optional<TevAddress> tev;
-    std::string name;             // of the picture, in tev
-    ivec2 film{0}, corner{0};     // size of the film, and where in it the picture begins
+    std::string name;          // of the picture, in tev
+    ivec2 film{0}, corner{0};  // size of the film, and where in it the picture begins
 };
 
 class Onlookers {

@@ -40,7 +40,8 @@ Drawing drawing_of(const Image& image, Real exposure, Graphics graphics, const T
     const Shown pixels = shown(image, exposure, size.columns * size.cell_width, rows * size.cell_height);
     frame.rows = (pixels.height + size.cell_height - 1) / size.cell_height;
     const std::string picture = graphics == Graphics::kitty ? kitty(png_of(pixels), frame.rows) : sixel(pixels);
-    frame.text = fmt::format("\0337{}\0338\r\033[{}B", picture, frame.rows);  // from where the cursor was, that far down
+    frame.text =
+        fmt::format("\0337{}\0338\r\033[{}B", picture, frame.rows);  // from where the cursor was, that far down
     return frame;
 }
 
@@ -53,7 +54,8 @@ void Preview::draw(const Image& image) {
     const std::string room = anew ? std::string(std::size_t(frame.rows), '\n') : std::string();
     rows_ = frame.rows, columns_ = size.columns;
     // 2026: the terminal shows the frame at once; 25: the cursor.
-    write_all(descriptor_, fmt::format("\033[?2026h\033[?25l\r\033[K{}\033[{}A{}\033[?25h\033[?2026l", room, frame.rows, frame.text));
+    write_all(descriptor_, fmt::format("\033[?2026h\033[?25l\r\033[K{}\033[{}A{}\033[?25h\033[?2026l", room, frame.rows,
+                                       frame.text));
 }
 
 }  // namespace rt

@@ -23,8 +23,8 @@ Sampler sampler_used(const RenderSettings& s) {
 }  // namespace
 
 std::string report(const std::string& name, const RenderSettings& settings, const Rendering& r) {
-    std::string text = fmt::format("{}: {} x {} pixels, {} {} a pixel\n", name, r.image.width, r.image.height, r.samples,
-                                   r.samples == 1 ? "sample" : "samples");
+    std::string text = fmt::format("{}: {} x {} pixels, {} {} a pixel\n", name, r.image.width, r.image.height,
+                                   r.samples, r.samples == 1 ? "sample" : "samples");
     const bool known = !std::isnan(r.rmse);
     text += known ? fmt::format("error    {:.3g} estimated RMSE\n", r.rmse) : "error    unknown\n";
     text += fmt::format("time     {:.4f} s CPU, {:.4f} s wall\n", r.cpu_seconds, r.wall_seconds);
@@ -67,11 +67,15 @@ std::string report_range(const std::string& name, const Image& image) {
     }
     std::string text;
     if (bright > 0)
-        text += fmt::format("{}: {} pixels are brighter than the {:.2g} that a file holds, and are written as that; expected dimmer "
-                            "lights\n", name, bright, std::numeric_limits<float>::max());
+        text += fmt::format(
+            "{}: {} pixels are brighter than the {:.2g} that a file holds, and are written as that; expected dimmer "
+            "lights\n",
+            name, bright, std::numeric_limits<float>::max());
     if (dark > 0)
-        text += fmt::format("{}: {} pixels are darker than the {:.2g} that a file holds, and are written as 0; expected brighter "
-                            "lights\n", name, dark, std::numeric_limits<float>::denorm_min());
+        text += fmt::format(
+            "{}: {} pixels are darker than the {:.2g} that a file holds, and are written as 0; expected brighter "
+            "lights\n",
+            name, dark, std::numeric_limits<float>::denorm_min());
     return text;
 }
 
@@ -81,11 +85,12 @@ std::string report_bad_sample(const std::string& scene, ivec2 film, const Render
     const Color c = bad.radiance;
     const std::string what = bad.sample ? fmt::format(", sample {}: radiance {} {} {}", *bad.sample, c.x, c.y, c.z)
                                         : ": the mean is no finite number, though every sample is";
-    return fmt::format("{}: pixel {},{}{}; expected a finite number\n"
-                       "To see how it came about: raytrace {} --pixel {},{} --seed {} --samples {} --sampler {} "
-                       "--size {}x{}{}\n",
-                       scene, x, y, what, scene, x, y, bad.slice.seed, bad.slice.first + bad.slice.count,
-                       name_of(bad.slice.sampler), film.x, film.y, sampling_of(settings).passes ? " --time-limit 1" : "");
+    return fmt::format(
+        "{}: pixel {},{}{}; expected a finite number\n"
+        "To see how it came about: raytrace {} --pixel {},{} --seed {} --samples {} --sampler {} "
+        "--size {}x{}{}\n",
+        scene, x, y, what, scene, x, y, bad.slice.seed, bad.slice.first + bad.slice.count, name_of(bad.slice.sampler),
+        film.x, film.y, sampling_of(settings).passes ? " --time-limit 1" : "");
 }
 
 }  // namespace rt

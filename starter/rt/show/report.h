@@ -19,6 +19,7 @@ Label label_of(const std::string& scene, ivec2 film, const RenderSettings& setti
 std::string report_range(const std::string& name, const Image& image);
 
 /// The number that is none, and the command which shows how it came about.
-std::string report_bad_sample(const std::string& scene, ivec2 film, const RenderSettings& settings, const BadSample& bad);
+std::string report_bad_sample(const std::string& scene, ivec2 film, const RenderSettings& settings,
+                              const BadSample& bad);
 
 }  // namespace rt

@@ -37,7 +37,8 @@ std::string sixel(const Shown& s) {
     std::string out = fmt::format("\033P0;1;0q\"1;1;{};{}", s.width, s.height);
     const auto percent = [](int level) { return 100 * level / (levels - 1); };
     for (int c = 0; c < colors; ++c)
-        out += fmt::format("#{};2;{};{};{}", c, percent(c / levels / levels), percent(c / levels % levels), percent(c % levels));
+        out += fmt::format("#{};2;{};{};{}", c, percent(c / levels / levels), percent(c / levels % levels),
+                           percent(c % levels));
 
     for (int top = 0; top < s.height; top += 6) {
         std::array<std::vector<char>, colors> bits;  // of each column, where the band has the colour

@@ -100,7 +100,8 @@ Graphics graphics_of(std::string_view answer) {
     if (start == std::string_view::npos) return Graphics::blocks;
     // The first number says which terminal it takes itself for; then come its attributes.
     for (start = answer.find(';', start); start != std::string_view::npos; start = answer.find(';', start + 1)) {
-        const std::string_view number = answer.substr(start + 1, answer.find_first_not_of("0123456789", start + 1) - start - 1);
+        const std::string_view number =
+            answer.substr(start + 1, answer.find_first_not_of("0123456789", start + 1) - start - 1);
         if (number == "4") return Graphics::sixel;
     }
     return Graphics::blocks;

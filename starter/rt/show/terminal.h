@@ -25,8 +25,8 @@ TerminalSize size_of_terminal(int descriptor);
 /// Asks the terminal what it can, and waits so long for the answer at most.
 Graphics ask_for_graphics(std::chrono::milliseconds patience);
 
-/// What follows from the answer: to the questions whether it knows kitty's protocol and which attributes it has, one of which,
-/// 4, is sixels.
+/// What follows from the answer: to the questions whether it knows kitty's protocol and which attributes it has, one of
+/// which, 4, is sixels.
 Graphics graphics_of(std::string_view answer);
 
 }  // namespace rt

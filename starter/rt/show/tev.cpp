@@ -61,9 +61,11 @@ std::optional<TevAddress> tev_address(const std::string& text) {
         address.host = address.host.substr(1, address.host.size() - 2);
     else if (address.host.find(':') != std::string::npos)
         return std::nullopt;
-    const bool digits = !address.port.empty() && address.port.size() <= 5 &&
-                        std::all_of(address.port.begin(), address.port.end(), [](char c) { return '0' <= c && c <= '9'; });
-    if (address.host.empty() || !digits || std::stoi(address.port) < 1 || std::stoi(address.port) > 65535) return std::nullopt;
+    const bool digits =
+        !address.port.empty() && address.port.size() <= 5 &&
+        std::all_of(address.port.begin(), address.port.end(), [](char c) { return '0' <= c && c <= '9'; });
+    if (address.host.empty() || !digits || std::stoi(address.port) < 1 || std::stoi(address.port) > 65535)
+        return std::nullopt;
     return address;
 }
 

@@ -26,11 +26,9 @@ void first_rays(const World& world, const CameraWork& work, const CameraNumbers&
         if constexpr (where == Film::cells) film = film_sample(work.extents[i], index, n, u.film.at(i));
         if constexpr (where == Film::pattern) film = film_sample(work.extents[i], 0, 1, u.film.at(i));
         batch.set_ray(i, camera_ray(camera, film.position));
-        if constexpr (lens)
-            batch.set_ray(i, lens_ray(camera, batch.ray(i), u.lens.at(i)));
+        if constexpr (lens) batch.set_ray(i, lens_ray(camera, batch.ray(i), u.lens.at(i)));
         batch.time[i] = 0;
-        if constexpr (time)
-            batch.time[i] = shutter_time(shutter, u.time.x[i]);
+        if constexpr (time) batch.time[i] = shutter_time(shutter, u.time.x[i]);
         batch.weight.set(i, Color(1));
         batch.key[i] = key;
         batch.sample[i] = index;
@@ -74,9 +72,8 @@ void camera_stage(const World& world, const CameraWork& work, Batch& batch, Chun
         draw_1d(work.pattern, camera_dimension(world, time_dimension, n), work.keys, work.samples, lanes, u.time);
     const auto send = [&](auto where) {
         with_flag(world.plan.lens, [&](auto lens) {
-            with_flag(world.plan.time, [&](auto time) {
-                first_rays<where(), lens(), time()>(world, work, u, batch, weights);
-            });
+            with_flag(world.plan.time,
+                      [&](auto time) { first_rays<where(), lens(), time()>(world, work, u, batch, weights); });
         });
     };
     if (!world.plan.pixel)

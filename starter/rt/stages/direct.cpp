@@ -227,8 +227,8 @@ void dim(const World& world, const Batch& b, const Batch& shadow, Colors& light)
 
 }  // namespace
 
-void direct_stage(const World& world, Pattern pattern, int wave, const Batch& b, const Surfaces& s,
-                  Batch& shadow, Colors& found, Chunk& chunk) {
+void direct_stage(const World& world, Pattern pattern, int wave, const Batch& b, const Surfaces& s, Batch& shadow,
+                  Colors& found, Chunk& chunk) {
     if (world.scene.ambient != Color(0)) ambient_light(world, b, s, found);
     Reflectances reflectances;
     Lobes lobes;

@@ -1,6 +1,6 @@
+#include "rt/stages/stages.h"
 #include "rt/tree/meetings.h"
 #include "rt/tree/shaft.h"
-#include "rt/stages/stages.h"
 #include "rt/tree/traverse.h"
 
 namespace rt {
@@ -15,15 +15,9 @@ inline Real hit_disc(const Disc& disc, const Ray& ray) {
     return ray.near < t && t < ray.far ? t : inf;
 }
 
-inline Sphere at_time(Sphere s, vec3 velocity, Real time) {
-    return {moved(s.center, velocity, time), s.radius};
-}
-inline Quad at_time(Quad q, vec3 velocity, Real time) {
-    return {moved(q.center, velocity, time), q.u, q.v};
-}
-inline Disc at_time(Disc d, vec3 velocity, Real time) {
-    return {moved(d.center, velocity, time), d.normal, d.radius};
-}
+inline Sphere at_time(Sphere s, vec3 velocity, Real time) { return {moved(s.center, velocity, time), s.radius}; }
+inline Quad at_time(Quad q, vec3 velocity, Real time) { return {moved(q.center, velocity, time), q.u, q.v}; }
+inline Disc at_time(Disc d, vec3 velocity, Real time) { return {moved(d.center, velocity, time), d.normal, d.radius}; }
 inline Triangle at_time(Triangle t, vec3 velocity, Real time) {
     return {moved(t.a, velocity, time), moved(t.b, velocity, time), moved(t.c, velocity, time)};
 }

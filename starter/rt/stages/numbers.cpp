@@ -7,16 +7,22 @@ namespace {
 template <class F>
 auto with_sampler(Sampler sampler, F f) {
     switch (sampler) {
-        case Sampler::uniform: return f(std::integral_constant<Sampler, Sampler::uniform>{});
-        case Sampler::random: return f(std::integral_constant<Sampler, Sampler::random>{});
-        case Sampler::stratified: return f(std::integral_constant<Sampler, Sampler::stratified>{});
-        case Sampler::orthogonal: return f(std::integral_constant<Sampler, Sampler::orthogonal>{});
-        default: return f(std::integral_constant<Sampler, Sampler::sobol>{});
+        case Sampler::uniform:
+            return f(std::integral_constant<Sampler, Sampler::uniform>{});
+        case Sampler::random:
+            return f(std::integral_constant<Sampler, Sampler::random>{});
+        case Sampler::stratified:
+            return f(std::integral_constant<Sampler, Sampler::stratified>{});
+        case Sampler::orthogonal:
+            return f(std::integral_constant<Sampler, Sampler::orthogonal>{});
+        default:
+            return f(std::integral_constant<Sampler, Sampler::sobol>{});
     }
 }
 
 template <Sampler sampler>
-[[gnu::noinline]] void draw_pairs(int n, Dimension dimension, const Bits* keys, const int* samples, int count, Numbers& u) {
+[[gnu::noinline]] void draw_pairs(int n, Dimension dimension, const Bits* keys, const int* samples, int count,
+                                  Numbers& u) {
 #pragma GCC ivdep
     for (int i = 0; i < count; ++i) {
         const vec2 point = pattern_2d<sampler>(keys[i], samples[i], n, dimension);
@@ -34,15 +40,13 @@ template <Sampler sampler>
 }  // namespace
 
 void draw_2d(Pattern pattern, Dimension dimension, const Bits* keys, const int* samples, int count, Numbers& u) {
-    with_sampler(pattern.sampler, [&](auto sampler) {
-        draw_pairs<sampler()>(pattern.n, dimension, keys, samples, count, u);
-    });
+    with_sampler(pattern.sampler,
+                 [&](auto sampler) { draw_pairs<sampler()>(pattern.n, dimension, keys, samples, count, u); });
 }
 
 void draw_1d(Pattern pattern, Dimension dimension, const Bits* keys, const int* samples, int count, Numbers& u) {
-    with_sampler(pattern.sampler, [&](auto sampler) {
-        draw_singles<sampler()>(pattern.n, dimension, keys, samples, count, u);
-    });
+    with_sampler(pattern.sampler,
+                 [&](auto sampler) { draw_singles<sampler()>(pattern.n, dimension, keys, samples, count, u); });
 }
 
 }  // namespace rt

@@ -5,8 +5,8 @@
 ///
 ///     weight of the path x whitted's weight of the way / probability of the way x weight of the fragment's direction
 ///
-/// Where several ways lead on, one is chosen, with a probability in proportion to what it would carry; mirror and glass, if
-/// there is nothing else, are both followed. In this file, in this order:
+/// Where several ways lead on, one is chosen, with a probability in proportion to what it would carry; mirror and
+/// glass, if there is nothing else, are both followed. In this file, in this order:
 ///
 ///     direction_of   one lane: where a way leads, by its fragment
 ///     shares_of      one lane: what each way would carry
@@ -36,8 +36,7 @@ Scattered direction_of(const Crossing& c, int k, vec2 u) {
     if constexpr (way == WayOn::mirror) return {mirror_direction(d, n), Color(1)};
     if constexpr (way == WayOn::glossy) return glossy_reflection(d, n, c.exponent[k], u);
     if constexpr (way == WayOn::glass) return {refracted_direction(d, n, c.ior_from[k], c.ior_to[k]), Color(1)};
-    if constexpr (way == WayOn::translucent)
-        return translucency(d, n, c.ior_from[k], c.ior_to[k], c.exponent[k], u);
+    if constexpr (way == WayOn::translucent) return translucency(d, n, c.ior_from[k], c.ior_to[k], c.exponent[k], u);
     return color_bleeding(n, c.albedo.at(k), u);
 }
 
@@ -197,8 +196,8 @@ void close_ranks(Batch& b, int first) {
 }
 
 template <WayOn way>
-[[gnu::noinline]] void follow(const World& world, Pattern pattern, Dimension dimension, const Batch& b, const Surfaces& s,
-                              const Leaving& leaving, Queue& next, Chunk& chunk) {
+[[gnu::noinline]] void follow(const World& world, Pattern pattern, Dimension dimension, const Batch& b,
+                              const Surfaces& s, const Leaving& leaving, Queue& next, Chunk& chunk) {
     constexpr RayKind kind = way == WayOn::mirror   ? RayKind::mirror
                              : way == WayOn::glass  ? RayKind::glass
                              : way == WayOn::bounce ? RayKind::bounce
@@ -222,8 +221,8 @@ template <WayOn way>
 
 }  // namespace
 
-void scatter_stage(const World& world, Pattern pattern, int wave, const Batch& b, const Surfaces& s,
-                   Queue& next, Chunk& chunk) {
+void scatter_stage(const World& world, Pattern pattern, int wave, const Batch& b, const Surfaces& s, Queue& next,
+                   Chunk& chunk) {
     const RenderPlan& plan = world.plan;
     if (!plan.specular && !plan.lobe && !plan.bounce) return;
     const Dimension choice = wave_dimension(world, wave, choice_dimension, pattern.n),
@@ -233,8 +232,8 @@ void scatter_stage(const World& world, Pattern pattern, int wave, const Batch& b
     const auto glass = [&] { follow<WayOn::glass>(world, pattern, lobe, b, s, leaving.glass, next, chunk); };
     const auto bounce = [&] { follow<WayOn::bounce>(world, pattern, lobe, b, s, leaving.bounce, next, chunk); };
     if (plan.split) {
-        // Two paths may add to one sample: lane by lane, so that the order of the sum does not depend on what else is in
-        // the batch.
+        // Two paths may add to one sample: lane by lane, so that the order of the sum does not depend on what else is
+        // in the batch.
         for (int i = 0; i < b.count; ++i) {
             choose_ways(world, pattern, choice, b, s, i, i + 1, leaving);
             mirror();

@@ -32,8 +32,8 @@ void nearest_stage(const World& world, Batch& batch);
 /// Finds whether there is any shape along each ray: its number, or nothing.
 void any_hit_stage(const World& world, Batch& batch);
 
-/// Shadow rays that go through boundaries which bend no light: dims what they carry by the media and boundaries on their
-/// way; where something else stops a ray, its number.
+/// Shadow rays that go through boundaries which bend no light: dims what they carry by the media and boundaries on
+/// their way; where something else stops a ray, its number.
 ///
 /// inside  the regions in which each lane starts
 void through_stage(const World& world, const Bits* inside, Batch& shadow, Colors& light);

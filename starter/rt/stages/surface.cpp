@@ -27,7 +27,8 @@ vec3 smooth_normal(const World& world, Index shape, vec3 p) {
 /// g  of the surface, unit, on the side of the viewer
 /// d  direction of travel, towards the surface
 ///
-/// Source: Keller et al., "The Iray Light Transport Simulation and Rendering System", arXiv 1705.01263, 2017, appendix A.3.
+/// Source: Keller et al., "The Iray Light Transport Simulation and Rendering System", arXiv 1705.01263, 2017, appendix
+/// A.3.
 vec3 bent(vec3 n, vec3 g, vec3 d) {
     const vec3 mirrored = d - 2 * dot(d, n) * n;
     const Real above = dot(mirrored, g);
@@ -79,15 +80,15 @@ void find_smooth_normals(const World& world, const Batch& b, Surfaces& s) {
         if (s.material[i] == nothing) continue;
         const SurfaceRecord& record = world.surfaces[std::size_t(b.shape[i])];
         if (record.smooth == nothing) continue;
-        const vec3 p =
-            s.point.at(i) - (world.plan.time ? moved(vec3(0), record.velocity, b.time[i]) : vec3(0));
+        const vec3 p = s.point.at(i) - (world.plan.time ? moved(vec3(0), record.velocity, b.time[i]) : vec3(0));
         const vec3 n = smooth_normal(world, b.shape[i], p);
         const vec3 side = s.behind[i] ? -n : n;
         const Material& m = world.scene.materials[std::size_t(s.material[i])];
         if (m.reflectance != Color(0) || m.transmittance != Color(0)) {
             const vec3 g = s.flat.at(i), d = b.direction.at(i);
             vec3 facing = bent(side, g, d);
-            // Interpolated normals would catch light in glass for ever, hit after hit; that of the flat surface lets it out.
+            // Interpolated normals would catch light in glass for ever, hit after hit; that of the flat surface lets it
+            // out.
             if (m.transmittance != Color(0) && is_totally_reflected(m, s.behind[i], dot(d, facing))) facing = g;
             s.shading.set(i, facing);
             continue;

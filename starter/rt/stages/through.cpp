@@ -29,7 +29,8 @@ void through_stage(const World& world, const Bits* starts, Batch& shadow, Colors
             const Index shape = shadow.shape[i];
             const Index medium = world.plan.medium ? regions.medium(inside[i]) : nothing;
             const Real t = shadow.far[i], way = t - shadow.near[i];
-            if (medium != nothing) light.set(i, left_by(world.scene.materials[std::size_t(medium)].medium, way) * light.at(i));
+            if (medium != nothing)
+                light.set(i, left_by(world.scene.materials[std::size_t(medium)].medium, way) * light.at(i));
             shadow.near[i] = t;  // no interval is left
             if (shape == nothing) continue;
             const Material& m = world.scene.materials[std::size_t(world.surfaces[std::size_t(shape)].material)];

@@ -10,8 +10,10 @@ void trace_camera(const World& world, const CameraWork& work, const Batch& batch
     if (sampler == Sampler::stratified) film.sampler = Sampler::random;
     Numbers u, lens, time;
     if (plan.pixel) draw_2d(film, camera_dimension(world, pixel_dimension, n), work.keys, work.samples, work.count, u);
-    if (plan.lens) draw_2d(work.pattern, camera_dimension(world, lens_dimension, n), work.keys, work.samples, work.count, lens);
-    if (plan.time) draw_1d(work.pattern, camera_dimension(world, time_dimension, n), work.keys, work.samples, work.count, time);
+    if (plan.lens)
+        draw_2d(work.pattern, camera_dimension(world, lens_dimension, n), work.keys, work.samples, work.count, lens);
+    if (plan.time)
+        draw_1d(work.pattern, camera_dimension(world, time_dimension, n), work.keys, work.samples, work.count, time);
     for (int i = 0; i < work.count; ++i) {
         Told& told = trace.of(batch, i);
         told.text += fmt::format("sample {}\n", batch.sample[i]);
@@ -19,7 +21,8 @@ void trace_camera(const World& world, const CameraWork& work, const Batch& batch
         if (plan.pixel) {
             const vec2 numbers = sampler == Sampler::uniform ? vec2(0.5) : u.at(i);
             on_film = film_sample(work.extents[i], in_cells ? work.samples[i] : 0, in_cells ? n : 1, numbers);
-            tell(told, "film_sample", "u {}: position {}, weight {}", text(numbers), text(on_film.position), text(on_film.weight));
+            tell(told, "film_sample", "u {}: position {}, weight {}", text(numbers), text(on_film.position),
+                 text(on_film.weight));
         }
         const Ray pinhole = camera_ray(world.scene.camera, on_film.position);
         tell(told, "camera_ray", "from {} along {}", text(pinhole.origin), text(pinhole.direction));

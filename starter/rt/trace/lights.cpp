@@ -42,11 +42,13 @@ void tell_shadow(const Lane& lane, const Ray& ray, vec3 to_light, bool through, 
     through ? through_stage(world, &inside, shadow, left) : any_hit_stage(world, shadow);
     if (shadow.shape[0] != nothing) {
         const Index id = shadow.shape[0];
-        return tell(told, "shadow_ray", "{}: stopped by shape {} ({}) at {} m", sent, id, hit_name(world, id), text(shadow.far[0]));
+        return tell(told, "shadow_ray", "{}: stopped by shape {} ({}) at {} m", sent, id, hit_name(world, id),
+                    text(shadow.far[0]));
     }
     tell(told, "shadow_ray", "{}: arrives", sent);
     const Index medium = world.plan.medium ? world.regions.medium(inside) : nothing;
-    if (!through && medium != nothing) left.set(0, Color(left_by(world.scene.materials[std::size_t(medium)].medium, ray.far)));
+    if (!through && medium != nothing)
+        left.set(0, Color(left_by(world.scene.materials[std::size_t(medium)].medium, ray.far)));
     if (left.at(0) != Color(1)) tell(told, "medium", "leaves {} of it", text(left.at(0)));
     light = left.at(0) * light;
     tell_added(told, lane.wave.batch.weight.at(lane.i) * light);
@@ -70,7 +72,8 @@ void tell_point_light(const Lane& lane, const PointLight& lamp) {
         tell(lane.told, "point_irradiance", "{} on a surface that faces the light", text(irradiance));
         tell(lane.told, "phong", "{}", text(light));
     }
-    tell_shadow(lane, shadow_ray(hit, to_light, lamp.directional ? inf : distance), to_light, lane.world().plan.through, light);
+    tell_shadow(lane, shadow_ray(hit, to_light, lamp.directional ? inf : distance), to_light, lane.world().plan.through,
+                light);
 }
 
 /// A point of a lamp, as the direct stage finds it.
@@ -80,8 +83,10 @@ LightSample tell_point(const Lane& lane, const Emitter& lamp, vec2 u) {
     const LightSample by_area = light_sample(lamp, p, u);
     const LightSample sample = by_angle ? by_angle_or(by_area, lamp.quad, p, u) : by_area;
     const bool wide = by_angle && seen_from(lamp.quad, p).is_wide();
-    tell(lane.told, wide ? "by solid angle" : "light_sample", "u {}: point {}", text(u), text(p + sample.distance * sample.direction));
-    tell(lane.told, "", "direction {}, distance {} m, density {} / sr", text(sample.direction), text(sample.distance), text(sample.density));
+    tell(lane.told, wide ? "by solid angle" : "light_sample", "u {}: point {}", text(u),
+         text(p + sample.distance * sample.direction));
+    tell(lane.told, "", "direction {}, distance {} m, density {} / sr", text(sample.direction), text(sample.distance),
+         text(sample.density));
     return sample;
 }
 
@@ -95,7 +100,8 @@ Color tell_lobe(const Lane& lane, const Emitter& lamp, const LightSample& sample
     const Real weight = power_heuristic(sample.density, of_lobe);
     const Real share = sample.density > 0 && cosine > 0 ? reflected * weight : 0;
     const Color light = share * mirror * lamp.radiance;
-    tell(lane.told, "lobe", "density {} / sr, weight against the lobe's rays {}: {}", text(of_lobe), text(weight), text(light));
+    tell(lane.told, "lobe", "density {} / sr, weight against the lobe's rays {}: {}", text(of_lobe), text(weight),
+         text(light));
     return light;
 }
 
@@ -112,18 +118,21 @@ Color tell_direct_light(const Lane& lane, const Emitter& lamp, const LightSample
 void tell_lamp(const Lane& lane, std::size_t lamp, Real probability, vec2 u) {
     const World& world = lane.world();
     const Material& m = lane.material();
-    const bool weighs = world.plan.weigh && world.reflectances[std::size_t(lane.wave.surfaces.material[lane.i]) + 1].lobe &&
+    const bool weighs = world.plan.weigh &&
+                        world.reflectances[std::size_t(lane.wave.surfaces.material[lane.i]) + 1].lobe &&
                         lane.wave.batch.depth[lane.i] < world.scene.depth;
     const bool reflects = m.albedo != Color(0) || m.specular != Color(0);
     if (!weighs && !reflects) return;
-    lane.told.text += world.plan.one_lamp ? fmt::format("  lamp {}, chosen with probability {}\n", lamp, text(probability))
-                                          : fmt::format("  lamp {}\n", lamp);
+    lane.told.text += world.plan.one_lamp
+                          ? fmt::format("  lamp {}, chosen with probability {}\n", lamp, text(probability))
+                          : fmt::format("  lamp {}\n", lamp);
     const Emitter& emitter = world.emitters[lamp];
     LightSample sample = tell_point(lane, emitter, u);
     sample.density *= probability;
     const Ray ray = shadow_ray(lane.hit(), sample.direction, sample.distance);
     if (weighs) tell_shadow(lane, ray, sample.direction, false, tell_lobe(lane, emitter, sample));
-    if (reflects) tell_shadow(lane, ray, sample.direction, world.plan.through, tell_direct_light(lane, emitter, sample));
+    if (reflects)
+        tell_shadow(lane, ray, sample.direction, world.plan.through, tell_direct_light(lane, emitter, sample));
 }
 
 void tell_environment(const Lane& lane) {
@@ -131,8 +140,10 @@ void tell_environment(const Lane& lane) {
     const vec2 u = lane.numbers(environment_dimension);
     const DirectionSample sample = cosine_hemisphere(u);
     const vec3 direction = frame_about(lane.normal()).to_world(sample.direction);
-    const Color light = sample.direction.z / (pi * sample.density) * lane.material().albedo * lane.world().scene.environment;
-    tell(lane.told, "cosine_hemisphere", "u {}: {} about the normal, density {} / sr", text(u), text(sample.direction), text(sample.density));
+    const Color light =
+        sample.direction.z / (pi * sample.density) * lane.material().albedo * lane.world().scene.environment;
+    tell(lane.told, "cosine_hemisphere", "u {}: {} about the normal, density {} / sr", text(u), text(sample.direction),
+         text(sample.density));
     tell(lane.told, "", "in the world {}: {}", text(direction), text(light));
     tell_shadow(lane, shadow_ray(lane.hit(), direction, inf), direction, lane.world().plan.through, light);
 }
@@ -161,7 +172,8 @@ void trace_lights(const Wave& wave, int i, Told& told) {
         const LampTree::Choice chosen = world.lamp_tree.choose(lane.hit().point, choice.x[i]);
         tell_lamp(lane, chosen.lamp, chosen.probability, lane.numbers(light_dimension));
     } else if (world.plan.light) {
-        for (std::size_t l = 0; l < world.emitters.size(); ++l) tell_lamp(lane, l, 1, lane.numbers(light_dimension + int(l)));
+        for (std::size_t l = 0; l < world.emitters.size(); ++l)
+            tell_lamp(lane, l, 1, lane.numbers(light_dimension + int(l)));
     }
     if (world.plan.environment_lit && m.albedo != Color(0)) tell_environment(lane);
 }

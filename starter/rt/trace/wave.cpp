@@ -9,7 +9,9 @@ constexpr const char* event_names[] = {"the camera", "a diffuse surface", "a mir
 /// Who says that there is nothing along a ray.
 std::string witnesses(const RenderPlan& plan) {
     std::string names;
-    const auto add = [&](bool on, const char* name) { names += on ? (names.empty() ? "" : ", ") + std::string(name) : ""; };
+    const auto add = [&](bool on, const char* name) {
+        names += on ? (names.empty() ? "" : ", ") + std::string(name) : "";
+    };
     add(plan.spheres, "hit_sphere"), add(plan.triangles, "hit_triangle"), add(plan.quads, "hit_quad");
     return names.empty() ? "there is nothing to meet" : names + " say so";
 }
@@ -20,7 +22,8 @@ void tell_medium(const Wave& wave, int i, Told& told) {
     if (medium == nothing) return;
     const Material& m = wave.world.scene.materials[std::size_t(medium)];
     Numbers flight;
-    draw_1d(wave.pattern, wave_dimension(wave.world, wave.number, flight_dimension, wave.pattern.n), b.key, b.sample, b.count, flight);
+    draw_1d(wave.pattern, wave_dimension(wave.world, wave.number, flight_dimension, wave.pattern.n), b.key, b.sample,
+            b.count, flight);
     const Real t = free_flight(m.medium.extinction, flight.x[i]);
     tell(told, "free_flight", "in {}, u {}: {} m{}", m.name, text(flight.x[i]), text(t),
          b.shape[i] == ended ? ", before any surface" : ", beyond the surface");
@@ -32,7 +35,8 @@ void tell_hit(const Wave& wave, int i, Told& told) {
     const Surfaces& s = wave.surfaces;
     const SurfaceRecord& record = world.surfaces[std::size_t(b.shape[i])];
     if (world.plan.time && record.velocity != vec3(0))
-        tell(told, "moved", "at {} s: {} is at {}", text(b.time[i]), text(record.center), text(moved(record.center, record.velocity, b.time[i])));
+        tell(told, "moved", "at {} s: {} is at {}", text(b.time[i]), text(record.center),
+             text(moved(record.center, record.velocity, b.time[i])));
     tell(told, hit_name(world, b.shape[i]), "{} m: shape {}, material {}, seen from {}", text(b.far[i]), b.shape[i],
          world.scene.materials[std::size_t(s.material[i])].name, s.behind[i] ? "behind" : "the front");
     tell(told, "", "point {}, normal {}", text(s.hit(i).point), text(s.normal(i)));
@@ -52,7 +56,8 @@ void tell_emission(const Wave& wave, int i, Told& told) {
     };
     if (b.shape[i] == nothing) {
         if (!world.plan.environment && world.scene.background == Color(0)) return;
-        const Color sky = world.plan.environment && counts(world.plan.environment_lit) ? world.scene.environment : Color(0);
+        const Color sky =
+            world.plan.environment && counts(world.plan.environment_lit) ? world.scene.environment : Color(0);
         const Color light = sky + (from == Event::camera ? world.scene.background : Color(0));
         tell(told, "sky", "{}", text(light));
         if (light != Color(0)) tell_added(told, b.weight.at(i) * light);
@@ -78,7 +83,8 @@ void trace_wave(const Wave& wave, Trace& trace) {
         Told& told = trace.of(b, i);
         if (wave.number > 0) {
             const std::string along = wave.world.plan.split ? fmt::format(", along {}", text(b.direction.at(i))) : "";
-            told.text += fmt::format(" ray {}, from {}{}, carries {}\n", wave.number, event_names[b.event[i]], along, text(b.weight.at(i)));
+            told.text += fmt::format(" ray {}, from {}{}, carries {}\n", wave.number, event_names[b.event[i]], along,
+                                     text(b.weight.at(i)));
         }
         tell_medium(wave, i, told);
         if (b.shape[i] == nothing) tell(told, "meets nothing", "{}", witnesses(wave.world.plan));

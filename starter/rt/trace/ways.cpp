@@ -3,8 +3,8 @@
 namespace rt {
 namespace {
 
-constexpr const char* fragment_of[] = {"mirror_direction", "glossy_reflection", "refracted_direction", "translucency",
-                                       "color_bleeding",   "scatter_direction"};
+constexpr const char* fragment_of[] = {"mirror_direction", "glossy_reflection", "refracted_direction",
+                                       "translucency",     "color_bleeding",    "scatter_direction"};
 
 /// A way on from a lane, and how much of the light it would carry.
 struct Choice {
@@ -26,12 +26,15 @@ std::vector<Choice> ways_from(const Wave& wave, int i, Told& told) {
             const Real cosine = -dot(b.direction.at(i), wave.surfaces.normal(i));
             const bool behind = wave.surfaces.behind[i] != 0;
             const Real from = behind ? m.ior : 1, to = behind ? 1 : m.ior;
-            tell(told, "fresnel_dielectric", "cosine {}, ior {} to {}: {}", text(cosine), text(from), text(to), text(fresnel_dielectric(cosine, from, to)));
+            tell(told, "fresnel_dielectric", "cosine {}, ior {} to {}: {}", text(cosine), text(from), text(to),
+                 text(fresnel_dielectric(cosine, from, to)));
         }
         tell(told, "whitted", "local {}, mirror {}, glass {}", text(out.local), text(out.mirror), text(out.glass));
         const bool sharp = m.exponent == inf;
-        if (const Real share = largest(out.mirror); share > 0) ways.push_back({sharp ? WayOn::mirror : WayOn::glossy, share});
-        if (const Real share = largest(out.glass); share > 0) ways.push_back({sharp ? WayOn::glass : WayOn::translucent, share});
+        if (const Real share = largest(out.mirror); share > 0)
+            ways.push_back({sharp ? WayOn::mirror : WayOn::glossy, share});
+        if (const Real share = largest(out.glass); share > 0)
+            ways.push_back({sharp ? WayOn::glass : WayOn::translucent, share});
     }
     if (const Real share = b.bounce[i] < world.scene.bounces ? largest(out.local * m.albedo) : 0; share > 0)
         ways.push_back({WayOn::bounce, share});
@@ -46,8 +49,10 @@ void choose(const Wave& wave, int i, std::vector<Choice>& ways, Told& told) {
             wave.batch.sample, wave.batch.count, u);
     Real sum = 0, upto = 0;
     for (const Choice& c : ways) sum += c.share;
-    const auto chosen = std::find_if(ways.begin(), ways.end() - 1, [&](const Choice& c) { return sum * u.x[i] < (upto += c.share); });
-    tell(told, "way on", "u {}: {}, with probability {}", text(u.x[i]), fragment_of[int(chosen->way)], text(chosen->share / sum));
+    const auto chosen =
+        std::find_if(ways.begin(), ways.end() - 1, [&](const Choice& c) { return sum * u.x[i] < (upto += c.share); });
+    tell(told, "way on", "u {}: {}, with probability {}", text(u.x[i]), fragment_of[int(chosen->way)],
+         text(chosen->share / sum));
     ways = {*chosen};
 }
 
@@ -74,10 +79,11 @@ void tell_way(const Wave& wave, int i, WayOn way, Told& told) {
         return tell_turned(refracted);
     }
     Numbers u;
-    draw_2d(wave.pattern, wave_dimension(wave.world, wave.number, lobe_dimension, wave.pattern.n), b.key, b.sample, b.count, u);
+    draw_2d(wave.pattern, wave_dimension(wave.world, wave.number, lobe_dimension, wave.pattern.n), b.key, b.sample,
+            b.count, u);
     const Scattered scattered = way == WayOn::glossy        ? glossy_reflection(d, n, m.exponent, u.at(i))
                                 : way == WayOn::translucent ? translucency(d, n, from, to, m.exponent, u.at(i))
-                                                          : color_bleeding(n, m.albedo, u.at(i));
+                                                            : color_bleeding(n, m.albedo, u.at(i));
     tell(told, name, "u {}: direction {}, weight {}", text(u.at(i)), text(scattered.direction), text(scattered.weight));
     tell_turned(scattered.direction);
 }
@@ -88,10 +94,12 @@ void tell_scattering(const Wave& wave, int i, Told& told) {
     const Index medium = wave.world.plan.medium ? wave.world.regions.medium(b.inside[i]) : nothing;
     if (medium == nothing) return;
     Numbers u;
-    draw_2d(wave.pattern, wave_dimension(wave.world, wave.number, phase_dimension, wave.pattern.n), b.key, b.sample, b.count, u);
-    const DirectionSample sample = scatter_direction(b.direction.at(i),
-                                                     wave.world.scene.materials[std::size_t(medium)].medium.g, u.at(i));
-    tell(told, fragment_of[int(WayOn::medium)], "u {}: {}, density {} / sr", text(u.at(i)), text(sample.direction), text(sample.density));
+    draw_2d(wave.pattern, wave_dimension(wave.world, wave.number, phase_dimension, wave.pattern.n), b.key, b.sample,
+            b.count, u);
+    const DirectionSample sample =
+        scatter_direction(b.direction.at(i), wave.world.scene.materials[std::size_t(medium)].medium.g, u.at(i));
+    tell(told, fragment_of[int(WayOn::medium)], "u {}: {}, density {} / sr", text(u.at(i)), text(sample.direction),
+         text(sample.density));
 }
 
 }  // namespace

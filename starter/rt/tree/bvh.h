@@ -39,7 +39,7 @@ struct Bvh {
         float bound[2][3][width];    // low and high of each axis; low > high where there is no child
         std::uint32_t child[width];  // the number of a node; of an item. In the order of their centres along the axis
         std::uint32_t axis;
-        std::uint32_t leaf;          // 1: all children are items
+        std::uint32_t leaf;  // 1: all children are items
     };
 
     Box whole;

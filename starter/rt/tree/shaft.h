@@ -25,8 +25,7 @@ inline Shaft shaft_of(const Batch& b) {
     constexpr int width = 8;
     typedef Real Reals __attribute__((vector_size(width * sizeof(Real))));
     const Reals none = Reals{} + inf;
-    const Real* from[7] = {b.origin.x,    b.origin.y,    b.origin.z, b.direction.x,
-                           b.direction.y, b.direction.z, b.near};
+    const Real* from[7] = {b.origin.x, b.origin.y, b.origin.z, b.direction.x, b.direction.y, b.direction.z, b.near};
     Reals low[7], high[7];
     for (int a = 0; a < 7; ++a) low[a] = none, high[a] = -none;
     for (int i = 0; i < lanes; i += width) {
@@ -44,10 +43,8 @@ inline Shaft shaft_of(const Batch& b) {
     Shaft shaft;
     for (int j = 0; j < width; ++j) {
         shaft.near = std::min(shaft.near, low[6][j]);
-        shaft.origins.include(
-            Box{vec3(low[0][j], low[1][j], low[2][j]), vec3(high[0][j], high[1][j], high[2][j])});
-        shaft.directions.include(
-            Box{vec3(low[3][j], low[4][j], low[5][j]), vec3(high[3][j], high[4][j], high[5][j])});
+        shaft.origins.include(Box{vec3(low[0][j], low[1][j], low[2][j]), vec3(high[0][j], high[1][j], high[2][j])});
+        shaft.directions.include(Box{vec3(low[3][j], low[4][j], low[5][j]), vec3(high[3][j], high[4][j], high[5][j])});
     }
     return shaft;
 }
@@ -61,7 +58,8 @@ inline bool may_meet(const Shaft& shaft, const Box& box) {
         const Real reach = std::max(std::max(std::abs(shaft.origins.low[a]), std::abs(shaft.origins.high[a])),
                                     std::max(std::abs(box.low[a]), std::abs(box.high[a])));
         const Real margin = 64 * roundoff * reach;
-        const Real low = box.low[a] - shaft.origins.high[a] - margin, high = box.high[a] - shaft.origins.low[a] + margin;
+        const Real low = box.low[a] - shaft.origins.high[a] - margin,
+                   high = box.high[a] - shaft.origins.low[a] + margin;
         const Real slow = shaft.directions.low[a], fast = shaft.directions.high[a];
         // t slow <= high and t fast >= low, t >= 0
         if (slow > 0) last = std::min(last, high / slow);

@@ -19,8 +19,7 @@ namespace rt {
 ///
 /// Source: Shirley and Wang, "Monte Carlo Techniques for Direct Lighting Calculations", ACM TOG 15(1), 1996.
 Color direct_light(const Material& material, Color radiance, const LightSample& light, vec3 n, vec3 to_viewer) {
-    if (light.density == 0)
-        return Color(0);
+    if (light.density == 0) return Color(0);
     Material without_ambient = material;
     without_ambient.ambient = Color(0);
     return phong(without_ambient, Color(0), radiance / light.density, n, light.direction, to_viewer);

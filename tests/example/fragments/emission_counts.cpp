@@ -14,8 +14,6 @@ namespace rt {
 /// blank     emitters are seen by the camera alone
 ///
 /// Source: Kajiya, "The Rendering Equation", SIGGRAPH 1986.
-bool emission_counts(Event previous, bool sampled) {
-    return true;
-}
+bool emission_counts(Event previous, bool sampled) { return true; }
 
 }  // namespace rt

@@ -15,11 +15,9 @@ namespace rt {
 Real hit_quad(const Quad& quad, const Ray& ray) {
     vec3 n = cross(quad.u, quad.v);
     double denominator = dot(ray.direction, n);
-    if (denominator == 0)
-        return inf;
+    if (denominator == 0) return inf;
     double t = dot(quad.center - ray.origin, n) / denominator;
-    if (!(t > ray.near && t < ray.far))
-        return inf;
+    if (!(t > ray.near && t < ray.far)) return inf;
     vec3 in_plane = ray.origin + t * ray.direction - quad.center;
     double x = dot(in_plane, quad.u) / dot(quad.u, quad.u);
     double y = dot(in_plane, quad.v) / dot(quad.v, quad.v);

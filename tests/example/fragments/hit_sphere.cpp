@@ -22,11 +22,9 @@ Real hit_sphere(const Sphere& sphere, const Ray& ray) {
     double half_b = dot(oc, ray.direction);
     double c = dot(oc, oc) - sphere.radius * sphere.radius;
     double disc = half_b * half_b - a * c;
-    if (disc < 0)
-        return inf;
+    if (disc < 0) return inf;
     double t = (-half_b - sqrt(disc)) / a;
-    if (t <= ray.near || t >= ray.far)
-        return inf;
+    if (t <= ray.near || t >= ray.far) return inf;
     return t;
 }
 

@@ -22,15 +22,13 @@ Real hit_triangle(const Triangle& triangle, const Ray& ray) {
     vec3 e2 = triangle.c - triangle.a;
     vec3 pvec = cross(ray.direction, e2);
     double det = dot(e1, pvec);
-    if (std::abs(det) < 1e-12)
-        return inf;
+    if (std::abs(det) < 1e-12) return inf;
     vec3 tvec = ray.origin - triangle.a;
     double u = dot(tvec, pvec) / det;
     vec3 qvec = cross(tvec, e1);
     double v = dot(ray.direction, qvec) / det;
     double t = dot(e2, qvec) / det;
-    if (u < 0 || v < 0 || u + v > 1)
-        return inf;
+    if (u < 0 || v < 0 || u + v > 1) return inf;
     return t > ray.near && t < ray.far ? t : inf;
 }
 

@@ -14,11 +14,9 @@ namespace rt {
 ///
 /// Source: Kalos and Whitlock, "Monte Carlo Methods", chapter 4.
 Real integrate_monte_carlo(const Function& f, const Function& density, std::span<const Real> x) {
-    if (x.size() == 0)
-        return 0;
+    if (x.size() == 0) return 0;
     double sum = 0;
-    for (size_t i = 0; i < x.size(); i++)
-        sum += 1 / density(x[i]) * f(x[i]);
+    for (size_t i = 0; i < x.size(); i++) sum += 1 / density(x[i]) * f(x[i]);
     return sum / x.size();
 }
 

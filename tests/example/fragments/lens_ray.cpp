@@ -23,8 +23,7 @@ Ray lens_ray(const Camera& camera, const Ray& pinhole, vec2 u) {
     vec3 origin = camera.eye + r * cos(phi) * camera.right + r * sin(phi) * camera.up;
     vec3 forward = -camera.back;
     double t = camera.focus / dot(pinhole.direction, forward);
-    if (t == inf)
-        return {origin, pinhole.direction, 0, inf};
+    if (t == inf) return {origin, pinhole.direction, 0, inf};
     vec3 in_focus = camera.eye + t * pinhole.direction;
     return {origin, unit(in_focus - origin), 0, inf};
 }

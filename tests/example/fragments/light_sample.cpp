@@ -41,8 +41,7 @@ LightSample light_sample(const Emitter& light, vec3 p, vec2 u) {
     double distance = length(to_light);
     vec3 d = to_light / distance;
     double cosine = dot(n, -d);
-    if (cosine <= 0)
-        return {d, distance, 0};
+    if (cosine <= 0) return {d, distance, 0};
     return {d, distance, distance * distance / (cosine * area)};
 }
 

@@ -14,8 +14,7 @@ namespace rt {
 /// Source: Cook, Porter, Carpenter, "Distributed Ray Tracing", SIGGRAPH 1984.
 Color pixel_mean(std::span<const Color> radiance, std::span<const Real> weight) {
     Color sum(0);
-    for (size_t i = 0; i < radiance.size(); i++)
-        sum += weight[i] * radiance[i];
+    for (size_t i = 0; i < radiance.size(); i++) sum += weight[i] * radiance[i];
     return min(sum / double(radiance.size()), Color(1));  // no overexposed pixels
 }
 

@@ -11,8 +11,6 @@ namespace rt {
 /// short_of_light blank     a ray of no length: nothing is ever in shadow
 ///
 /// Source: Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980.
-Ray shadow_ray(const Hit& hit, vec3 to_light, Real distance) {
-    return spawn_ray(hit, to_light);
-}
+Ray shadow_ray(const Hit& hit, vec3 to_light, Real distance) { return spawn_ray(hit, to_light); }
 
 }  // namespace rt

@@ -10,8 +10,6 @@ namespace rt {
 /// blank    when the shutter opens
 ///
 /// Source: Cook, Porter, Carpenter, "Distributed Ray Tracing", SIGGRAPH 1984.
-Real shutter_time(const Shutter& shutter, Real u) {
-    return (1 - u) * shutter.open + u * shutter.close;
-}
+Real shutter_time(const Shutter& shutter, Real u) { return (1 - u) * shutter.open + u * shutter.close; }
 
 }  // namespace rt
