@@ -7,7 +7,7 @@ grade=$1/grader/grade
 . "$(dirname "$0")/expect.sh"
 
 expect 0 "2 of 2" "$grade" solution moved --seed 5 --json "$work/a.json" --html "$work/page"
-expect 0 '"schema": "penumbra/result/v1"' cat "$work/a.json"
+expect 0 '"schema": "penumbra/result/v2"' cat "$work/a.json"
 expect 0 "data:image/png;base64," cat "$work/page/index.html"
 expect 0 "not started" "$grade" starter moved
 expect 1 "0 of 2" "$grade" starter moved --require 0.5
@@ -28,7 +28,7 @@ expect 3 "the grader failed" "$grade" solution moved --toolchain "$work/none.tom
 
 # the same seed gives the same record, but for the times
 "$grade" solution moved --seed 5 --json "$work/b.json" --html "$work/page" >/dev/null 2>&1
-timeless() { grep -v '_seconds"\|"command"' "$1"; }
+timeless() { grep -v '_seconds"\|"command"\|"date"' "$1"; }
 expect 0 "" diff <(timeless "$work/a.json") <(timeless "$work/b.json")
 
 # a sandbox is stated, and so is its absence

@@ -100,6 +100,7 @@ std::string check_section(const CheckRecord& check) {
 /// Where to read about what is wrong.
 std::string read_link(const std::string& section, const std::string& handout) {
     if (section.empty()) return {};
+    if (handout.empty()) return "See " + html(reading(section));
     return fmt::format("See <a href=\"{}#{}\">{}</a>", html(handout), html(anchor(section)), html(reading(section)));
 }
 
@@ -121,9 +122,9 @@ std::string fragment_section(const FragmentRecord& fragment, const std::string& 
     return text + "</section>\n";
 }
 
-std::string overview(const Record& record, const Assignment& assignment, const std::string& handout) {
+std::string overview(const Record& record, const std::string& handout) {
     std::string text = "<section class=\"card\"><table class=\"overview\">\n";
-    for (const Part& part : assignment.parts) {
+    for (const Part& part : record.parts) {
         double have = 0, most = 0;
         std::string rows;
         for (const FragmentRecord& fragment : record.fragments) {
@@ -179,9 +180,15 @@ std::string changes(const Record& record) {
     return fmt::format("<section class=\"card\"><p>Since the last run:</p><ul>{}</ul></section>\n", items);
 }
 
+/// "0.1.0, commit 1a2b3c4d5e6f"
+std::string version_of(const Record& record) {
+    const Provenance& made = record.provenance;
+    return made.version + (made.commit.empty() ? "" : ", commit " + made.commit.substr(0, 12));
+}
+
 }  // namespace
 
-std::string page(const Record& record, const Assignment& assignment, const std::string& handout) {
+std::string page(const Record& record, const std::string& handout) {
     const double share = record.max_score() > 0 ? record.score() / record.max_score() : 0;
     std::string text = fmt::format(
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
@@ -195,8 +202,8 @@ std::string page(const Record& record, const Assignment& assignment, const std::
         "style=\"width:{:.1f}%\"></i></div></div></header>\n",
         html(record.title), html(record.submission), record.seed, record.score(), record.max_score(), 100 * share,
         100 * share);
-    text += notes(record) + changes(record) + overview(record, assignment, handout) + own_picture(record);
-    for (const Part& part : assignment.parts) {
+    text += notes(record) + changes(record) + overview(record, handout) + own_picture(record);
+    for (const Part& part : record.parts) {
         std::string sections;
         for (const FragmentRecord& fragment : record.fragments)
             if (fragment.part == part.name) sections += fragment_section(fragment, handout);
@@ -208,7 +215,7 @@ std::string page(const Record& record, const Assignment& assignment, const std::
         "{}. Sandbox: {}.</p>"
         "<p>A dot is the measured value on its 99.8 % interval, the line what is expected, the band what may "
         "differ.</p></section>\n</main></body></html>\n",
-        html(record.command), html(record.toolchain), html(record.version), html(record.sandbox));
+        html(record.command), html(record.provenance.toolchain), html(version_of(record)), html(record.sandbox));
     return text;
 }
 
