@@ -11,6 +11,8 @@
 #include <optional>
 #include <set>
 
+#include "submission/framework.h"
+
 namespace grade {
 
 namespace {
@@ -51,8 +53,8 @@ bool is_zip_or_tar(const std::string& name) {
 /// Looks through an archive and, within bounds for all of them together, through those in it.
 class Look {
 public:
-    Look(std::string shown, const std::vector<std::string>& fragments)
-        : shown_(std::move(shown)), fragments_(fragments) {
+    Look(std::string shown, const std::vector<std::string>& fragments, const fs::path& framework)
+        : shown_(std::move(shown)), fragments_(fragments), handed_out_(framework) {
         for (const std::string& fragment : fragments) names_.insert(fragment + ".cpp");
     }
 
@@ -76,6 +78,7 @@ private:
 
     std::string shown_;
     const std::vector<std::string>& fragments_;
+    const FrameworkFiles handed_out_;
     std::set<std::string> names_;
     std::int64_t unpacked_ = 0, taken_ = 0;
     int entries_ = 0;
@@ -123,6 +126,11 @@ void Look::look_at(archive* in, archive_entry* entry, const std::string& name, i
         return;
     }
     if (is_file) found.look_at_name(name, fragments_);
+    if (is_file && handed_out_.has(name)) {
+        const auto text = read(in, most_source_bytes);
+        if (!archive_entry_size_is_set(entry)) unpacked_ += std::int64_t(text ? text->size() : most_source_bytes);
+        if (!text || handed_out_.differs(name, *text)) found.edited.insert(name);
+    }
     // what is skipped is unpacked all the same
     if (archive_entry_size_is_set(entry)) unpacked_ += archive_entry_size(entry);
     if (unpacked_ > most_unpacked)
@@ -169,9 +177,9 @@ void Look::into(const std::string& prefix, const std::string* bytes, int depth) 
 
 }  // namespace
 
-Found look_into_archive(const fs::path& path, const std::vector<std::string>& fragments) {
+Found look_into_archive(const fs::path& path, const std::vector<std::string>& fragments, const fs::path& framework) {
     const NamesInUtf8 names_in_utf8;
-    Look look(path.string(), fragments);
+    Look look(path.string(), fragments, framework);
     look.into("", nullptr, 0);
     return std::move(look.found);
 }

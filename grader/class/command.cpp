@@ -75,7 +75,7 @@ int run_class(const ClassArguments& arguments, const std::string& toolchain) {
     const fs::path folder = fs::path(arguments.submissions) / "";
     const fs::path out =
         arguments.out.empty() ? fs::path(folder.parent_path().string() + "-graded") : fs::path(arguments.out);
-    std::vector<Entry> entries = read_export(arguments.submissions, assignment);
+    std::vector<Entry> entries = read_export(arguments.submissions, assignment, chain.source / "starter");
     fs::create_directories(out / "records");
     const Setup setup{seed_of(arguments, out), find_provenance(chain), arguments.time_limit};
     std::vector<Result> results = results_of(entries, assignment, chain, setup);

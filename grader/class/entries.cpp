@@ -88,7 +88,7 @@ Submission read_loose(const std::vector<Item>& items, const std::vector<std::str
     }
 }
 
-Entry entry_of(std::vector<Item> items, const std::vector<std::string>& fragments) {
+Entry entry_of(std::vector<Item> items, const std::vector<std::string>& fragments, const fs::path& framework) {
     std::ranges::sort(items, is_later);
     // an archive or a folder is the work; loose files are, where there is neither
     const auto whole = std::ranges::find_if(items, [](const Item& item) { return item.kind != Kind::source; });
@@ -98,7 +98,7 @@ Entry entry_of(std::vector<Item> items, const std::vector<std::string>& fragment
     for (const Item& item : items) entry.student.is_late |= item.student.is_late;
     try {
         if (whole != items.end()) {
-            entry.submission = read_submission(taken.path, fragments);
+            entry.submission = read_submission(taken.path, fragments, framework);
             std::vector<std::string> others;
             for (const Item& item : items)
                 if (&item != &taken) others.push_back(item.path.filename().string());
@@ -168,7 +168,7 @@ void add_gradescope_names(const fs::path& folder, std::vector<Entry>& entries) {
 
 }  // namespace
 
-std::vector<Entry> read_export(const fs::path& folder, const Assignment& assignment) {
+std::vector<Entry> read_export(const fs::path& folder, const Assignment& assignment, const fs::path& framework) {
     std::error_code error;
     if (!fs::is_directory(folder, error))
         throw rt::InputError(
@@ -179,7 +179,7 @@ std::vector<Entry> read_export(const fs::path& folder, const Assignment& assignm
     std::map<std::string, std::vector<Item>> by_student;
     for (Item& item : items_of(folder)) by_student[item.student.key()].push_back(std::move(item));
     std::vector<Entry> entries;
-    for (auto& [key, items] : by_student) entries.push_back(entry_of(std::move(items), names));
+    for (auto& [key, items] : by_student) entries.push_back(entry_of(std::move(items), names, framework));
     if (entries.empty())
         throw rt::InputError(
             fmt::format("{}: holds no submission; expected folders, archives, or files", folder.string()));

@@ -24,8 +24,8 @@ struct Entry {
 
 /// Every submission of a folder as course systems export them (convert/student.h), in the order of their names:
 /// folders, archives, and loose files NAME.cpp of one student. Of several by one student the latest is taken: by the
-/// time of an attempt, by the number of a copy. What cannot be read is an entry with a fault. Throws rt::InputError
-/// where the folder is none or holds no submission.
-std::vector<Entry> read_export(const fs::path& folder, const Assignment& assignment);
+/// time of an attempt, by the number of a copy. What cannot be read is an entry with a fault. framework: as for
+/// read_submission. Throws rt::InputError where the folder is none or holds no submission.
+std::vector<Entry> read_export(const fs::path& folder, const Assignment& assignment, const fs::path& framework);
 
 }  // namespace grade::course
