@@ -122,24 +122,27 @@ TEST_CASE("an answer within a hundredth is right, others and missing ones are no
     }
     const Theory odd = read_theory(empty_theory("a \"b\" \\c"), "t.toml");
     CHECK(odd.name == "a \"b\" \\c");
+    CHECK(read_theory(empty_theory("a\nb"), "t.toml").name == "a b");
 }
 
 TEST_CASE("who is wrong is shown the way with other numbers, and not the answer") {
-    const std::string wrong = told(read_theory(filled_in("Ada", 1.5), "t.toml"), 16);
-    const std::string right = told(read_theory(filled_in("Ada", 1), "t.toml"), 16);
-    for (const Question& q : questions_of("Ada")) {
-        CHECK(wrong.find(q.worked) == std::string::npos);
-        CHECK(right.find(q.worked) != std::string::npos);
+    for (const std::string& name : names) {
+        const std::string wrong = told(read_theory(filled_in(name, 1.5), "t.toml"), 16);
+        const std::string right = told(read_theory(filled_in(name, 1), "t.toml"), 16);
+        for (const Question& q : questions_of(name)) {
+            CHECK(wrong.find(q.worked) == std::string::npos);
+            CHECK(right.find(q.worked) != std::string::npos);
+        }
+        CHECK(wrong.find(name + ": 0 of 8 right, 0 of 16 points") != std::string::npos);
+        CHECK(right.find(name + ": 8 of 8 right, 16 of 16 points") != std::string::npos);
     }
-    CHECK(wrong.find("Ada: 0 of 8 right, 0 of 16 points") != std::string::npos);
-    CHECK(right.find("Ada: 8 of 8 right, 16 of 16 points") != std::string::npos);
 }
 
 TEST_CASE("mistakes in theory.toml are told with line and column") {
     CHECK(error_of("x = 1\n").rfind("t.toml:", 0) == 0);
     CHECK(error_of("name = \" \"\n").rfind("t.toml:1:8: is empty", 0) == 0);
     CHECK(error_of("name = \"a\"\nirradance = 1\n") ==
-          "t.toml:2:1: \"irradance\" is no question; expected irradiance?");
+          "t.toml:2:13: \"irradance\" is no question; expected irradiance?");
     CHECK(error_of("name = \"a\"\nblur = \"1\"\n").rfind("t.toml:2:8: ", 0) == 0);
     CHECK(error_of("name = \"a\"\nblur = \n").rfind("t.toml:2:", 0) == 0);
 }

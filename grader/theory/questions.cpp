@@ -157,8 +157,8 @@ Question blur(Draw& draw) {
     const double answer = radius * (lamp - focus) / lamp;
     return {
         "blur",
-        fmt::format("A thin lens of radius {} mm is in focus at {} m. A small lamp is on its axis, {} m away. Which "
-                    "radius has its disc of blur, measured in the plane in focus?",
+        fmt::format("A thin lens of radius {} mm is in focus at {} m. A small lamp is on its axis, {} m away. What is "
+                    "the radius of its disc of blur, measured in the plane in focus?",
                     radius, focus, lamp),
         "mm",
         {radius, focus, lamp},

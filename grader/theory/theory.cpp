@@ -12,21 +12,33 @@ namespace grade {
 namespace {
 
 constexpr double tolerance = 0.01;
-constexpr const char* example = "an example";
+
+/// The same question for another name whose answer is another.
+Question other_than(const Question& question, std::size_t place) {
+    for (int k = 0;; ++k) {
+        Question other = questions_of(fmt::format("example {}", k))[place];
+        if (std::abs(other.answer - question.answer) > 2 * tolerance * std::abs(question.answer)) return other;
+    }
+}
 
 std::string in_unit(const Question& question) { return question.unit.empty() ? "" : " [" + question.unit + "]"; }
 
+/// As a string of TOML. What is no letter, such as the end of a line, becomes a space.
 std::string quoted(const std::string& text) {
     std::string escaped;
-    for (const char c : text) escaped += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
+    for (const char c : text) {
+        if (c == '"' || c == '\\') escaped += '\\';
+        escaped += static_cast<unsigned char>(c) < ' ' || c == 127 ? ' ' : c;
+    }
     return '"' + escaped + '"';
 }
 
-std::string told(const Answered& answered, const Question& other) {
+std::string told(const Answered& answered, std::size_t place) {
     const Question& question = answered.question;
     if (!answered.answer) return "no answer yet\n";
     const std::string given = fmt::format("{:g}{}", *answered.answer, in_unit(question));
     if (answered.right) return fmt::format("{}: right. {}\n", given, question.worked);
+    const Question other = other_than(question, place);
     return fmt::format("{}: wrong. With other numbers: {}\n    {}\n", given, other.text, other.worked);
 }
 
@@ -74,11 +86,10 @@ Theory read_theory(const std::string& text, const std::string& path) {
 
 std::string told(const Theory& theory, double points) {
     std::string text;
-    const std::vector<Question> others = questions_of(example);
     for (std::size_t k = 0; k < theory.answers.size(); ++k) {
         const Answered& answered = theory.answers[k];
-        text += fmt::format("{}. {}: {}\n    {}", k + 1, answered.question.key, answered.question.text,
-                            told(answered, others[k]));
+        text +=
+            fmt::format("{}. {}: {}\n    {}", k + 1, answered.question.key, answered.question.text, told(answered, k));
     }
     return text + fmt::format("\n{}: {} of {} right, {:.3g} of {:g} points\n", theory.name, theory.right(),
                               theory.answers.size(), points * theory.right() / double(theory.answers.size()), points);
