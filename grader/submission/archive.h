@@ -22,8 +22,8 @@ struct Found {
     void look_at_name(const std::string& path, const std::vector<std::string>& fragments);
 };
 
-/// Looks into a .zip or a .tar.gz; nothing is unpacked to the disk. framework: what FrameworkFiles compares with. Throws
-/// SubmissionError. A kit has no library for archives, and says so.
+/// Looks into a .zip or a .tar.gz; nothing is unpacked to the disk. framework: what FrameworkFiles compares with.
+/// Throws SubmissionError. A kit has no library for archives, and says so.
 Found look_into_archive(const fs::path& path, const std::vector<std::string>& fragments, const fs::path& framework);
 
 /// The complaint about a file above most_source_bytes.
