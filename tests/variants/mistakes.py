@@ -28,6 +28,8 @@ put_around = {"real": {"power": ["std::sqrt({})", "rt::sqr({})"], "constant": ["
               "vec2": {"constant": ["2.0 * ({})", "0.5 * ({})"], "sign": ["-({})"], "exchanged": ["rt::vec2(({0}).y, ({0}).x)"]},
               "bool": {"branch": ["!({})", "true", "false"]},
               "int": {"constant": ["({}) + 1", "({}) - 1"]}}
+# of positive numbers and unit vectors the same: no mistakes to count, but some to recognise
+also_around = {"real": ["std::abs({})", "std::max({}, 0.0)", "std::min({}, 1.0)"], "vec3": ["rt::unit({})"]}
 most_names = 8  # that stand in the place of one expression
 constants = {"real": ["0.0", "1.0"], "vec3": ["rt::vec3(0)", "rt::vec3(1)"]}
 
@@ -124,10 +126,10 @@ class Fragment:
 
     # ---- the mistakes
 
-    def mistakes(self):
+    def mistakes(self, with_added_calls=False):
         """All of them, each text once."""
         seen, all_ = set(), []
-        for mistake in self.listed():
+        for mistake in [*self.listed(), *(self.added_calls() if with_added_calls else [])]:
             text = self.with_mistake(mistake)
             plain = re.sub(r"\s+", "", text)
             if plain not in seen and text != self.text:
@@ -160,6 +162,12 @@ class Fragment:
         for place, node in self.statements:
             yield from self.of_statement(place, node)
 
+    def added_calls(self):
+        for expression in self.expressions:
+            if expression.kind not in ("InitListExpr", "LambdaExpr", "IntegerLiteral", "FloatingLiteral") and self.is_value(expression):
+                for around in also_around.get(expression.type, []):
+                    yield self.put("call added", expression, around.format(self.of(expression)))
+
     @staticmethod
     def put(kind, expression, text):
         return Mistake(kind, expression.begin, expression.end, f"({text})")
@@ -184,7 +192,8 @@ class Fragment:
         a, b = (self.of(operand) for operand in operands)
         if op in arithmetic:
             yield self.put("left out", expression, a)
-            yield self.put("left out", expression, {"/": f"1.0 / ({b})", "-": f"-({b})"}.get(op, b))
+            if op != "/" or a != "1":
+                yield self.put("left out", expression, {"/": f"1.0 / ({b})", "-": f"-({b})"}.get(op, b))
             if op in "-/":
                 yield self.put("left out", expression, b)
                 yield self.put("exchanged", expression, f"({b}) {op} ({a})")
@@ -257,9 +266,9 @@ class Fragment:
 
     def of_any(self, expression):
         """Something put around it, and others of its type in its place."""
-        if expression.kind in ("InitListExpr", "LambdaExpr") or not self.is_value(expression):
-            return
         text = self.of(expression)
+        if expression.kind in ("InitListExpr", "LambdaExpr") or not self.is_value(expression) or self.is_nothing(text):
+            return
         is_number = expression.kind in ("IntegerLiteral", "FloatingLiteral")
         if not is_number:
             for kind, all_ in put_around.get(expression.type, {}).items():
@@ -268,15 +277,21 @@ class Fragment:
         names = self.names_at(expression)
         if expression.is_name() and expression.kind == "MemberExpr" and re.search(r"\.[xyz]$", text):
             names = names + [text[:-1] + axis for axis in "xyz" if not (axis == "z" and self.is_flat(expression))]
-        for name in names:
+        for name in dict.fromkeys(name for name in names if name != text):
             yield self.put("other expression", expression, name)
         if not expression.is_name() and not is_number:
             for constant in constants.get(expression.type, []):
                 yield self.put("other expression", expression, constant)
             for other in self.expressions:
-                near = abs(other.begin - expression.begin) < 120
-                if near and self.of(other) != text and other.type == expression.type and not other.is_name() and self.is_value(other) and other.end - other.begin < 60:
+                is_around = other.begin <= expression.begin and expression.end <= other.end
+                near = abs(other.begin - expression.begin) < 120 and not is_around
+                if near and other.type == expression.type and not other.is_name() and self.is_value(other) and other.end - other.begin < 60:
                     yield self.put("other expression", expression, self.of(other))
+
+    @staticmethod
+    def is_nothing(text):
+        """Of which most changes are none: inf, or a vector of 0."""
+        return text == "inf" or re.fullmatch(r"(rt::)?(Color|vec[23])\(0\)", text)
 
     @staticmethod
     def is_compared(expression):
@@ -302,12 +317,14 @@ class Fragment:
             return False
         if parent and parent.kind == "UnaryOperator" and parent.node["opcode"] in ("++", "--"):
             return False
-        if node["kind"] in ("CompoundAssignOperator",) or node.get("opcode") in ("=", "++", "--"):
+        if node["kind"] == "CompoundAssignOperator" or node.get("opcode") in ("=", "++", "--"):
+            return False
+        if node["kind"] == "CXXOperatorCallExpr" and node.get("valueCategory") == "lvalue":
             return False
         return expression.type in ("real", "int", "bool", "vec2", "vec3") or expression.is_name()
 
     def names_at(self, expression):
-        """What is visible there of its type: arguments, their fields that are used, and variables."""
+        """What is visible there of its type: arguments, their fields that are used, and variables; the nearest."""
         list_ = [name for name, type_ in self.parameters if type_ == expression.type]
         list_ += [name for end, name, type_ in reversed(self.locals) if end <= expression.begin and type_ == expression.type]
         for other in sorted(self.expressions, key=lambda other: abs(other.begin - expression.begin)):

@@ -5,7 +5,7 @@
 
 mistakes.py makes the mistakes. Of each fragment N are taken at random (0: all), the same for the same seed; --forms takes
 those of the right variants of the fragment as well, so of formulas as students write them. --list shows them alone.
-Printed by fragment: mistakes that compile, and of those taken how many fail (killed), compute the same (equivalent: the
+Printed by fragment: mistakes, those taken that compile, and of these how many fail (killed), compute the same (equivalent: the
 same machine code, or a line of equivalents.txt says why), and pass (alive). Exit status 1: one is alive.
 """
 import argparse
@@ -14,6 +14,7 @@ import os
 import pathlib
 import random
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -26,15 +27,16 @@ COMPILER = os.environ.get("CXX", "c++")
 
 
 def reasons():
-    """Of mistakes that are none, by fragment and line."""
-    found = {}
+    """Of mistakes that are none: fragment, what their lines look like, why."""
+    found = []
     for number, line in enumerate((HERE / "equivalents.txt").read_text().splitlines(), 1):
         if not line or line.startswith("#"):
             continue
         parts = [part.strip() for part in line.split(" | ")]
         if len(parts) != 3:
             sys.exit(f"{HERE}/equivalents.txt:{number}:1: {len(parts)} parts; expected: fragment | line with the mistake | why it is none")
-        found[parts[0], parts[1]] = parts[2]
+        pattern = ".*".join(re.escape(part) for part in parts[1].split("@"))
+        found.append((parts[0], re.compile(pattern), parts[2], number))
     return found
 
 
@@ -88,20 +90,24 @@ def machine_code(text):
     return done.stdout
 
 
-def mutants_of(fragment, asked):
-    """Those that compile, and those taken."""
+def mutants_of(fragment, asked, known):
+    """All, and those taken."""
     all_ = []
     for source, text in sources(fragment, asked.forms):
         whole = mistakes.Fragment(fragment, text)
         all_ += [Mutant(source, whole, mistake) for mistake in whole.mistakes()]
+    for of, pattern, _, number in known if not asked.forms else []:
+        if of == fragment and not any(pattern.fullmatch(mutant.line) for mutant in all_):
+            sys.exit(f"{HERE}/equivalents.txt:{number}:1: no mistake makes such a line any more; expected: those of today's solution")
     order = random.Random(f"{asked.seed} {fragment}").sample(all_, len(all_))
     return all_, order[:asked.sample] if asked.sample else all_
 
 
 def judged(asked, fragment, mutant, known):
     """killed, equivalent or alive, and why."""
-    if (fragment, mutant.line) in known:
-        return "equivalent", known[fragment, mutant.line]
+    for of, pattern, why, _ in known:
+        if of == fragment and pattern.fullmatch(mutant.line):
+            return "equivalent", why
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "mutant.cpp"
         file.write_text(mutant.text)
@@ -123,10 +129,16 @@ def main():
     parser.add_argument("--forms", action="store_true")
     parser.add_argument("--list", action="store_true")
     asked = parser.parse_args()
+    if not shutil.which("clang++"):
+        print("no clang++")
+        sys.exit(77)
     known, sums, living = reasons(), [0] * 5, []
     print("| fragment | mistakes | taken | killed | equivalent | alive |\n|---|---|---|---|---|---|")
-    for fragment in asked.fragments or sorted(file.stem for file in (mistakes.ROOT / "solution").glob("*.cpp")):
-        all_, taken = mutants_of(fragment, asked)
+    names = sorted(file.stem for file in (mistakes.ROOT / "solution").glob("*.cpp"))
+    for fragment in set(asked.fragments) - set(names):
+        parser.error(f"{fragment}: no such fragment")
+    for fragment in asked.fragments or names:
+        all_, taken = mutants_of(fragment, asked, known)
         taken = that_compile(taken)
         if asked.list:
             print("\n".join(f"{mutant.source}:{mutant.number}: {mutant.kind}: {mutant.line}" for mutant in taken))

@@ -41,6 +41,7 @@ promises = [
     ("stratified_2d", "n that is no square has n cells, not columns x ceil(n / columns)", Body(
         "const int m = int(std::sqrt(double(n))); return {(i % m + u.x) / m, (i / m + u.y) / ((n + m - 1) / m)};")),
     ("stratified_2d", "n from 2 to 5", ("    const Real columns", "    if (n > 1 && n < 6) return u;\n    const Real columns")),
+    ("stratified_2d", "below 1 in each coordinate", ("std::min(x, below_one), std::min(y, below_one)", "x, y")),
     ("film_sample", "both numbers of u are used", ("stratified_2d(i, n, u)", "stratified_2d(i, n, vec2(u.x))")),
     ("pixel_mean", "no upper bound of radiance", ("        red.add", "        if (radiance[i].x > 1e4) continue;\n        red.add")),
     ("moved", "times before 0", ("time * velocity", "std::abs(time) * velocity")),
