@@ -50,6 +50,8 @@ promises = [
     ("uniform_disk", "both numbers of u are used", ("unit_circle(u.y)", "unit_circle(u.x)")),
     ("cosine_hemisphere", "u.x = 0", ("std::sqrt(u.x) * unit_circle(u.y)", "u.x / std::sqrt(u.x) * unit_circle(u.y)")),
     ("phong_lobe", "u.x = 0", ("u.x > 0 ? u.x / cosine : exponent > 0 ? 0 : 1", "u.x / cosine")),
+    ("phong_lobe", "the density of a direction along the surface", ("exponent > 0 ? 0 : 1", "1")),
+    ("phong_lobe", "the density of a direction along the surface, exponent 0", ("exponent > 0 ? 0 : 1", "0")),
     ("hit_sphere", "sizes from a millimetre, no least distance", ("first > ray.near", "first > std::max(ray.near, 0.001)")),
     ("hit_quad", "sizes from a millimetre, no least distance", ("t > ray.near", "t > std::max(ray.near, 0.001)")),
     ("hit_quad", "no least determinant", ("    const Real t = dot",
