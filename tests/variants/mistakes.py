@@ -109,7 +109,8 @@ class Fragment:
         outer, type_ = place, type_of(node)
         while "inner" in node:
             inner = self.range_of(node["inner"][0])
-            if not inner or not (kind in wrappers or (kind == "CXXConstructExpr" and inner == place)):
+            is_wrapper = kind in wrappers or (kind == "CXXConstructExpr" and inner == place) or "(anonymous" in type_of(node)
+            if not inner or not is_wrapper:
                 break
             node = node["inner"][0]
             kind, place = node["kind"], inner
@@ -280,7 +281,7 @@ class Fragment:
         for name in dict.fromkeys(name for name in names if name != text):
             yield self.put("other expression", expression, name)
         if not expression.is_name() and not is_number:
-            for constant in constants.get(expression.type, []):
+            for constant in constants.get(expression.type, []) if not text.startswith(("Color(", "vec3(")) else []:
                 yield self.put("other expression", expression, constant)
             for other in self.expressions:
                 is_around = other.begin <= expression.begin and expression.end <= other.end
@@ -297,6 +298,8 @@ class Fragment:
     def is_compared(expression):
         """With 0: of such a number only the sign matters."""
         parent = expression.parent
+        while parent and parent.kind == "MemberExpr":
+            parent = parent.parent
         return parent and parent.node.get("opcode") in compared and any(part.node.get("value") == "0" for part in parent.parts)
 
     @staticmethod
