@@ -53,6 +53,7 @@ promises = [
     ("phong_lobe", "the density of a direction along the surface", ("exponent > 0 ? 0 : 1", "1")),
     ("phong_lobe", "the density of a direction along the surface, exponent 0", ("exponent > 0 ? 0 : 1", "0")),
     ("hit_sphere", "sizes from a millimetre, no least distance", ("first > ray.near", "first > std::max(ray.near, 0.001)")),
+    ("hit_sphere", "the interval begins at near", ("first > ray.near", "first > 2 * ray.near")),
     ("hit_quad", "sizes from a millimetre, no least distance", ("t > ray.near", "t > std::max(ray.near, 0.001)")),
     ("hit_quad", "no least determinant", ("    const Real t = dot",
                                           "    if (std::abs(dot(ray.direction, n)) < 1e-6) return inf;\n    const Real t = dot")),
