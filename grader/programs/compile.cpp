@@ -53,7 +53,8 @@ std::string first_errors(const std::string& output, const std::string& path, con
     return text;
 }
 
-/// The first warnings about the source itself, a line each; none about what it includes.
+/// The first warnings about the source itself, a line each, those that matter before others; none about what it
+/// includes.
 std::string first_warnings(const std::string& output, const std::string& path, const std::string& shown) {
     constexpr std::size_t most = 3;
     std::istringstream lines(output);
@@ -64,6 +65,8 @@ std::string first_warnings(const std::string& output, const std::string& path, c
         if (line.size() > 300) line = line.substr(0, 300) + "...";
         if (std::ranges::count(all, line) == 0) all.push_back(line);
     }
+    // what is only unused breaks nothing
+    std::ranges::stable_partition(all, [](const std::string& line) { return line.find("[-Wunused") == line.npos; });
     std::string text;
     for (std::size_t i = 0; i < std::min(most, all.size()); ++i) text += all[i] + "\n";
     if (all.size() > most) text += fmt::format("and {} more\n", all.size() - most);
