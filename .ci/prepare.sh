@@ -10,6 +10,7 @@ packages="cmake:cmake g++:c++ ninja-build:ninja bubblewrap: libarchive-dev:archi
     nlohmann-json3-dev:nlohmann/json.hpp"
 test_packages="catch2: clang:clang++ clang-format: patch:patch python3:python3 shellcheck: valgrind:"
 mitsuba_packages="python3-venv:"
+page_packages="chromium:chromium"
 compiler=${CXX:-c++}
 
 build=$root/build/release

@@ -9,6 +9,9 @@ grade=$1/grader/grade
 expect 0 "2 of 2" "$grade" solution moved --seed 5 --json "$work/a.json" --html "$work/page"
 expect 0 '"schema": "penumbra/result/v1"' cat "$work/a.json"
 expect 0 "data:image/png;base64," cat "$work/page/index.html"
+# one of a scene with a tree, drawn by one thread in the sandbox
+expect 1 "" grep "No picture" "$work/page/index.html"
+expect 0 "with all fragments" cat "$work/page/index.html"
 expect 0 "not started" "$grade" starter moved
 expect 1 "0 of 2" "$grade" starter moved --require 0.5
 expect 0 "2 of 2" "$grade" solution moved --require 2

@@ -65,6 +65,31 @@ TEST_CASE("a folder of fragments, a starter, and archives of either are read ali
     }
 }
 
+TEST_CASE("edits of the framework are told, copies of it are not") {
+    const TemporaryFolder folder;
+    const std::string ray = read_text("starter/rt/ray.h").value();
+    const std::vector<std::pair<std::string, std::string>> files{{"rt/ray.h", ray + "// mine\n"},
+                                                                 {"rt/lamps/lamp_tree.h", "mine"},
+                                                                 {"rt/math.h", read_text("starter/rt/math.h").value()},
+                                                                 {"rt/own.h", "mine"},
+                                                                 {"fragments/moved.cpp", "moved"}};
+    std::vector<Entry> entries;
+    for (const auto& [name, text] : files) {
+        fs::create_directories((folder.path() / "work" / name).parent_path());
+        write_text(folder.path() / "work" / name, text);
+        entries.push_back({"work/" + name, text});
+    }
+    pack(folder.path() / "work.zip", entries, true);
+    for (const char* name : {"work", "work.zip"}) {
+        INFO(name);
+        const auto notes = read_submission(folder.path() / name, fragments_of_hand_in, "starter").notes;
+        REQUIRE(notes.size() == 1);
+        CHECK(notes[0].find("rt/lamps/lamp_tree.h and 1 more: not as they were handed out") != std::string::npos);
+    }
+    const std::vector<std::string> one{"phong_lobe"};
+    CHECK(read_submission("starter", one, "starter").notes.empty());
+}
+
 TEST_CASE("links, devices, large files and paths that lead out are not taken") {
     const TemporaryFolder folder;
     fs::create_directories(folder.path() / "a");

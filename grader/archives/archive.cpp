@@ -11,6 +11,8 @@
 #include <optional>
 #include <set>
 
+#include "submission/framework.h"
+
 namespace grade {
 
 namespace {
@@ -44,9 +46,24 @@ std::string plain_path(std::string raw) {
     return fs::path(raw).lexically_normal().generic_string();
 }
 
+/// At most `most` bytes of an entry, and one more where there are more; none where it is broken.
+std::optional<std::string> text_of_entry(archive* in, std::size_t most) {
+    std::string text(most + 1, '\0');
+    std::size_t have = 0;
+    for (la_ssize_t got;
+         have < text.size() && (got = archive_read_data(in, text.data() + have, text.size() - have)) != 0;) {
+        if (got < 0) return std::nullopt;
+        have += std::size_t(got);
+    }
+    text.resize(have);
+    text.shrink_to_fit();
+    return text;
+}
+
 }  // namespace
 
-Found look_into_archive(const fs::path& path, const std::vector<std::string>& fragments) {
+Found look_into_archive(const fs::path& path, const std::vector<std::string>& fragments, const fs::path& framework) {
+    const FrameworkFiles handed_out(framework);
     const NamesInUtf8 names_in_utf8;
     const std::unique_ptr<archive, int (*)(archive*)> in(archive_read_new(), archive_read_free);
     archive_read_support_format_zip(in.get());
@@ -80,6 +97,12 @@ Found look_into_archive(const fs::path& path, const std::vector<std::string>& fr
         if (name.starts_with("/") || name.starts_with("..")) continue;
         if (!names.contains(fs::path(name).filename().string())) {
             if (archive_entry_filetype(entry) == AE_IFREG) found.look_at_name(name, fragments);
+            if (archive_entry_filetype(entry) == AE_IFREG && handed_out.has(name)) {
+                const auto text = text_of_entry(in.get(), most_source_bytes);
+                if (!text) fail();
+                if (!archive_entry_size_is_set(entry)) unpacked += std::int64_t(text->size());
+                if (handed_out.differs(name, *text)) found.edited.insert(name);
+            }
             // what is skipped is unpacked all the same
             if (archive_entry_size_is_set(entry)) unpacked += archive_entry_size(entry);
             if (unpacked > most_unpacked)
@@ -91,20 +114,14 @@ Found look_into_archive(const fs::path& path, const std::vector<std::string>& fr
             found.complaints[name] = "not a regular file; links and devices are not followed";
             continue;
         }
-        std::string text(most_source_bytes + 1, '\0');
-        std::size_t have = 0;
-        for (la_ssize_t got;
-             have < text.size() && (got = archive_read_data(in.get(), text.data() + have, text.size() - have)) != 0;) {
-            if (got < 0) fail();
-            have += std::size_t(got);
-        }
-        if (have > most_source_bytes) {
+        const auto read = text_of_entry(in.get(), most_source_bytes);
+        if (!read) fail();
+        std::string text = *read;
+        if (text.size() > most_source_bytes) {
             found.complaints[name] = too_large();
             continue;
         }
-        text.resize(have);
-        text.shrink_to_fit();
-        if ((taken += std::int64_t(have)) > most_taken)
+        if ((taken += std::int64_t(text.size())) > most_taken)
             throw SubmissionError(fmt::format("{}: holds more than {} MiB in files that are named like fragments",
                                               path.string(), most_taken >> 20));
         const auto [place, fresh] = found.texts.try_emplace(name, text);

@@ -69,7 +69,8 @@ public:
         ProgressLine line;
         progress_ = std::make_unique<Progress>(
             [&](int done, int all, const std::string& doing) { line.show(done, all, doing); });
-        const Submission submission = read_submission(chosen_.submission, assignment_.names());
+        const Submission submission =
+            read_submission(chosen_.submission, assignment_.names(), chain_.source / "starter");
         programs_ = std::make_unique<Programs>(submission, chain_, settings_.build, *progress_);
         Record record = grade_programs(*programs_, assignment_, chain_, checks_, settings_, *progress_);
         record.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();

@@ -13,7 +13,7 @@ bool is_source(const fs::path& path) {
 }
 
 Stamp& Stamp::add(std::string_view text) {
-    for (const char c : text) hash_ = (hash_ ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+    hash_ = (fnv1a(text, hash_) ^ text.size()) * 0x100000001b3;
     return *this;
 }
 

@@ -8,19 +8,12 @@
 #include <exception>
 #include <limits>
 
+#include "rt/sampler.h"
 #include "statistics/image_fault.h"
 
 namespace grade {
 
 namespace {
-
-/// Source: Steele et al., "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014 (SplitMix64).
-std::uint64_t mixed(std::uint64_t x) {
-    x += 0x9e3779b97f4a7c15;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
-    return x ^ (x >> 31);
-}
 
 std::optional<Fault> probe_fault(const std::string& fragment, const Rows& inputs, const Rows& outputs) {
     for (std::size_t i = 0; i < outputs.size(); ++i)
@@ -42,9 +35,10 @@ std::optional<Fault> probe_fault(const std::string& fragment, const Rows& inputs
 std::string key_of(const Check& check) { return check.fragment + "." + check.name; }
 
 std::uint64_t replicate_seed(std::uint64_t grading_seed, const Check& check, Stream stream, int replicate) {
-    std::uint64_t state = mixed(grading_seed);
-    for (const char c : key_of(check)) state = mixed(state ^ static_cast<unsigned char>(c));
-    return mixed(mixed(state ^ std::uint64_t(stream)) + std::uint64_t(replicate));
+    using rt::combine;
+    std::uint64_t state = combine(grading_seed, 0);
+    for (const char c : key_of(check)) state = combine(state ^ static_cast<unsigned char>(c), 0);
+    return combine(combine(state ^ std::uint64_t(stream), 0) + std::uint64_t(replicate), 0);
 }
 
 Outcome<Observation> observe(Runner& runner, const Check& check, std::uint64_t seed) {

@@ -4,64 +4,44 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <vector>
 
-#include "protocol/bytes.h"
+#include "programs/kept_file.h"
 
 namespace grade {
 
 namespace {
 
-/// FNV-1a, with the length, so that no two lists of texts are one.
-std::uint64_t add(std::uint64_t hash, std::string_view text) {
-    for (const char c : text) hash = (hash ^ std::uint64_t(static_cast<unsigned char>(c))) * 1099511628211u;
-    return (hash ^ text.size()) * 1099511628211u;
-}
+constexpr std::uint64_t most = std::uint64_t(1) << 30;  // bytes of a file
 
 /// All files below a folder with one of these ends, in an order of their own.
-std::uint64_t add_files(std::uint64_t hash, const fs::path& folder, const std::vector<std::string>& ends) {
+void add_files(Stamp& stamp, const fs::path& folder, const std::vector<std::string>& ends) {
     std::vector<fs::path> files;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
         if (entry.is_regular_file() && std::ranges::count(ends, entry.path().extension().string()) > 0)
             files.push_back(entry.path());
-    std::ranges::sort(files);
-    for (const fs::path& file : files)
-        hash = add(add(hash, file.string()), read_text(file, std::uint64_t(1) << 30).value_or(""));
-    return hash;
+    stamp.add_files(folder, std::move(files));
 }
 
 /// The grader, the framework, how it is compiled and linked, and what checks read.
-std::uint64_t hash_of_framework(const Toolchain& chain) {
-    constexpr std::uint64_t most = std::uint64_t(1) << 30;
-    std::uint64_t hash = add(14695981039346656037u, read_text(fs::read_symlink("/proc/self/exe"), most).value_or(""));
-    for (const fs::path& archive : chain.archives) hash = add(hash, read_text(archive, most).value_or(""));
-    hash = add(hash, fmt::format("{} {} {} {}", chain.description, fmt::join(chain.compile, " "),
-                                 fmt::join(chain.link, " "), fmt::join(chain.libraries, " ")));
-    for (const auto& [name, object] : chain.solution_objects) hash = add(hash, read_text(object, most).value_or(""));
-    hash = add_files(hash, chain.blanks, {".cpp"});
-    hash = add_files(hash, chain.source / "starter/rt", {".h"});
-    return add_files(hash, chain.source / "scenes", {".obj", ".toml"});
+Stamp stamp_of_framework(const Toolchain& chain) {
+    Stamp stamp;
+    const auto add_text = [&](const fs::path& file) { stamp.add(read_text(file, most).value_or("")); };
+    add_text(fs::read_symlink("/proc/self/exe"));
+    for (const fs::path& archive : chain.archives) add_text(archive);
+    stamp.add(fmt::format("{} {} {} {}", chain.description, fmt::join(chain.compile, " "), fmt::join(chain.link, " "),
+                          fmt::join(chain.libraries, " ")));
+    for (const auto& [name, object] : chain.solution_objects) add_text(object);
+    add_files(stamp, chain.blanks, {".cpp"});
+    add_files(stamp, chain.source / "starter/rt", {".h"});
+    add_files(stamp, chain.source / "scenes", {".obj", ".toml"});
+    return stamp;
 }
 
-using Json = nlohmann::ordered_json;
+using Json = KeptJson;
 
 Json to_json(const std::optional<double>& x) { return x ? Json(*x) : Json(); }
 std::optional<double> number(const Json& x) { return x.is_null() ? std::nullopt : std::optional(x.get<double>()); }
-
-Json to_json(const rt::Image& image) {
-    std::vector<std::uint8_t> bytes(image.pixels.size() * sizeof(rt::Color));
-    copy_bytes(bytes.data(), image.pixels.data(), bytes.size());
-    return {{"width", image.width}, {"height", image.height}, {"pixels", Json::binary(std::move(bytes))}};
-}
-
-rt::Image image(const Json& json) {
-    rt::Image result(json.at("width"), json.at("height"));
-    const auto& bytes = json.at("pixels").get_binary();
-    if (bytes.size() != result.pixels.size() * sizeof(rt::Color)) throw std::runtime_error("another size of image");
-    copy_bytes(result.pixels.data(), bytes.data(), bytes.size());
-    return result;
-}
 
 Json to_json(const StatisticRecord& s) {
     return {{"id", s.id},
@@ -121,8 +101,8 @@ Json to_json(const CheckRecord& c) {
               {"right", c.tiles.right},
               {"t", c.tiles.t},
               {"p", c.tiles.p}}},
-            {"picture", to_json(c.picture)},
-            {"solution_picture", to_json(c.solution_picture)}};
+            {"picture", kept_image(c.picture)},
+            {"solution_picture", kept_image(c.solution_picture)}};
 }
 
 CheckRecord check_record(const Json& j) {
@@ -137,7 +117,7 @@ CheckRecord check_record(const Json& j) {
     const Json& tiles = j.at("tiles");
     c.tiles = {tiles.at("columns"), tiles.at("rows"), tiles.at("mine"),
                tiles.at("right"),   tiles.at("t"),    tiles.at("p")};
-    c.picture = image(j.at("picture")), c.solution_picture = image(j.at("solution_picture"));
+    c.picture = image_of(j.at("picture")), c.solution_picture = image_of(j.at("solution_picture"));
     return c;
 }
 
@@ -153,12 +133,12 @@ bool stays(Verdict verdict) {
 
 }  // namespace
 
-Kept::Kept(const fs::path& folder, const Toolchain& chain) : folder_(folder), framework_(hash_of_framework(chain)) {
+Kept::Kept(const fs::path& folder, const Toolchain& chain) : folder_(folder), framework_(stamp_of_framework(chain)) {
     fs::create_directories(folder);
 }
 
 fs::path Kept::path(const std::string& name, const std::string& made_from) const {
-    return folder_ / fmt::format("{}.{:016x}", name, add(framework_, made_from));
+    return folder_ / (name + "." + Stamp(framework_).add(made_from).text());
 }
 
 std::optional<fs::path> Kept::object(const std::string& fragment, const std::string& text) const {
@@ -192,21 +172,13 @@ void Kept::keep_object(const std::string& fragment, const std::string& text, con
 void Kept::write(const std::string& name, const std::string& made_from, const nlohmann::ordered_json& json) const {
     if (folder_.empty()) return;
     forget(folder_, name);
-    const std::vector<std::uint8_t> bytes = Json::to_cbor(json);
-    write_text(path(name, made_from), {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    write_kept(path(name, made_from), json);
 }
 
 template <class Value>
 std::optional<Value> Kept::read(const std::string& name, const std::string& made_from,
                                 Value (*from)(const nlohmann::ordered_json&)) const {
-    if (folder_.empty()) return std::nullopt;
-    const auto bytes = read_text(path(name, made_from), std::uint64_t(1) << 30);
-    if (!bytes) return std::nullopt;
-    try {
-        return from(Json::from_cbor(*bytes));
-    } catch (const std::exception&) {
-        return std::nullopt;  // a broken file is as good as none
-    }
+    return folder_.empty() ? std::nullopt : read_kept(path(name, made_from), from);
 }
 
 std::optional<CheckRecord> Kept::check(const std::string& key, const std::string& made_from) const {
@@ -235,11 +207,11 @@ void Kept::keep_finding(const std::string& key, const std::string& made_from, co
 }
 
 std::optional<rt::Image> Kept::picture(const std::string& name, const std::string& made_from) const {
-    return read<rt::Image>(name, made_from, image);
+    return read<rt::Image>(name, made_from, image_of);
 }
 
 void Kept::keep_picture(const std::string& name, const std::string& made_from, const rt::Image& picture) const {
-    write(name, made_from, to_json(picture));
+    write(name, made_from, kept_image(picture));
 }
 
 }  // namespace grade

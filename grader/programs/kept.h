@@ -5,6 +5,7 @@
 #include <string>
 
 #include "files/files.h"
+#include "files/stamp.h"
 #include "programs/toolchain.h"
 #include "record/record.h"
 
@@ -48,7 +49,7 @@ private:
     fs::path path(const std::string& name, const std::string& made_from) const;
 
     fs::path folder_;  // empty: nothing is kept
-    std::uint64_t framework_ = 0;
+    Stamp framework_;
 };
 
 }  // namespace grade

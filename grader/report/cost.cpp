@@ -35,7 +35,8 @@ std::string error_section(const Record& record) {
             plot.series[1].points.push_back({check.cost->cpu_seconds, check.cost->rmse()});
         }
     return fmt::format(
-        "<h2>Error against run time</h2><section class=\"card\">{}<p class=\"soft\">Each dot is one picture. "
+        "<h2>Error against run time</h2><section class=\"card\"><div class=\"plot\">{}</div><p class=\"soft\">Each dot "
+        "is one picture. "
         "Efficiency, 1 / (mean squared error x CPU time), is {:.2g} times the solution's in the median; what is wrong "
         "has a larger error. <code>grade converge</code> shows how the error falls with time.</p></section>\n",
         log_log(plot), *ratio);

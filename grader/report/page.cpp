@@ -9,8 +9,8 @@
 #include "report/bar.h"
 #include "report/cost.h"
 #include "report/escape.h"
+#include "report/page_parts.h"
 #include "report/picture.h"
-#include "report/style.h"
 #include "report/terminal.h"
 
 namespace grade {
@@ -74,10 +74,13 @@ std::string pictures(const CheckRecord& check) {
 
 std::string statistics(const CheckRecord& check) {
     if (check.statistics.empty()) return {};
-    std::string text =
-        "<table><tr><th>statistic</th><th class=\"number\">value</th><th class=\"number\">expected</th><th "
-        "class=\"number\">within ±</th><th></th>"
-        "<th class=\"number\">replicates</th><th>verdict</th></tr>\n";
+    std::string text = fmt::format(
+        "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"statistics of {}\"><table>"
+        "<tr><th>statistic</th><th class=\"number\">value</th><th class=\"number\">expected</th>"
+        "<th class=\"number\">within ±</th><th><span class=\"legend dot\"></span>measured"
+        "<span class=\"legend line\"></span>expected<span class=\"legend area\"></span>right</th>"
+        "<th class=\"number\">replicates</th><th>verdict</th></tr>\n",
+        html(check.name));
     for (const StatisticRecord& s : check.statistics) {
         const bool interval = s.low && s.high && *s.high > *s.low;
         text += fmt::format(
@@ -90,7 +93,7 @@ std::string statistics(const CheckRecord& check) {
                      : "",
             number_in_table(s.truth), s.tolerance, bar(s), s.replicates, badge(s.verdict));
     }
-    text += "</table>\n";
+    text += "</table></div>\n";
     for (const StatisticRecord& s : check.statistics)
         if (!s.hint.empty()) text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(s.verdict), html(s.hint));
     return text;
@@ -103,14 +106,17 @@ std::string check_section(const CheckRecord& check) {
     if (!check.message.empty())
         text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(check.verdict), html(check.message));
     if (!check.excerpt.empty())
-        text += fmt::format("<p class=\"soft\">It printed:</p><pre>{}</pre>\n", html(check.excerpt));
+        text += fmt::format("<p class=\"soft\">It printed:</p><pre tabindex=\"0\">{}</pre>\n", html(check.excerpt));
     text += pictures(check) + cost_line(check) + statistics(check);
     if (!check.scene.empty())
         text += fmt::format(
-            "<details><summary class=\"soft\">scene, {} samples a pixel, {}</summary><pre>{}</pre></details>\n",
+            "<details><summary class=\"soft\">scene, {} samples a pixel, {}</summary><pre "
+            "tabindex=\"0\">{}</pre></details>\n",
             check.samples, html(check.sampler), html(check.scene));
     return text + "</details>\n";
 }
+
+std::string first_line(const std::string& words) { return words.substr(0, words.find('\n')); }
 
 /// Where to read about what is wrong.
 std::string read_link(const std::string& section, const std::string& handout) {
@@ -120,21 +126,25 @@ std::string read_link(const std::string& section, const std::string& handout) {
 
 std::string fragment_section(const FragmentRecord& fragment, const std::string& handout) {
     std::string text = fmt::format(
-        "<section class=\"card\" id=\"{0}\"><div class=\"head\"><h3>{0}</h3>{1}<span class=\"points\"><b>{2:g}</b> of "
+        "<section class=\"card{4}\" id=\"{0}\"><div class=\"head\"><h3>{0}</h3>{1}<span class=\"points\"><b>{2:g}</b> "
+        "of "
         "{3:g}</span></div>\n",
-        html(fragment.name), badge(fragment.verdict), fragment.points, fragment.max_points);
+        html(fragment.name), badge(fragment.verdict), fragment.points, fragment.max_points,
+        fragment.verdict == Verdict::passed ? " is_passed" : "");
     if (fragment.verdict == Verdict::did_not_build)
-        text += fmt::format("<pre>{}</pre>\n", html(fragment.message));
+        text += fmt::format("<pre tabindex=\"0\">{}</pre>\n", html(fragment.message));
     else if (!fragment.message.empty())
         text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(fragment.verdict), html(fragment.message));
-    else if (!fragment.finding.arguments.empty())
+    else if (const Finding& f = fragment.finding; !f.how.empty() || !f.arguments.empty() || !f.fault.empty())
         text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(fragment.verdict), html(diagnose(fragment).words));
     if (!fragment.finding.code.empty())
         text += fmt::format(
-            "<details><summary class=\"soft\">this call as C++, and in a shell</summary><pre>{}\n{}</pre></details>\n",
+            "<details><summary class=\"soft\">this call as C++, and in a shell</summary><pre "
+            "tabindex=\"0\">{}\n{}</pre></details>\n",
             html(fragment.finding.code), html(fragment.finding.command));
     if (!fragment.warnings.empty())
-        text += fmt::format("<p class=\"soft\">The compiler warns:</p><pre>{}</pre>\n", html(fragment.warnings));
+        text += fmt::format("<p class=\"soft\">The compiler warns:</p><pre tabindex=\"0\">{}</pre>\n",
+                            html(fragment.warnings));
     if (const std::string link = read_link(diagnose(fragment).section, handout); !link.empty())
         text += fmt::format("<p class=\"soft\">{}</p>\n", link);
     if (fragment.verdict != Verdict::did_not_build && fragment.verdict != Verdict::not_started)
@@ -142,21 +152,34 @@ std::string fragment_section(const FragmentRecord& fragment, const std::string& 
     return text + "</section>\n";
 }
 
+/// A fragment's row: the verdict, the points, and the one hint.
+std::string overview_row(const FragmentRecord& fragment, const std::string& handout) {
+    const bool passed = fragment.verdict == Verdict::passed;
+    const Diagnosis diagnosis = passed ? Diagnosis{} : diagnose(fragment);
+    return fmt::format(
+        "<tr{6} data-lost=\"{7:g}\"><td><a href=\"#{0}\">{0}</a></td><td>{1}</td><td class=\"number\">{2:g} of "
+        "{3:g}</td>"
+        "<td class=\"soft\">{4} {5}</td></tr>\n",
+        html(fragment.name), badge(fragment.verdict), fragment.points, fragment.max_points,
+        html(first_line(diagnosis.words)), read_link(diagnosis.section, handout), passed ? " class=\"is_passed\"" : "",
+        fragment.max_points - fragment.points);
+}
+
 std::string overview(const Record& record, const Assignment& assignment, const std::string& handout) {
-    std::string text = "<section class=\"card\"><table class=\"overview\">\n";
+    std::string text =
+        "<section class=\"card\" id=\"overview\"><div class=\"tools\">"
+        "<button data-toggle=\"only\" aria-pressed=\"false\">only what is not passed</button>"
+        "<button data-sort aria-pressed=\"false\">most points to be had first</button>"
+        "<button data-toggle=\"open\" aria-pressed=\"false\">all details</button>"
+        "<span class=\"soft\"><kbd>n</kbd> <kbd>p</kbd> next and previous that is not passed</span></div>\n"
+        "<table class=\"overview\">\n";
     for (const Part& part : assignment.parts) {
         double have = 0, most = 0;
         std::string rows;
         for (const FragmentRecord& fragment : record.fragments) {
             if (fragment.part != part.name) continue;
             have += fragment.points, most += fragment.max_points;
-            const Diagnosis diagnosis = fragment.verdict == Verdict::passed ? Diagnosis{} : diagnose(fragment);
-            const std::string message = diagnosis.words.substr(0, diagnosis.words.find('\n'));
-            rows += fmt::format(
-                "<tr><td><a href=\"#{0}\">{0}</a></td><td>{1}</td><td class=\"number\">{2:g} of {3:g}</td><td "
-                "class=\"soft\">{4} {5}</td></tr>\n",
-                html(fragment.name), badge(fragment.verdict), fragment.points, fragment.max_points, html(message),
-                read_link(diagnosis.section, handout));
+            rows += overview_row(fragment, handout);
         }
         if (!rows.empty())
             text += fmt::format(
@@ -164,6 +187,15 @@ std::string overview(const Record& record, const Assignment& assignment, const s
                 html(part.title), have, most, rows);
     }
     return text + "</table></section>\n";
+}
+
+/// What to do first: the first fragment, in the order of the handout, that does not pass.
+std::string next_step(const Record& record) {
+    for (const FragmentRecord& fragment : record.fragments)
+        if (fragment.verdict != Verdict::passed)
+            return fmt::format("<p>Next: <a href=\"#{0}\">{0}</a>, {1}: {2}</p>", html(fragment.name),
+                               in_words(fragment.verdict), html(first_line(diagnose(fragment).words)));
+    return "<p>All of it passes.</p>";
 }
 
 std::string own_picture(const Record& record) {
@@ -207,15 +239,16 @@ std::string page(const Record& record, const Assignment& assignment, const std::
     std::string text = fmt::format(
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
         "content=\"width=device-width\">"
-        "<title>{:g} of {:g}: {}</title><style>{}</style></head><body><main>\n",
+        "<title>{:g} of {:g}: {}</title><style>{}</style></head><body><a class=\"skip\" href=\"#overview\">to the "
+        "verdicts</a><main>\n",
         record.score(), record.max_score(), html(record.submission), page_style);
     text += fmt::format(
-        "<header><div><h1>{}</h1><p>{}</p><p class=\"soft\">seed {}</p></div><div class=\"score\"><b>{:g}</b> "
+        "<header><div><h1>{}</h1><p>{}</p>{}<p class=\"soft\">seed {}</p></div><div class=\"score\"><b>{:g}</b> "
         "<span>of {:g}</span>"
         "<div class=\"meter\" role=\"img\" aria-label=\"{:.0f} percent\"><i "
         "style=\"width:{:.1f}%\"></i></div></div></header>\n",
-        html(record.title), html(record.submission), record.seed, record.score(), record.max_score(), 100 * share,
-        100 * share);
+        html(record.title), html(record.submission), next_step(record), record.seed, record.score(), record.max_score(),
+        100 * share, 100 * share);
     text += notes(record) + changes(record) + overview(record, assignment, handout) + own_picture(record);
     for (const Part& part : assignment.parts) {
         std::string sections;
@@ -227,9 +260,9 @@ std::string page(const Record& record, const Assignment& assignment, const std::
     text += fmt::format(
         "<h2>About this grading</h2><section class=\"card soft\"><p>Again: <code>{}</code></p><p>Toolchain: {}. Grader "
         "{}. Sandbox: {}.</p>"
-        "<p>A dot is the measured value on its 99.8 % interval, the line what is expected, the band what may "
-        "differ.</p></section>\n</main></body></html>\n",
-        html(record.command), html(record.toolchain), html(record.version), html(record.sandbox));
+        "<p>The bar through a measured value is its 99.8 % "
+        "interval.</p></section>\n</main><script>{}</script></body></html>\n",
+        html(record.command), html(record.toolchain), html(record.version), html(record.sandbox), page_script);
     return text;
 }
 

@@ -3,22 +3,23 @@
 #include <fmt/format.h>
 
 #include "report/escape.h"
-#include "report/style.h"
+#include "report/page_parts.h"
 
 namespace grade::stress {
 
 namespace {
 
 constexpr const char* stress_style = R"css(
+:root { --ordinary: #c4e6d6; } @media (prefers-color-scheme: dark) { :root { --ordinary: #1f4d3a; } }
 main { max-width: 1200px; }
 svg text { font: 10.5px system-ui, "DejaVu Sans", sans-serif; fill: var(--soft); }
-.tried { fill: #e3e8ef; } .ordinary { fill: #c4e6d6; } .passes.good { fill: var(--good); } .passes.bad { fill: var(--bad); } .solution { fill: #1c2430; }
-svg.reach, svg.errors { display: block; } .plots { display: grid; grid-template-columns: repeat(auto-fill, minmax(330px, 1fr)); gap: 18px 22px; }
+.tried { fill: var(--track); } .ordinary { fill: var(--ordinary); } .passes.good { fill: var(--good); } .passes.bad { fill: var(--bad); } .solution { fill: var(--ink); }
+svg.reach, svg.errors { display: block; } .plots { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(330px, 100%), 1fr)); gap: 18px 22px; }
 .plots figure { break-inside: avoid; } .plots figcaption { max-width: none; } .plots b { color: var(--ink); font-family: ui-monospace, "DejaVu Sans Mono", monospace; }
 .key { display: inline-block; width: 22px; height: 10px; margin: 0 4px 0 12px; }
-.key.tried { background: #e3e8ef; } .key.ordinary { background: #c4e6d6; } .key.good { background: var(--good); } .key.bad { background: var(--bad); }
-.key.solution { background: #1c2430; height: 3px; vertical-align: middle; }
-.overview td { padding-top: 2px; padding-bottom: 2px; } .overview td:nth-child(n+5) { white-space: nowrap; font-size: 13px; } header p { white-space: nowrap; }
+.key.tried { background: var(--track); } .key.ordinary { background: var(--ordinary); } .key.good { background: var(--good); } .key.bad { background: var(--bad); }
+.key.solution { background: var(--ink); height: 3px; vertical-align: middle; }
+.overview td { padding-top: 2px; padding-bottom: 2px; } .overview td:nth-child(n+5) { font-size: 13px; } @media (min-width: 641px) { header p { white-space: nowrap; } }
 )css";
 
 std::string badge(const FamilyRecord& f) {
@@ -42,7 +43,7 @@ std::string overview(const StressRecord& record) {
         "<span class=\"key passes good\"></span>passes<span class=\"key passes bad\"></span>passes, but not all of "
         "what is scored"
         "<span class=\"key solution\"></span>the solution</p>\n<table class=\"overview\">\n"
-        "<tr><th>family</th><th>swept</th><th>scored tier</th><th></th><th>passes</th><th>solution</th></tr>\n";
+        "<tr><th>family</th><th>swept</th><th>scored tier</th><th>decades</th><th>passes</th><th>solution</th></tr>\n";
     std::string about;
     for (const FamilyRecord& f : record.families) {
         if (f.family->fragments.front() != about)

@@ -16,14 +16,15 @@ struct Found {
     std::set<std::string> doubled;      // paths that are there twice, with different texts: the later one is taken
     std::vector<std::string> archives;  // within the submission
     int unnamed = 0;                    // files whose names cannot be read
+    std::set<std::string> edited;       // files that the framework has as well, with another text
 
     /// Notes a file that is no fragment by its name.
     void look_at_name(const std::string& path, const std::vector<std::string>& fragments);
 };
 
-/// Looks into a .zip or a .tar.gz; nothing is unpacked to the disk. Throws SubmissionError. A kit has no library for
-/// archives, and says so.
-Found look_into_archive(const fs::path& path, const std::vector<std::string>& fragments);
+/// Looks into a .zip or a .tar.gz; nothing is unpacked to the disk. framework: what FrameworkFiles compares with.
+/// Throws SubmissionError. A kit has no library for archives, and says so.
+Found look_into_archive(const fs::path& path, const std::vector<std::string>& fragments, const fs::path& framework);
 
 /// The complaint about a file above most_source_bytes.
 std::string too_large();

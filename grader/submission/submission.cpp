@@ -7,6 +7,7 @@
 
 #include "files/files.h"
 #include "submission/archive.h"
+#include "submission/framework.h"
 #include "submission/near_name.h"
 
 namespace grade {
@@ -172,6 +173,20 @@ void note_copies(const std::vector<Place>& places, const Found& found, Submissio
         submission.notes.push_back(fmt::format("{} files were left out: their names cannot be read", found.unnamed));
 }
 
+/// Tells of edits of the framework beside the fragments that were taken.
+void note_edits(const std::vector<std::string>& edited, Submission& submission) {
+    if (edited.empty()) return;
+    const std::string more = edited.size() > 1 ? fmt::format(" and {} more", edited.size() - 1) : "";
+    submission.notes.push_back(fmt::format(
+        "{}{}: not as they were handed out; edits of the framework are ignored, the fragments alone are taken",
+        edited.front(), more));
+}
+
+/// The folder whose fragments/ holds the fragments that were taken.
+std::string around(const std::string& folder) {
+    return folder.ends_with("fragments/") ? folder.substr(0, folder.size() - std::size("fragments/") + 1) : folder;
+}
+
 std::string no_fragment(const fs::path& path, const Found& found, const std::vector<std::string>& fragments) {
     const std::string expected =
         fmt::format("expected files such as fragments/{}.cpp", fragments.empty() ? "NAME" : fragments.front());
@@ -196,13 +211,13 @@ std::string too_large() {
     return fmt::format("larger than {} KiB; a fragment is a few lines", most_source_bytes / 1024);
 }
 
-Submission read_submission(const fs::path& path, const std::vector<std::string>& fragments) {
+Submission read_submission(const fs::path& path, const std::vector<std::string>& fragments, const fs::path& framework) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (!fs::exists(status))
         throw SubmissionError(fmt::format("{}: not there; expected a folder, a .zip or a .tar.gz", path.string()));
-    const Found found =
-        fs::is_directory(status) ? look_into_folder(path, fragments) : look_into_archive(path, fragments);
+    const bool in_archive = !fs::is_directory(status);
+    const Found found = in_archive ? look_into_archive(path, fragments, framework) : look_into_folder(path, fragments);
 
     Submission submission;
     submission.name = path.string();
@@ -221,6 +236,11 @@ Submission read_submission(const fs::path& path, const std::vector<std::string>&
     if (submission.texts.empty() && submission.complaints.empty())
         throw SubmissionError(no_fragment(path, found, fragments));
     note_copies(places, found, submission);
+    const std::string within = around(submission.folder);
+    std::vector<std::string> edited;
+    for (const std::string& file : found.edited)
+        if (file.starts_with(within + "rt/")) edited.push_back(file);
+    note_edits(in_archive ? edited : FrameworkFiles(framework).edited_in(path, within), submission);
     return submission;
 }
 

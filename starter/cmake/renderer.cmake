@@ -53,8 +53,7 @@ function(add_fragments name folder)
         message(FATAL_ERROR "${folder}: no fragments here; expected a folder with one .cpp file for each")
     endif()
     add_library(${name} OBJECT ${fragments})
-    target_compile_options(${name} PRIVATE -Wno-unused-parameter)  # a blank uses none of its parameters
-    target_link_libraries(${name} PRIVATE rt rt_speed rt_warnings)
+    target_link_libraries(${name} PRIVATE rt rt_speed rt_warnings rt_blanks)
     precompile_fragments_header(${name} rt rt_speed)
 endfunction()
 

@@ -32,8 +32,9 @@ std::vector<int> find_lamps(const Scene& scene) {
 }
 
 bool has_quad_lamp(const RenderPlan& plan, const Scene& scene) {
-    return std::ranges::any_of(
-        plan.lamps, [&](int lamp) { return std::holds_alternative<Quad>(scene.shapes[std::size_t(lamp)].geometry); });
+    return std::any_of(plan.lamps.begin(), plan.lamps.end(), [&](int lamp) {
+        return std::holds_alternative<Quad>(scene.shapes[std::size_t(lamp)].geometry);
+    });
 }
 
 /// What surfaces do with light.

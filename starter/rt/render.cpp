@@ -121,16 +121,16 @@ void render_until(const RenderSettings& settings, Passes& passes, Watch& watch, 
 }  // namespace
 
 Rendering render(const Scene& scene, const RenderSettings& settings) {
-    const World world = make_world(scene, sampling_of(settings));
+    // More threads than cores only where they are asked for; and for all that follows, the tree as well.
+    std::optional<tbb::global_control> most;
+    if (settings.threads > 0) most.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(settings.threads));
+    tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
+
+    const World world = arena.execute([&] { return make_world(scene, sampling_of(settings)); });
     const ivec2 size = scene.camera.size;
     const Crop crop = settings.crop.value_or(Crop{0, 0, size.x, size.y});
     const auto start = Clock::now();
     const Real cpu_start = cpu_seconds();
-
-    // More threads than cores only where they are asked for.
-    std::optional<tbb::global_control> most;
-    if (settings.threads > 0) most.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(settings.threads));
-    tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
 
     Rendering result;
     result.image = Image(crop.width, crop.height);

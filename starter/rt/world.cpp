@@ -66,7 +66,8 @@ struct Layout {
             if (!s) continue;
             add(list, *s, shape.material, shape.velocity);
             if constexpr (!std::is_same_v<S, Triangle>)
-                if (std::ranges::binary_search(world.plan.lamps, int(i))) add_emitter(emitter(list.back()));
+                if (std::binary_search(world.plan.lamps.begin(), world.plan.lamps.end(), int(i)))
+                    add_emitter(emitter(list.back()));
         }
     }
 

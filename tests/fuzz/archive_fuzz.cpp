@@ -28,7 +28,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     static const std::string path = "/proc/self/fd/" + std::to_string(file);
     require(ftruncate(file, 0) == 0 && pwrite(file, data, size, 0) == ssize_t(size), "no memory");
     try {
-        const grade::Found found = grade::look_into_archive(path, fragments);
+        const grade::Found found = grade::look_into_archive(path, fragments, "starter");
         for (const auto& [name, text] : found.texts) {
             require(text.size() <= grade::most_source_bytes, "a fragment that is too long");
             require(!name.starts_with("/") && !name.starts_with(".."), "a name that leads out of the archive");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "checks/kit/check.h"
+#include "files/stamp.h"
 #include "rt/math.h"
 
 /// Parameters and arguments drawn at random.
@@ -68,9 +69,7 @@ inline rt::vec3 tilted(Generator& random, rt::vec3 axis, double angle) {
 
 /// A stream of random numbers of a check's own, so that other checks do not move it.
 inline Generator stream(std::uint64_t seed, const std::string& name) {
-    std::uint64_t hash = 14695981039346656037u ^ seed;  // FNV-1a
-    for (const char c : name) hash = (hash ^ std::uint64_t(static_cast<unsigned char>(c))) * 1099511628211u;
-    return Generator(hash);
+    return Generator(fnv1a(name, fnv1a("") ^ seed));
 }
 
 }  // namespace grade

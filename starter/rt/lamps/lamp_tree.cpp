@@ -25,7 +25,8 @@ void sort(const std::vector<Emitter>& lamps, std::span<std::size_t> order, std::
     for (const std::size_t i : order) low = glm::min(low, center(lamps[i])), high = glm::max(high, center(lamps[i]));
     const vec3 wide = high - low;
     const int axis = wide.x >= wide.y && wide.x >= wide.z ? 0 : wide.y >= wide.z ? 1 : 2;
-    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return center(lamps[i])[axis]; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t i, std::size_t j) { return center(lamps[i])[axis] < center(lamps[j])[axis]; });
     const std::size_t first = std::min(order.size(), leaves / 2);
     sort(lamps, order.first(first), leaves / 2);
     sort(lamps, order.subspan(first), leaves / 2);

@@ -16,7 +16,7 @@ std::size_t control_stride(std::size_t pixels) { return std::clamp<std::size_t>(
 }  // namespace
 
 Passes::Passes(const World& world, const RenderSettings& settings, Crop crop)
-    : world_(world), settings_(settings), crop_(crop), pixels_(std::size_t(crop.width) * std::size_t(crop.height)) {
+    : world_(world), crop_(crop), pixels_(std::size_t(crop.width) * std::size_t(crop.height)) {
     if (settings.estimate_error)
         for (std::size_t k = 0; k < pixels_; k += control_stride(pixels_)) control_.push_back(k);
     means_.resize(pixels_ + control_.size());

@@ -36,7 +36,6 @@ private:
     PixelWork work(std::size_t item, const Slice& slice) const;
 
     const World& world_;
-    const RenderSettings& settings_;
     Crop crop_;
     std::size_t pixels_, done_ = 0;
     std::vector<std::size_t> control_;
