@@ -3,7 +3,7 @@
 
     tests/seeds.py [--seeds 40] [--first N] [--jobs N] GRADE [NAME...]
 
-A NAME is "example", "wrong" or "right" for tests/variants/wrong and right, a folder of patches or of whole fragments with
+A NAME is "example", one of its fragments, "wrong" or "right" for tests/variants/wrong and right, a folder of patches or of whole fragments with
 heads (as tests/variants/causes.py takes them), or a part of the names of wrong and right variants; without any: all three.
 Variants of different fragments are graded in one submission, as none can spoil another's marks. Exit status 1: the example
 has not the same points under all seeds.
@@ -26,16 +26,18 @@ spec.loader.exec_module(causes)
 
 
 def chosen(names):
-    """Whether the example is asked for, and variants: paths."""
+    """What of the example is asked for, all of it or some fragments, and variants: paths."""
+    of_example = {path.stem for path in (tests / "example/fragments").glob("*.cpp")}
     kinds = {"wrong": tests / "variants/wrong", "right": tests / "variants/right"}
     paths = []
     for name in names or ["wrong", "right"]:
         folder = kinds.get(name, pathlib.Path(name))
         if folder.is_dir():
             paths += sorted([*folder.glob("*.cpp"), *folder.glob("*.patch")])
-        elif name != "example":
+        elif name != "example" and name not in of_example:
             paths += [path for kind in kinds.values() for path in sorted(kind.glob("*.patch")) if name in path.stem]
-    return not names or "example" in names, paths
+    whole = not names or "example" in names
+    return whole, sorted(of_example & set(names)), paths
 
 
 def packed(paths):
@@ -59,11 +61,12 @@ def grade(program, submission, fragments, seed):
         return json.loads(pathlib.Path(out.name).read_text())["fragments"]
 
 
-def graded(program, groups, example, seed):
+def graded(program, groups, example, some, seed):
     """Fragments' records by name: of the example, and of each variant."""
     records = {}
-    if example:
-        records.update({f"example {f['name']}": f for f in grade(program, tests / "example", [], seed)})
+    if example or some:
+        fragments = [] if example else some
+        records.update({f"example {f['name']}": f for f in grade(program, tests / "example", fragments, seed)})
     for group in groups:
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
@@ -105,16 +108,16 @@ def main():
     parser.add_argument("names", metavar="NAME", nargs="*")
     asked = parser.parse_args()
 
-    example, paths = chosen(asked.names)
+    example, some, paths = chosen(asked.names)
     groups = packed(paths)
     seeds = range(asked.first, asked.first + asked.seeds)
     with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
-        by_seed = dict(zip(seeds, pool.map(lambda seed: graded(asked.program, groups, example, seed), seeds)))
+        by_seed = dict(zip(seeds, pool.map(lambda seed: graded(asked.program, groups, example, some, seed), seeds)))
     other = compare(by_seed)
     pairs = len(next(iter(by_seed.values()))) * asked.seeds
     print(f"{asked.seeds} seeds: of {pairs} (fragment, seed) {other['verdict']} have another verdict, {other['points']} "
           f"other points; {other['checks']} checks have another verdict")
-    if example:
+    if example or some:
         scores = {seed: round(sum(f["points"] for name, f in records.items() if name.startswith("example ")), 2)
                   for seed, records in by_seed.items()}
         print("the example has " + ", ".join(f"{score} points" for score in sorted(set(scores.values()))))

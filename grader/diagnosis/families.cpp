@@ -22,6 +22,7 @@ struct Family {
 
 constexpr Family scaled{"{1} * {0}", [](double x, double c) { return c * x; }};
 constexpr Family moved{"{0} + {1}", [](double x, double c) { return x + c; }};
+constexpr Family lowered{"{0} - {1}", [](double x, double c) { return x - c; }};
 constexpr Family raised{"pow({0}, {1})", [](double x, double c) { return std::pow(x, c); }};
 constexpr Family fixed{"{1}", [](double, double c) { return c; }};
 constexpr Family from_above{"min({0}, {1})", [](double x, double c) { return std::min(x, c); }};
@@ -67,7 +68,9 @@ public:
         try_one(scaled, spot, std::move(factors), some_);
         if (spot.count > 1) return;
         const double range = high - low;
-        try_one(moved, spot, spaced(-2 * range, 2 * range, 60, false), some_);
+        const std::vector<double> steps = spaced(0.01 * range, 2 * range, 40, true);
+        try_one(moved, spot, steps, some_);
+        try_one(lowered, spot, steps, some_);
         if (low >= 0) try_one(raised, spot, spaced(0.1, 8, 40, true), some_);
         const auto c = found(fixed, spot, spaced(low, high, 60, false), {some_.front()});
         if (!c) return;
@@ -146,7 +149,7 @@ private:
         const double used = is_named(c) ? c : few_digits;
         const std::string words =
             fmt::format(fmt::runtime(family.words), spot.name, is_named(c) ? constant(c) : number_in_words(few_digits));
-        all_.push_back({fmt::format("`{}` in spot of `{}`", words, spot.name), cost_of_constant,
+        all_.push_back({fmt::format("`{}` in place of `{}`", words, spot.name), cost_of_constant,
                         [=](Row& row, const Layout& layout) {
                             apply(family, spot, used, row, layout);
                             return true;
