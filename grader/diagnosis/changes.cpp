@@ -55,7 +55,7 @@ public:
 
 private:
     void add(std::string words, double cost, std::function<bool(Row&, const Layout&)> make) {
-        all_.push_back({std::move(words), cost, std::move(make)});
+        all_.push_back({std::move(words), cost, std::move(make), {}});
     }
 
     const std::string& name(std::size_t part) const { return layout_.parts[part].name; }
@@ -77,8 +77,7 @@ private:
             const bool of_index = s.whole && s.name == "i";
             add(in_place(s.whole && std::string(f.words) == "{} / 2" ? s.name + " / 2 (of whole numbers)"
                                                                      : filled(f.words, s.name),
-                         s.name) +
-                    f.usually,
+                         s.name),
                 f.cost, [s, f, of_index](Row& row, const Layout& l) {
                     double& x = row[s.at(l)];
                     const double before = x;
@@ -86,6 +85,7 @@ private:
                     if (of_index && !(x >= 0)) return false;
                     return fits(x, of_index ? 0 : before, s.whole);
                 });
+            all_.back().usually = f.usually;
         }
         for (const Scalar& other : scalars_) {
             if (other.name == s.name || s.whole != other.whole) continue;
@@ -259,7 +259,7 @@ std::vector<Change> changes_of(const Signature&, const Layout& layout, const std
 }
 
 std::vector<Change> same_sampling(const Signature& signature, const Layout& layout) {
-    std::vector<Change> all{{"", 0, [](Row&, const Layout&) { return true; }}};
+    std::vector<Change> all{{"", 0, [](Row&, const Layout&) { return true; }, {}}};
     const auto part = std::ranges::find(layout.parts, "u", &Field::name);
     if (part == layout.parts.end()) return all;
     const std::size_t i = std::size_t(part - layout.parts.begin());

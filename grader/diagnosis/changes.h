@@ -12,6 +12,7 @@ struct Change {
     std::string words;                                         // "`u.x` in place of `u.y`"; empty: nothing is changed
     double cost = 0;                                           // the simpler, the less
     std::function<bool(Row& row, const Layout& layout)> make;  // false: it makes no arguments
+    std::string usually{};                                     // what that is in most code, if it is the only one
 };
 
 /// All that make sense for arguments of these kinds, the simplest first. told: the parts that matter.

@@ -149,11 +149,13 @@ private:
         const double used = is_named(c) ? c : few_digits;
         const std::string words =
             fmt::format(fmt::runtime(family.words), spot.name, is_named(c) ? constant(c) : number_in_words(few_digits));
-        all_.push_back({fmt::format("`{}` in place of `{}`", words, spot.name), cost_of_constant,
+        all_.push_back({fmt::format("`{}` in place of `{}`", words, spot.name),
+                        cost_of_constant,
                         [=](Row& row, const Layout& layout) {
                             apply(family, spot, used, row, layout);
                             return true;
-                        }});
+                        },
+                        {}});
     }
 
     const Calls& calls_;

@@ -187,7 +187,8 @@ private:
         for (const Change& change : changes_) {
             if (best_ && change.cost + base.cost >= best_->cost) break;
             const auto right = answers(change, &base, scope);
-            if (right && tells(*right, scope)) consider(*right, change.words, change.cost + base.cost, scope, true);
+            if (right && tells(*right, scope))
+                consider(*right, change.words + change.usually, change.cost + base.cost, scope, true);
         }
     }
 
@@ -318,7 +319,7 @@ private:
     const Ask& ask_;
     bool sampled_;
     std::string region_;  // of which a relation is looked for: "where ..., "
-    const Change same_{"", 0, [](Row&, const Layout&) { return true; }};
+    const Change same_{"", 0, [](Row&, const Layout&) { return true; }, {}};
     std::vector<std::size_t> all_, wrong_;
     std::vector<const Field*> parts_;  // of the answer, that are wrong somewhere
     std::vector<Change> changes_;

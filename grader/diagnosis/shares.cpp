@@ -36,14 +36,46 @@ bool is_nothing(const Row& row) {
 
 }  // namespace
 
-std::string wrong_shares(const Calls& calls, const Ask& mine, const Ask& right) {
+namespace {
+
+struct Share {
+    std::string colour;
+    Calls calls;  // with the share in place of the answers
+};
+
+/// Whether one share holds all of another one and more, or is the same again: its colour is a factor of the other.
+bool holds(const Share& whole, const Share& part) {
+    for (std::size_t k = 0; k < whole.calls.size(); ++k)
+        for (std::size_t c = 0; c < 3; ++c)
+            if (whole.calls.right[k][c] < part.calls.right[k][c] * (1 - 1e-9)) return false;
+    return true;
+}
+
+std::vector<Share> shares_of(const Calls& calls, const Ask& mine, const Ask& right) {
     const auto& parts = calls.layouts.front().parts;
+    std::vector<Share> all;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (parts[i].kind != Kind::color || !calls.told[i]) continue;
+        Share share{parts[i].name, with_share(calls, i, mine, right)};
+        if (!std::ranges::all_of(share.calls.right, is_nothing)) all.push_back(std::move(share));
+    }
+    std::vector<Share> own;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        bool is_factor = false;
+        for (std::size_t j = 0; j < all.size(); ++j)
+            is_factor = is_factor || (i != j && holds(all[i], all[j]) && (j < i || !holds(all[j], all[i])));
+        if (!is_factor) own.push_back(all[i]);
+    }
+    return own;
+}
+
+}  // namespace
+
+std::string wrong_shares(const Calls& calls, const Ask& mine, const Ask& right) {
     if (calls.result.parts.size() != 1 || calls.result.parts.front().kind != Kind::color) return {};
     std::string found, unknown;
     std::size_t good = 0;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (parts[i].kind != Kind::color || !calls.told[i]) continue;
-        const Calls added = with_share(calls, i, mine, right);
+    for (const auto& [colour, added] : shares_of(calls, mine, right)) {
         std::vector<std::size_t> scope;
         bool is_all = true, is_wrong = false;
         for (std::size_t k = 0; k < added.size(); ++k) {
@@ -59,8 +91,8 @@ std::string wrong_shares(const Calls& calls, const Ask& mine, const Ask& right) 
         }
         const auto form = form_of(added, calls.result.parts.front(), added.right, scope, false);
         std::string& list = form ? found : unknown;
-        list += fmt::format("{}what `{}` adds {}", list.empty() ? "" : ", and ", parts[i].name,
-                            form ? form->words : "is wrong");
+        list +=
+            fmt::format("{}what `{}` adds {}", list.empty() ? "" : ", and ", colour, form ? form->words : "is wrong");
     }
     if (found.empty() && (unknown.empty() || good == 0)) return {};
     return found.empty() ? unknown : unknown.empty() ? found : found + "; " + unknown;

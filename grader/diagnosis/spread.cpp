@@ -101,7 +101,9 @@ double most_apart(const Spreads& a, const Spreads& b) {
 std::string mean_and_range(const std::vector<double>& x) {
     double sum = 0;
     for (const double v : x) sum += v;
-    return fmt::format("{:.4g} on average, from {:.4g} to {:.4g}", sum / double(x.size()), x.front(), x.back());
+    const double mean = sum / double(x.size());
+    const bool is_zero = std::abs(mean) < 1e-9 * (x.back() - x.front());
+    return fmt::format("{:.4g} on average, from {:.4g} to {:.4g}", is_zero ? 0.0 : mean, x.front(), x.back());
 }
 
 }  // namespace
