@@ -355,14 +355,15 @@ expect 0 "100% tests passed" in_it ./check --yes -R "a sphere"
 expect 0 "" called "ctest --preset release --parallel 2 -R a sphere"
 expect 0 "" called "cmake --preset release -DBUILD_TESTING=ON"
 expect 0 "" called "cmake --build $build --target all"
-mkdir -p "$tree/build/mitsuba/bin"
+mkdir -p "$tree/build/mitsuba/bin" "$tree/build/pages/bin"
 stand_in python3 "$tree/build/mitsuba/bin" <<<'exit 0'
+stand_in python3 "$tree/build/pages/bin" <<<'exit 0'
 ci_run() { in_it .ci/run 2>&1 | tail -n 1; }
 expect 0 "100% tests passed" ci_run
 stand_in python3 "$tree/build/mitsuba/bin" <<<'exit 1'
 stand_in python3 <<<'exit 0'
 stand_in pip "$tree/build/mitsuba/bin" <<<'echo "Could not find mitsuba"; exit 1'
-expect 3 $'Could not find mitsuba\nMitsuba could not be installed' in_it .ci/run
+expect 3 $'Could not find mitsuba\nmitsuba numpy could not be installed' in_it .ci/run
 
 [ $failures = 0 ] && echo "all as expected"
 exit $((failures > 0))

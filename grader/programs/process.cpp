@@ -168,10 +168,12 @@ void Process::kill_all() {
 
 Process::Times Process::times() const { return times_of(pid_); }
 
-bool Process::waits(double seconds) {
+bool Process::is_over(double seconds) {
     const Times now = times();
     const double busy = now.computed + now.delayed, before = std::exchange(busy_, busy);
-    return busy - before < 0.05 * seconds;
+    if (!computed_) computed_ = now.computed;
+    waits_ = busy - before < 0.05 * seconds;
+    return waits_ || now.computed - *computed_ > 0.5 * seconds;
 }
 
 bool Process::pump(std::string_view bytes, std::size_t wanted, bool to_the_end, Clock::time_point deadline) {
@@ -181,7 +183,7 @@ bool Process::pump(std::string_view bytes, std::size_t wanted, bool to_the_end, 
         if (!to_the_end && wanted > received_.size() && results_ < 0) return false;
         if (Clock::now() > deadline) {
             // the machine may be busy: who computes, or would if it could, is stopped by its CPU time
-            if (given < std::chrono::seconds(1) || waits(std::chrono::duration<double>(given).count())) return false;
+            if (given < std::chrono::seconds(1) || is_over(std::chrono::duration<double>(given).count())) return false;
             deadline += given;
         }
         if (!to_the_end) check_interrupt();
@@ -239,7 +241,7 @@ Ending Process::finish(Clock::time_point deadline) {
     Ending ending;
     ending.out = out_text_, ending.err = err_text_;
     ending.cpu_seconds = ended ? 0 : times().computed;
-    ending.waited = !ended;
+    ending.waited = !ended && waits_;
     // the program is at most a zombie now, which keeps its number from being given to another
     kill_all();
     int status = 0;

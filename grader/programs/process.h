@@ -72,7 +72,9 @@ public:
 private:
     /// Moves what can be moved until that is enough, the program ended, or the deadline passed.
     bool pump(std::string_view bytes, std::size_t wanted, bool to_the_end, Clock::time_point deadline);
-    bool waits(double seconds);  // whether it has hardly wanted a processor in the last so many seconds
+    /// At a deadline: whether it has hardly wanted a processor in the last so many seconds, or computed through more
+    /// than a half of them since it met the first one, which no limit on its CPU time has stopped.
+    bool is_over(double seconds);
     void kill_all();
 
     Limits limits_;
@@ -80,7 +82,9 @@ private:
     int in_ = -1, out_ = -1, err_ = -1, results_ = -1;
     std::string out_text_, err_text_, received_;
     std::optional<Ending> ending_;
-    double busy_ = 0;  // when its time was up the last time [s]
+    double busy_ = 0;                 // at the last deadline [s]
+    std::optional<double> computed_;  // at the first one [s]
+    bool waits_ = true;
 };
 
 /// Runs a program to its end; its stdin is empty. For what is the grader's own: a student's goes through sandbox.h.

@@ -38,8 +38,7 @@ inline Sampling sampling_of(const Scene& scene) { return {scene.samples, false, 
 /// number, casts no ray and has no dimension in the sampling pattern.
 struct RenderPlan {
     // the integrals
-    bool pixel =
-        false;  // more than one sample a pixel, in all; else the ray goes through its centre, and there is no mean
+    bool pixel = false;  // more than one sample a pixel, in all; else the ray goes through its centre, without a mean
     bool light = false;  // emitters with extent are sampled
     bool lobe = false;   // glossy or translucent surfaces
     bool lens = false;
@@ -50,20 +49,18 @@ struct RenderPlan {
     // what is traced
     bool point_lights = false, environment = false, emission = false;
     bool specular = false;  // mirrors or glass: more than one wave of rays
-    bool split =
-        false;  // mirror and glass rays are both followed, as Whitted does, to a depth of 24; else one is chosen
-    bool choice = false;           // a surface has several ways on, and one is chosen at random
-    bool phong = false;            // a highlight
-    bool weigh = false;            // lamps are sampled for glossy lobes too: multiple importance sampling
+    bool split = false;     // mirror and glass rays are both followed, as Whitted does, to depth 24; else one is chosen
+    bool choice = false;    // a surface has several ways on, and one is chosen at random
+    bool phong = false;     // a highlight
+    bool weigh = false;     // lamps are sampled for glossy lobes too: multiple importance sampling
     bool solid_angle = false;      // quads that shine are sampled by solid angle
     bool one_lamp = false;         // one of many lamps is chosen at each point
     bool environment_lit = false;  // diffuse surfaces gather light from the environment
     bool bvh = false;
     bool spheres = false, triangles = false, quads = false, discs = false;
-    bool smooth = false;   // meshes with normals
-    bool through = false;  // shadow rays go through boundaries that bend no light
-    bool counts_twice =
-        false;  // a diffuse ray may find light that shadow rays have gathered; else all that is seen counts
+    bool smooth = false;        // meshes with normals
+    bool through = false;       // shadow rays go through boundaries that bend no light
+    bool counts_twice = false;  // a diffuse ray may find what shadow rays have gathered; else all that is seen counts
 
     // which surfaces there are; no stage asks
     bool diffuse = false, ambient = false;

@@ -23,9 +23,8 @@ struct RenderSettings {
     std::uint64_t seed = 0;
     int threads = 0;  // 0: one for each core
     Sampler sampler = Sampler::orthogonal;
-    bool one_of_many =
-        false;  // pictures with other seeds are averaged with this one: one sample a pixel is random, too
-    std::optional<Crop> crop;    // default: the whole film
+    bool one_of_many = false;  // others with other seeds are averaged with this one: one sample a pixel is random, too
+    std::optional<Crop> crop;  // default: the whole film
     bool estimate_error = true;  // renders some pixels twice
     // With a limit, passes follow each other until it is reached, and `samples` does not count; else one pass.
     Real time_limit = inf;  // of rendering, with the estimate of the error [s]
