@@ -57,6 +57,12 @@ Json fragment_json(const FragmentRecord& fragment) {
     const Diagnosis diagnosis = diagnose(fragment);
     json["message"] = diagnosis.words;
     if (!diagnosis.section.empty()) json["read"] = reading(diagnosis.section);
+    if (const Finding& finding = fragment.finding; !finding.arguments.empty()) {
+        json["call"] = {{"arguments", finding.arguments}, {"answer", finding.answer}, {"right", finding.right}};
+        if (!finding.code.empty()) json["call"]["code"] = finding.code;
+        if (!finding.command.empty()) json["call"]["command"] = finding.command;
+    }
+    if (!fragment.warnings.empty()) json["warnings"] = fragment.warnings;
     json["cpu_seconds"] = fragment.cpu_seconds;
     json["checks"] = Json::array();
     for (const CheckRecord& check : fragment.checks) {

@@ -17,6 +17,14 @@ enum class Verdict {
     inconclusive,  // neither right nor wrong within the budget: for the instructor to look at
 };
 
+/// What is behind a verdict that no statistic gives.
+enum class Trouble {
+    none,
+    keeps_state,  // the same arguments give another answer
+    not_a_number,
+    no_radiance,  // numbers, but no picture of light
+};
+
 constexpr std::array<std::string_view, 8> verdict_names = {"passed",  "failed",    "not_started", "did_not_build",
                                                            "crashed", "timed_out", "not_finite",  "inconclusive"};
 
