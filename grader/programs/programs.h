@@ -54,6 +54,8 @@ public:
     void compile(const std::set<std::string>& fragments);
 
     const std::string& submission() const { return submission_.name; }
+    const std::map<std::string, std::string>& texts() const { return submission_.texts; }  // by fragment
+    std::string file_of(const std::string& fragment) const { return submission_.folder + fragment + ".cpp"; }
     const Sandbox& sandbox() const { return sandbox_; }
     const Kept& kept() const { return settings_.kept; }
     const std::map<std::string, Problem>& problems() const { return problems_; }
