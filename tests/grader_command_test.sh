@@ -7,7 +7,7 @@ grade=$1/grader/grade
 . "$(dirname "$0")/expect.sh"
 
 expect 0 "2 of 2" "$grade" solution moved --seed 5 --json "$work/a.json" --html "$work/page"
-expect 0 '"schema": "penumbra/result/v1"' cat "$work/a.json"
+expect 0 '"schema": "penumbra/result/v2"' cat "$work/a.json"
 expect 0 "data:image/png;base64," cat "$work/page/index.html"
 # one of a scene with a tree, drawn by one thread in the sandbox
 expect 1 "" grep "No picture" "$work/page/index.html"
@@ -31,8 +31,21 @@ expect 3 "the grader failed" "$grade" solution moved --toolchain "$work/none.tom
 
 # the same seed gives the same record, but for the times
 "$grade" solution moved --seed 5 --json "$work/b.json" --html "$work/page" >/dev/null 2>&1
-timeless() { grep -v '_seconds"\|"command"' "$1"; }
+timeless() { grep -v '_seconds"\|"command"\|"date"' "$1"; }
 expect 0 "" diff <(timeless "$work/a.json") <(timeless "$work/b.json")
+
+# the compiler's warnings, what sanitizers say, and the simplest call that goes wrong
+moved() { printf '#include "rt/fragments.h"\nnamespace rt {\nvec3 moved(vec3 point, vec3 velocity, Real time) {\n%s\n}\n}\n' "$1"; }
+mkdir "$work/broken"
+moved 'int unused; return point + velocity * moved(velocity, point, time + 1);' >"$work/broken/moved.cpp"
+expect 0 "moved.cpp:4:5: warning: unused variable" "$grade" "$work/broken" moved
+if "$grade" solution moved --seed 5 | grep -q "bubblewrap"; then
+    expect 0 "moved.cpp:4: the function calls itself without end" "$grade" "$work/broken" moved
+fi
+moved '(void)velocity; return point + vec3(time);' >"$work/broken/moved.cpp"
+expect 0 "the answer is the same whatever" "$grade" "$work/broken" moved --seed 5 --json "$work/c.json"
+expect 0 "./grade call moved " cat "$work/c.json"
+expect 0 "moved(vec3(" cat "$work/c.json"
 
 # a sandbox is stated, and so is its absence
 expect 0 "the code is its owner's" "$grade" solution moved --trusted

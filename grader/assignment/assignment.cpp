@@ -36,11 +36,14 @@ Assignment read_assignment(const std::string& path) {
         assignment.theory_points = theory.number("points", rt::not_negative);
     }
     for (const rt::Table& part : file.tables("part")) {
-        part.only({"name", "title", "fragments"});
+        part.only({"name", "title", "fragments", "visibility"});
+        const int visibility = part.choice("visibility", visibilities, 0);
         assignment.parts.push_back({part.text("name"), part.text("title")});
         for (const rt::Table& entry : part.tables("fragments")) {
-            entry.only({"name", "points", "given"});
-            Fragment fragment{entry.text("name"), part.text("name"), 0, entry.flag("given", false)};
+            entry.only({"name", "points", "given", "visibility"});
+            Fragment fragment{
+                entry.text("name"), part.text("name"), 0, entry.flag("given", false),
+                std::string(visibilities[std::size_t(entry.choice("visibility", visibilities, visibility))])};
             if (std::ranges::count(assignment.fragments, fragment.name, &Fragment::name) > 0)
                 entry.fail("name", "a second fragment \"" + fragment.name + "\"", "each name once");
             fragment.points =

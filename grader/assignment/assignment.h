@@ -1,10 +1,16 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace grade {
+
+/// When students see a result in a course's system. Gradescope's words: where one test is hidden, it hides the total
+/// too.
+constexpr std::array<std::string_view, 4> visibilities = {"visible", "after_due_date", "after_published", "hidden"};
 
 struct Part {
     std::string name, title;
@@ -12,8 +18,9 @@ struct Part {
 
 struct Fragment {
     std::string name, part;
-    double points = 0;   // 0 where it is given
-    bool given = false;  // handed out filled in
+    double points = 0;                   // 0 where it is given
+    bool given = false;                  // handed out filled in
+    std::string visibility = "visible";  // of its result, to students; one of visibilities
 };
 
 /// The list of assignment.toml.

@@ -7,8 +7,11 @@
 #include <mutex>
 
 #include "files/files.h"
+#include "files/sha256.h"
+#include "judging/fault.h"
 #include "judging/finding.h"
 #include "judging/judge_check.h"
+#include "judging/provenance.h"
 #include "programs/parallel.h"
 
 namespace grade {
@@ -73,16 +76,23 @@ Grading::Grading(Programs& programs, const Assignment& assignment, const Toolcha
     record_.title = assignment.title;
     record_.seed = settings.seed;
     record_.sandbox = programs.sandbox().description;
-    record_.toolchain = chain.description;
-    record_.version = PENUMBRA_VERSION;
     record_.command = settings.command;
+    record_.date = now();
+    record_.provenance = settings.provenance;
+    record_.limits.time = settings.time_limit;
+    record_.parts = assignment.parts;
 
     for (const Fragment& fragment : assignment.fragments) {
         if (fragment.given || (!settings.only.empty() && !settings.only.contains(fragment.name))) continue;
         FragmentRecord record;
         record.name = fragment.name, record.part = fragment.part, record.max_points = fragment.points;
+        record.visibility = fragment.visibility;
+        if (const auto text = programs.texts().find(fragment.name); text != programs.texts().end())
+            record.file = programs.file_of(fragment.name), record.sha256 = sha256(text->second);
+        if (!settings.only.empty()) record_.selection.push_back(fragment.name);
         record_.fragments.push_back(std::move(record));
     }
+    record_.sha256 = hash_of(programs.texts(), assignment);
 }
 
 void Grading::add_checks() {
@@ -91,6 +101,9 @@ void Grading::add_checks() {
     check_settings_.pictures = settings_.pictures;
     check_settings_.statistics.statistics = settings_.statistics > 0 ? settings_.statistics : noisy_statistics(checks);
     check_settings_.statistics.cap = settings_.replicates;
+    record_.limits.replicates = settings_.replicates;
+    record_.limits.statistics = check_settings_.statistics.statistics;
+    record_.provenance.checks = hash_of(checks);
     for (FragmentRecord& fragment : record_.fragments) {
         std::vector<const Check*> own;
         for (const Check& check : checks)
@@ -104,6 +117,7 @@ void Grading::finish(FragmentRecord& fragment) {
         fragment.verdict = problem->second.verdict;
         fragment.message = problem->second.message;
         for (CheckRecord& check : fragment.checks) check.verdict = fragment.verdict;
+        give_points(fragment);
     } else if (!fragment.checks.empty()) {
         fragment.verdict = Verdict::passed;
         // those too that ran at the same time: a record does not tell how many processors there are
@@ -113,10 +127,11 @@ void Grading::finish(FragmentRecord& fragment) {
             fragment.verdict = worse(fragment.verdict, check.verdict);
             fragment.cpu_seconds += check.cpu_seconds;
         }
-        fragment.points = points_of(fragment);
+        give_points(fragment);
     } else {
         fragment.message = "no check looks at this fragment";
     }
+    fragment.warnings = programs_.warnings(fragment.name);
     fragment.finished = true;
 }
 
@@ -130,7 +145,8 @@ std::string Grading::made_from(const Task& task) const {
 /// What its calls show, where they are wrong; kept beside the checks' records, each in a file of its own.
 Finding Grading::explain(const FragmentRecord& fragment) {
     const auto is_wrong = [](const CheckRecord& check) {
-        return check.verdict == Verdict::failed || check.verdict == Verdict::not_finite;
+        return check.verdict == Verdict::failed || check.verdict == Verdict::not_finite ||
+               check.verdict == Verdict::crashed;
     };
     const auto first = std::ranges::find_if(fragment.checks, is_wrong);
     if (first == fragment.checks.end() || !programs_.has(fragment.name)) return {};
@@ -139,8 +155,12 @@ Finding Grading::explain(const FragmentRecord& fragment) {
     if (check == checks.end()) return {};
     const std::string key = fragment.name + ".finding", made = made_from({&*check, nullptr, nullptr});
     if (const auto before = settings_.build.kept.finding(key, made)) return *before;
-    if (!programs_.with({fragment.name}).errors.empty()) return {};
-    const Finding finding = find_cause(programs_, chain_, fragment.name, checks, settings_.seed);
+    const Programs::Linked& program = programs_.with({fragment.name});
+    if (!program.errors.empty()) return {};
+    Finding finding;
+    if (std::ranges::none_of(fragment.checks, [](const CheckRecord& c) { return c.verdict == Verdict::crashed; }))
+        finding = find_cause(programs_, chain_, fragment.name, checks, settings_.seed);
+    finding.fault = find_fault(programs_, program, chain_, fragment, checks, settings_.seed);
     settings_.build.kept.keep_finding(key, made, finding);
     return finding;
 }

@@ -98,6 +98,16 @@ std::string first_line(const fs::path& compiler) {
 
 }  // namespace
 
+Toolchain with_sanitizers(const Toolchain& chain) {
+    Toolchain checked = chain;
+    checked.checked = true;
+    checked.compile.insert(checked.compile.end(),
+                           {"-g1", "-O1", "-fno-omit-frame-pointer", "-fsanitize=address,undefined",
+                            "-fno-sanitize-recover=all", "-D_GLIBCXX_ASSERTIONS", "-ftrivial-auto-var-init=pattern"});
+    checked.link.emplace_back("-fsanitize=address,undefined");
+    return checked;
+}
+
 Toolchain read_toolchain(const fs::path& path) try {
     const toml::table file = toml::parse_file(path.string());
     const fs::path folder = fs::absolute(path).parent_path();
@@ -116,6 +126,7 @@ Toolchain read_toolchain(const fs::path& path) try {
     chain.is_kit = file["kit"].value_or(false);
     chain.compiler = text("compiler").empty() ? find_compiler() : fs::path(text("compiler"));
     chain.description = text("description").empty() ? first_line(chain.compiler) : text("description");
+    chain.commit = text("commit");
     chain.compile = list(file, "compile");
     for (const std::string& option : list(file, "options")) chain.compile.push_back(option);
     chain.includes = places("includes");

@@ -15,6 +15,7 @@ struct Toolchain {
     fs::path source;  // the folder of the assignment: starter/, scenes/, assignment.toml
     fs::path compiler;
     std::string description;           // "GNU 12.2.0, Release"
+    std::string commit;                // what was checked out when it was built; empty: nobody knows
     std::string processor;             // the least kind that the archives run on: "x86-64-v2"; "": any
     bool is_kit = false;               // handed out: no sources of the solution, and the code that runs is its owner's
     std::vector<std::string> compile;  // flags
@@ -27,7 +28,11 @@ struct Toolchain {
     std::map<std::string, fs::path> blank_objects;     // by fragment
     std::map<std::string, fs::path> solution_objects;  // by fragment
     std::map<std::string, std::string> symbols;        // by fragment: its name for the linker
+    bool checked = false;                              // by sanitizers
 };
+
+/// The same compiler, with sanitizers that end a program at the first undefined behaviour and say where it is.
+Toolchain with_sanitizers(const Toolchain& chain);
 
 /// Paths in the file are relative to its folder. Throws std::runtime_error where the file or what it names is missing,
 /// or made for another processor than this one.

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "assignment/assignment.h"
 #include "rt/files/image.h"
+#include "statistics/tiles.h"
 #include "statistics/verdict.h"
 
 /// The record of a grading: the one source of every report.
@@ -19,6 +21,11 @@ struct StatisticRecord {
     int replicates = 0;
     Verdict verdict = Verdict::inconclusive;
     std::string hint;  // where it failed: what the deviation usually means
+
+    /// How much the hint is worth.
+    enum class Worth { guess, fact, cause };
+    Worth worth = Worth::guess;
+    std::string without_numbers{};  // the hint, where a call shows the numbers
 };
 
 /// What one picture costs, and how far it is from the truth.
@@ -37,12 +44,16 @@ struct CheckRecord {
     int samples = 0;    // a pixel
     std::string sampler;
     int share = 1;  // of the fragment's points
+    double points = 0, max_points = 0;
     Verdict verdict = Verdict::inconclusive;
     std::string message;  // where there is nothing to measure: what happened, and what to do
+    Trouble trouble = Trouble::none;
     std::string excerpt;  // of what the program printed; untrusted
     std::vector<StatisticRecord> statistics;
     double cpu_seconds = 0;
     std::optional<PictureCost> cost, solution_cost;  // of a check that renders
+
+    Tiles tiles;  // of a picture that is shown and fails: where it is wrong
 
     // for the page only
     rt::Image picture, solution_picture;
@@ -53,25 +64,56 @@ struct Finding {
     std::string how;        // "the answers are exactly what the right fragment answers with `u.x` in place of `u.y`"
     std::string where;      // "31 of 96 calls are wrong, those where `dot(n, to_light) < 0`"
     std::string arguments;  // of the simplest call that goes wrong: "camera.size = (2, 2), film = (0, 0)"
-    std::string answer, right;
-    bool sampled = false;  // other random numbers give answers that are as good
+    std::string answer, right;  // right: empty where there is more than one
+    bool sampled = false;       // other random numbers give answers that are as good
+    std::string code;           // the same call in C++; empty: it is too long
+    std::string command;        // for a shell: "./grade call moved 'time = -1'"; empty: it cannot be written there
+    std::string fault;          // "phong.cpp:24: no value is returned": what sanitizers say of a call; untrusted text
 };
 
 struct FragmentRecord {
     std::string name, part;
     double points = 0, max_points = 0;
+    std::string visibility = "visible";  // to students; one of the assignment's visibilities
     Verdict verdict = Verdict::inconclusive;
     std::string message;  // what to know about it as a whole; compiler errors are untrusted text
+    std::string file;     // its path within the submission; empty: there is none
+    std::string sha256;   // of its text; likewise
     std::vector<CheckRecord> checks;
     double cpu_seconds = 0;
     bool finished = false;
     Finding finding;
+    std::string warnings;  // of the compiler, a line each; untrusted text
+};
+
+/// What a grading was made with. Hashes are SHA-256.
+struct Provenance {
+    std::string version, commit;  // of the grader; commit: what was checked out at its build, if anybody knows
+    std::string program,
+        reference;  // hashes: the grader itself; what fragments are linked with, its fragments included
+    std::string assignment, checks;    // hashes: assignment.toml; what is asked with this seed
+    std::string toolchain;             // "GNU 12.2.0, Release"
+    std::vector<std::string> flags;    // of the compiler
+    std::string built_for, processor;  // the least kind that can run it, empty: any; the one it ran on
+};
+
+/// What bounds a grading.
+struct GradingLimits {
+    double time = 10;    // CPU time of one answer [s]
+    int replicates = 0;  // of a statistic, after which it is inconclusive
+    int statistics = 0;  // that share the rate of false failures
 };
 
 struct Record {
     std::string submission, title;
+    std::string sha256;  // of the lines "HASH  NAME.cpp" of its fragments
     std::uint64_t seed = 0;
-    std::string sandbox, toolchain, version, command;
+    std::string date;  // when it began, UTC: "2026-01-31T12:00:00Z"
+    std::string sandbox, command;
+    Provenance provenance;
+    GradingLimits limits;
+    std::vector<std::string> selection;  // fragments that were asked for; empty: all
+    std::vector<Part> parts;
     std::vector<FragmentRecord> fragments;  // in the order of the assignment
     double wall_seconds = 0;
     int reused = 0;  // checks whose records are those of an earlier grading
@@ -87,6 +129,7 @@ struct Record {
 
     double score() const;
     double max_score() const;
+    bool is_complete() const;
 
     /// The submission's efficiency over the solution's, the median of all pictures with noise; none: there are none.
     std::optional<double> efficiency_ratio() const;
@@ -97,5 +140,8 @@ Verdict worse(Verdict a, Verdict b);
 
 /// Points of a fragment: its share of passed checks, rounded to 2 decimals.
 double points_of(const FragmentRecord& fragment);
+
+/// Shares the fragment's points among its checks, and gives it those of the checks that passed.
+void give_points(FragmentRecord& fragment);
 
 }  // namespace grade

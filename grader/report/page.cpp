@@ -49,12 +49,27 @@ std::string three_pictures(const rt::Image& mine, const rt::Image& right, double
     return text + "</div>\n";
 }
 
+/// Where a picture differs beyond noise.
+std::string tile_map(const CheckRecord& check) {
+    if (check.tiles.empty()) return {};
+    const Difference map = significance(check.tiles, check.picture.width, check.picture.height);
+    const std::size_t clearest = check.tiles.clearest();
+    return "<div class=\"pictures\">\n" +
+           figure(data_uri(map.image, 1),
+                  "how sure each tile of the picture for " + check.name + " is darker or brighter",
+                  fmt::format("how sure that is, by tiles of {0} x {0} pixels: full colour where Welch's t is beyond "
+                              "±{1:g}; the clearest has t = {2:.3g}, p = {3:.2g}: {4}",
+                              Tiles::side, map.full, check.tiles.t[clearest], check.tiles.p[clearest],
+                              html(tile_in_words(check.tiles, clearest)))) +
+           "</div>\n";
+}
+
 std::string pictures(const CheckRecord& check) {
     if (check.picture.pixels.empty()) return {};
     // both alike, so that most of what is right can be seen
     const double exposure =
         preview_exposure(check.solution_picture.pixels.empty() ? check.picture : check.solution_picture);
-    return three_pictures(check.picture, check.solution_picture, exposure, "for " + check.name);
+    return three_pictures(check.picture, check.solution_picture, exposure, "for " + check.name) + tile_map(check);
 }
 
 std::string statistics(const CheckRecord& check) {
@@ -106,6 +121,7 @@ std::string first_line(const std::string& words) { return words.substr(0, words.
 /// Where to read about what is wrong.
 std::string read_link(const std::string& section, const std::string& handout) {
     if (section.empty()) return {};
+    if (handout.empty()) return "See " + html(reading(section));
     return fmt::format("See <a href=\"{}#{}\">{}</a>", html(handout), html(anchor(section)), html(reading(section)));
 }
 
@@ -120,8 +136,16 @@ std::string fragment_section(const FragmentRecord& fragment, const std::string& 
         text += fmt::format("<pre tabindex=\"0\">{}</pre>\n", html(fragment.message));
     else if (!fragment.message.empty())
         text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(fragment.verdict), html(fragment.message));
-    else if (!fragment.finding.arguments.empty())
+    else if (const Finding& f = fragment.finding; !f.how.empty() || !f.arguments.empty() || !f.fault.empty())
         text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(fragment.verdict), html(diagnose(fragment).words));
+    if (!fragment.finding.code.empty())
+        text += fmt::format(
+            "<details><summary class=\"soft\">this call as C++, and in a shell</summary><pre "
+            "tabindex=\"0\">{}\n{}</pre></details>\n",
+            html(fragment.finding.code), html(fragment.finding.command));
+    if (!fragment.warnings.empty())
+        text += fmt::format("<p class=\"soft\">The compiler warns:</p><pre tabindex=\"0\">{}</pre>\n",
+                            html(fragment.warnings));
     if (const std::string link = read_link(diagnose(fragment).section, handout); !link.empty())
         text += fmt::format("<p class=\"soft\">{}</p>\n", link);
     if (fragment.verdict != Verdict::did_not_build && fragment.verdict != Verdict::not_started)
@@ -142,7 +166,7 @@ std::string overview_row(const FragmentRecord& fragment, const std::string& hand
         fragment.max_points - fragment.points);
 }
 
-std::string overview(const Record& record, const Assignment& assignment, const std::string& handout) {
+std::string overview(const Record& record, const std::string& handout) {
     std::string text =
         "<section class=\"card\" id=\"overview\"><div class=\"tools\">"
         "<button data-toggle=\"only\" aria-pressed=\"false\">only what is not passed</button>"
@@ -150,7 +174,7 @@ std::string overview(const Record& record, const Assignment& assignment, const s
         "<button data-toggle=\"open\" aria-pressed=\"false\">all details</button>"
         "<span class=\"soft\"><kbd>n</kbd> <kbd>p</kbd> next and previous that is not passed</span></div>\n"
         "<table class=\"overview\">\n";
-    for (const Part& part : assignment.parts) {
+    for (const Part& part : record.parts) {
         double have = 0, most = 0;
         std::string rows;
         for (const FragmentRecord& fragment : record.fragments) {
@@ -209,9 +233,15 @@ std::string changes(const Record& record) {
     return fmt::format("<section class=\"card\"><p>Since the last run:</p><ul>{}</ul></section>\n", items);
 }
 
+/// "0.1.0, commit 1a2b3c4d5e6f"
+std::string version_of(const Record& record) {
+    const Provenance& made = record.provenance;
+    return made.version + (made.commit.empty() ? "" : ", commit " + made.commit.substr(0, 12));
+}
+
 }  // namespace
 
-std::string page(const Record& record, const Assignment& assignment, const std::string& handout) {
+std::string page(const Record& record, const std::string& handout) {
     const double share = record.max_score() > 0 ? record.score() / record.max_score() : 0;
     std::string text = fmt::format(
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
@@ -226,8 +256,8 @@ std::string page(const Record& record, const Assignment& assignment, const std::
         "style=\"width:{:.1f}%\"></i></div></div></header>\n",
         html(record.title), html(record.submission), next_step(record), record.seed, record.score(), record.max_score(),
         100 * share, 100 * share);
-    text += notes(record) + changes(record) + overview(record, assignment, handout) + own_picture(record);
-    for (const Part& part : assignment.parts) {
+    text += notes(record) + changes(record) + overview(record, handout) + own_picture(record);
+    for (const Part& part : record.parts) {
         std::string sections;
         for (const FragmentRecord& fragment : record.fragments)
             if (fragment.part == part.name) sections += fragment_section(fragment, handout);
@@ -239,7 +269,8 @@ std::string page(const Record& record, const Assignment& assignment, const std::
         "{}. Sandbox: {}.</p>"
         "<p>The bar through a measured value is its 99.8 % "
         "interval.</p></section>\n</main><script>{}</script></body></html>\n",
-        html(record.command), html(record.toolchain), html(record.version), html(record.sandbox), page_script);
+        html(record.command), html(record.provenance.toolchain), html(version_of(record)), html(record.sandbox),
+        page_script);
     return text;
 }
 

@@ -71,6 +71,7 @@ std::string fragment_rows(const Record& record, bool color) {
         rows += fmt::format("  {:<24}{} {:>6} of {}\n", fragment.name,
                             paint(fragment.verdict, fmt::format("{:<16}", in_words(fragment.verdict))),
                             points_in_line(fragment.points), points_in_line(fragment.max_points));
+        rows += wrapped(printable(fragment.warnings), "      ", 8);
         if (fragment.verdict == Verdict::passed) continue;
         const Diagnosis diagnosis = diagnose(fragment);
         const bool errors = fragment.verdict == Verdict::did_not_build;
@@ -82,9 +83,9 @@ std::string fragment_rows(const Record& record, bool color) {
     return rows;
 }
 
-std::string table(const Record& record, const Assignment& assignment, bool color) {
+std::string table(const Record& record, bool color) {
     std::string text;
-    for (const Part& part : assignment.parts) {
+    for (const Part& part : record.parts) {
         Record of_part;
         std::ranges::copy_if(record.fragments, std::back_inserter(of_part.fragments),
                              [&](const FragmentRecord& fragment) { return fragment.part == part.name; });
