@@ -73,7 +73,8 @@ for error in assignments.iter_errors(tomllib.loads(text)):
 first = '{ name = "integrate_uniform", points = 2 }'
 for new in ('{ name = "integrate_uniform", given = true }', first + ",\n" + first.replace("uniform", "x")):
     expect(assignments.is_valid(broken(text, first, new)), f"an assignment with {new!r} is refused")
-for new in ('{ name = "integrate_uniform" }', '{ name = "integrate_uniform", points = -1 }', '{ name = "x", points = 1, visible = true }'):
+for new in ('{ name = "integrate_uniform" }', '{ name = "integrate_uniform", points = -1 }', '{ name = "x", points = 1, visible = true }',
+            '{ name = "x", points = 1, visibility = "no" }'):
     expect(not assignments.is_valid(broken(text, first, new)), f"an assignment with {new!r} is taken")
 expect(assignments.is_valid(tomllib.loads(text + "\n[theory]\npoints = 16\n")), "a theory part is refused")
 
