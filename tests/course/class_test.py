@@ -63,7 +63,7 @@ def small_class(at):
     folder(at / "submission_9", {"Moved.cpp": text("moved")})
     (at / "submission_metadata.yml").write_text(
         "---\nsubmission_9:\n  :submitters:\n  - :name: '=Eve \"E\" <b>'\n    :sid: '4711'\n    :email: e@x\n  :created_at: 2026\n")
-    renamed = text("phong").replace("specular", "shiny") + "// mine\n"
+    renamed = text("phong").replace("mirrored", "bounced").replace("highlight", "shine") + "// mine\n"
     for name, phong in [("alice", text("phong")), ("bob", renamed), ("carol", None)]:
         folder(at / f"hw1-{name}", {"starter/fragments/phong.cpp": phong} if phong else {"readme.md": "x"})
     (at / "hw1-broken.zip").write_bytes(b"PK\x03\x04 no archive")
@@ -99,15 +99,18 @@ def outcome(out):
     return records, (out / "class.csv").read_bytes(), (out / "canvas.csv").read_bytes(), (out / "moodle.csv").read_bytes()
 
 
-def grade_killed(grade, command, out, kills):
+def grade_killed(command, out, kills, longest):
     """Kills the grading at random moments, then lets it end."""
     draw = random.Random(2)
     killed = 0
     for _ in range(kills):
         before = len(list((out / "records").glob("*.json")))
         started = subprocess.Popen([str(word) for word in command], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        # once the first record is there, and a while after: before that nothing can be lost
+        while started.poll() is None and len(list((out / "records").glob("*.json"))) == before:
+            time.sleep(0.02)
         try:
-            started.wait(timeout=draw.uniform(0.5, 12))
+            started.wait(timeout=draw.uniform(0, longest))
         except subprocess.TimeoutExpired:
             started.send_signal(signal.SIGKILL)
             started.wait()
@@ -116,6 +119,7 @@ def grade_killed(grade, command, out, kills):
         expect(after >= before, "a record is lost")
         for path in (out / "records").glob("*.json"):
             expect(record_at(path)["complete"], "a record is not whole")
+    expect(killed > 0, "it was never killed")
     print(f"killed {killed} times", flush=True)
     return run(command)
 
@@ -161,7 +165,7 @@ def check_small(grade, work):
     run([grade, "merge", work / "whole", work / "part1", work / "part2"])
     expect(outcome(work / "whole") == outcome(out), "another outcome in two parts")
     (work / "killed/records").mkdir(parents=True)
-    grade_killed(grade, [grade, "class", export, "-o", work / "killed", "--seed", "5"], work / "killed", 2)
+    grade_killed([grade, "class", export, "-o", work / "killed", "--seed", "5", "--jobs", "1"], work / "killed", 2, 0.2)
     expect(outcome(work / "killed") == outcome(out), "another outcome after SIGKILL")
 
     # a record that a full disk has cut off is graded again
@@ -198,7 +202,7 @@ def check_big(grade, work, size, kills):
     said = run([grade, "class", export, "-o", work / "graded", "--seed", "5"])
     print(said.splitlines()[-2], f"{time.monotonic() - start:.0f} s", flush=True)
     (work / "killed/records").mkdir(parents=True)
-    grade_killed(grade, [grade, "class", export, "-o", work / "killed", "--seed", "5", "--jobs", "1"], work / "killed", kills)
+    grade_killed([grade, "class", export, "-o", work / "killed", "--seed", "5", "--jobs", "1"], work / "killed", kills, 20)
     expect(outcome(work / "killed") == outcome(work / "graded"), "another outcome after SIGKILL, with one job")
     for path in sorted((work / "graded/submissions").glob("*.json"))[:3]:
         for kind in "gradescope prairielearn junit actions annotations classroom50 csv canvas moodle html terminal".split():
