@@ -40,7 +40,7 @@ mkdir "$work/broken"
 moved 'int unused; return point + velocity * moved(velocity, point, time + 1);' >"$work/broken/moved.cpp"
 expect 0 "moved.cpp:4:5: warning: unused variable" "$grade" "$work/broken" moved
 if "$grade" solution moved --seed 5 | grep -q "bubblewrap"; then
-    expect 0 "moved.cpp:4: the function calls itself without end" "$grade" "$work/broken" moved
+    expect 0 "the function calls itself without end" "$grade" "$work/broken" moved
 fi
 moved '(void)velocity; return point + vec3(time);' >"$work/broken/moved.cpp"
 expect 0 "the answer is the same whatever" "$grade" "$work/broken" moved --seed 5 --json "$work/c.json"

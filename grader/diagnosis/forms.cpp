@@ -30,16 +30,18 @@ public:
     std::optional<Form> any() const {
         if (auto form = simple()) return form;
         if (auto form = first_of(*this)) return form;
-        // logarithms of what is not 0; what is 0 may be a second mistake
+        // logarithms of what is not 0; what is 0 may be a second mistake, but not most of it
         std::vector<std::size_t> shining;
-        for (const std::size_t k : scope_)
-            for (std::size_t c = 0; c < size_; ++c)
-                if (mine(k, c) != 0 && right(k, c) != 0) {
-                    shining.push_back(k);
-                    break;
-                }
+        std::size_t wrong = 0, wrong_shining = 0;
+        for (const std::size_t k : scope_) {
+            const bool is_wrong = !is_equal(part_, calls_.mine[k], right_[k]);
+            bool shines = false;
+            for (std::size_t c = 0; c < size_; ++c) shines = shines || (mine(k, c) != 0 && right(k, c) != 0);
+            if (shines) shining.push_back(k);
+            wrong += is_wrong, wrong_shining += is_wrong && shines;
+        }
         const PartOfCalls some{calls_, part_, right_, shining};
-        const bool fewer = shining.size() > 8 && shining.size() < scope_.size();
+        const bool fewer = shining.size() > 8 && shining.size() < scope_.size() && 2 * wrong_shining > wrong;
         if (fewer)
             if (auto form = first_of(Forms(some))) return Form{form->words + " where it is not 0", form->cost + 0.4};
         const PartOfCalls& lit = fewer ? some : of_;
