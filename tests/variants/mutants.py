@@ -105,9 +105,6 @@ def mutants_of(fragment, asked, known):
 
 def judged(asked, fragment, mutant, known):
     """killed, equivalent or alive, and why."""
-    for of, pattern, why, _ in known:
-        if of == fragment and pattern.fullmatch(mutant.line):
-            return "equivalent", why
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "mutant.cpp"
         file.write_text(mutant.text)
@@ -116,6 +113,9 @@ def judged(asked, fragment, mutant, known):
         return "killed", verdict
     if machine_code(mutant.text) == machine_code(mutant.right):
         return "equivalent", "the same machine code"
+    for of, pattern, why, _ in known:
+        if of == fragment and pattern.fullmatch(mutant.line):
+            return "equivalent", why
     return "alive", "passes"
 
 
