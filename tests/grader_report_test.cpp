@@ -178,6 +178,7 @@ TEST_CASE("a diagnosis says where to read, in the record, in the table and as a 
 
 TEST_CASE("the compiler's warnings are in the table, on the page and in the record, also of what passes") {
     Record record;
+    record.parts = {{"one", "Part one"}};
     record.fragments = {fragment_with(Verdict::passed, "", {})};
     record.fragments[0].part = "one";
     record.fragments[0].warnings = "phong.cpp:4:9: warning: unused <b>variable</b> [-Wunused-variable]\x1b[31m\n";
@@ -191,6 +192,7 @@ TEST_CASE("the compiler's warnings are in the table, on the page and in the reco
 
 TEST_CASE("the simplest call that goes wrong is on the page and in the record as C++ and for a shell") {
     Record record;
+    record.parts = {{"one", "Part one"}};
     record.fragments = {fragment_with(Verdict::failed, "", {failing("M1", "off")})};
     record.fragments[0].part = "one";
     Finding& finding = record.fragments[0].finding;
