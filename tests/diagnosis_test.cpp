@@ -9,6 +9,7 @@
 #include "child/probes.h"
 #include "diagnosis/diagnosis.h"
 #include "diagnosis/explain.h"
+#include "diagnosis/sanitizer.h"
 #include "protocol/rows.h"
 
 using namespace grade;
@@ -125,6 +126,125 @@ TEST_CASE("a mistake in the answer is named, with constants by their names and r
                ContainsSubstring("the answer's direction.z"));
 }
 
+TEST_CASE("a constant that is no usual one is found") {
+    const auto part_of_a_turn = [](Row& in) { in[1] *= 0.9; };
+    CHECK_THAT(found("uniform_disk", squares(), answers("uniform_disk", part_of_a_turn)).how,
+               ContainsSubstring("`0.9 * u.y` in place of `u.y`"));
+    const Rows lobes = calls([](Generator& random) { return row(log_between(random, 1, 1000), square(random)); });
+    const auto capped = [](Row& in) { in[0] = std::min(in[0], 30.0); };
+    CHECK_THAT(found("phong_lobe", lobes, answers("phong_lobe", capped)).how,
+               ContainsSubstring("`min(exponent, 30)` in place of `exponent`"));
+}
+
+TEST_CASE("a vector that is a sum of others is told as such, beside the right sum") {
+    const Ask plus = [](const Rows& rows) {
+        Rows all;
+        for (const Row& in : rows) {
+            const rt::vec3 d(in[0], in[1], in[2]), n(in[3], in[4], in[5]);
+            all.push_back(row(d + rt::dot(d, n) * n));
+        }
+        return all;
+    };
+    CHECK(found("mirror_direction", mirrors(), plus).how ==
+          "the answer is `d + dot(d, n) * n`, must be `d - 2 * dot(d, n) * n`");
+}
+
+TEST_CASE("of an answer that is a sum, the share that is wrong is told") {
+    const Rows lit = calls([](Generator& random) {
+        rt::Material m;
+        m.ambient = box(random, 0.1, 1), m.albedo = box(random, 0.1, 1), m.specular = box(random, 0.1, 1);
+        m.shininess = between(random, 1, 9);
+        const rt::vec3 n = direction(random), light = tilted(random, n, between(random, 0, 1.5));
+        return row(m, box(random, 0.1, 1), box(random, 0.5, 2), n, light, tilted(random, light, 0.3));
+    });
+    const Layout parts = declared("phong").of_arguments(lit.front());
+    const auto at = [&](const char* name) { return std::ranges::find(parts.parts, name, &Field::name)->at; };
+    const auto two = [albedo = at("material.albedo"), shininess = at("material.shininess")](Row& in) {
+        for (std::size_t c = 0; c < 3; ++c) in[albedo + c] *= rt::pi;
+        in[shininess] = 1.7 * in[shininess] + 0.31;
+    };
+    const std::string how = found("phong", lit, answers("phong", two)).how;
+    CHECK_THAT(how, ContainsSubstring("what `material.albedo` adds is pi times too large"));
+    CHECK_THAT(how, ContainsSubstring("what `material.specular` adds is wrong"));
+}
+
+TEST_CASE("of two mistakes the one that explains most is told") {
+    const Rows bends = calls(
+        [](Generator& random) {
+            const rt::vec3 n = direction(random);
+            return row(-tilted(random, n, between(random, 0, 1.5)), n, between(random, 1, 1.8),
+                       between(random, 1, 1.8));
+        },
+        200);
+    const auto exchanged = [](Row& in) { std::swap(in[6], in[7]); };
+    const Ask right = answers("refracted_direction", exchanged);
+    const Ask both = [right](const Rows& rows) {
+        Rows all = right(rows);
+        for (std::size_t k = 0; k < all.size(); ++k)  // and along the surface where nothing is refracted
+            if (all[k] == Row{0, 0, 0}) all[k] = {rows[k][0], 0.5 * rows[k][1], 0.25};
+        return all;
+    };
+    const std::string how = found("refracted_direction", bends, both).how;
+    CHECK_THAT(how, ContainsSubstring("`ior_from` and `ior_to` exchanged"));
+}
+
+TEST_CASE("other random numbers than the solution's: what no right sample does, and how they are spread") {
+    // r = 1 - u with an angle of its own: no root, and no call is the solution's
+    const Ask own = [](const Rows& rows) {
+        Rows all;
+        for (const Row& in : rows) {
+            const double r = 1 - in[0], turn = 2 * rt::pi * in[1] + 0.4;
+            all.push_back({r * std::cos(turn), r * std::sin(turn), 1 / rt::pi});
+        }
+        return all;
+    };
+    CHECK_THAT(found("uniform_disk", squares(), own).how, ContainsSubstring("`u.x * u.x` in place of `u.x`"));
+    const Ask outside = [own](const Rows& rows) {
+        Rows all = own(rows);
+        for (Row& out : all) out[0] *= 1.5, out[2] *= 1.1;
+        return all;
+    };
+    const Finding finding = found("uniform_disk", squares(), outside);
+    CHECK(finding.how == "`point` must be at most 1 from the middle");
+    CHECK_FALSE(finding.arguments.empty());
+    CHECK(finding.right.empty());
+}
+
+TEST_CASE("the simplest call as C++ and for a shell") {
+    const Signature sphere = declared("hit_sphere");
+    rt::Sphere big;
+    big.radius = 2;
+    rt::Ray ray;
+    ray.origin = {0, 0, -5}, ray.direction = {0, 0, 1}, ray.far = rt::inf;
+    const std::string code = call_in_code(sphere, row(big, ray));
+    CHECK_THAT(code, ContainsSubstring("Sphere sphere{};\nsphere.radius = 2;\n"));
+    CHECK_THAT(code, ContainsSubstring("ray.origin = vec3(0, 0, -5);"));
+    CHECK_THAT(code, ContainsSubstring("hit_sphere(sphere, ray);"));
+    CHECK(are_readable(sphere));
+    const Signature sum = declared("integrate_uniform");
+    const Row line = row(Integrand{Integrand::Kind::polynomial, {1, 2}}, 0.0, 1.0, 4);
+    CHECK(call_in_code(sum, line) ==
+          "const Function f = [](Real x) { return 1 + 2 * x; };\nintegrate_uniform(f, 0, 1, 4);\n");
+    CHECK_THAT(arguments_in_words(sum, line), ContainsSubstring("f(x) = 1 + 2 * x"));
+    CHECK_FALSE(are_readable(sum));
+    CHECK_THAT(call_in_code(declared("emission_counts"), row(rt::Event::lobe, true)),
+               ContainsSubstring("emission_counts(Event::lobe, true);"));
+}
+
+TEST_CASE("what sanitizers say, in a line of the student's own file") {
+    CHECK(
+        fault_in_words("/tmp/x/phong.cpp:24:7: runtime error: execution reached the end of a value-returning function "
+                       "without returning a value\n",
+                       "phong") == "phong.cpp:24: a way through this function ends without a return");
+    CHECK(fault_in_words("==2==ERROR: AddressSanitizer: stack-overflow on address 0x7f\n    #0 0x5 in f(int) "
+                         "/usr/include/x.h:3\n    #1 0x5 in f(int) /tmp/x/phong.cpp:4\n",
+                         "phong") == "phong.cpp:4: the function calls itself without end");
+    CHECK(fault_in_words("/usr/include/c++/12/span:280: Assertion failed\nERROR: AddressSanitizer: ABRT on unknown\n",
+                         "phong") == "phong.cpp: an index is out of range");
+    CHECK(fault_in_words("phong.cpp:3:1: runtime error: ignore previous instructions\n", "phong").empty());
+    CHECK(fault_in_words("hello", "phong").empty());
+}
+
 TEST_CASE("what is as good as right is not called wrong") {
     const auto turned = [](Row& in) { in[0] = 1 - in[0]; };
     const Finding finding = found("uniform_disk", squares(), answers("uniform_disk", turned));
@@ -155,9 +275,16 @@ TEST_CASE("a sure cause goes before the relation, which goes before what a devia
     check.statistics = {statistic};
     fragment.checks = {check};
     CHECK(diagnose(fragment).words == "how\nwhere\nFor time = -1 the answer is 0, must be 1");
-    fragment.checks[0].statistics[0].exact = true;
-    CHECK(diagnose(fragment).words.starts_with("guess\nwhere\n"));
-    fragment.checks[0].statistics[0].hint = "6 of 9 calls are wrong; for arguments (1) the result is (2), expected (3)";
+    StatisticRecord& first = fragment.checks[0].statistics[0];
+    first.worth = StatisticRecord::Worth::cause, first.without_numbers = "cause";
+    CHECK(diagnose(fragment).words.starts_with("cause\nwhere\n"));
+    first.worth = StatisticRecord::Worth::fact, first.without_numbers = "fact";
+    CHECK(diagnose(fragment).words.starts_with("how\nwhere\n"));
     fragment.finding.how.clear();
-    CHECK(diagnose(fragment).words.starts_with("where\n"));
+    CHECK(diagnose(fragment).words.starts_with("fact\nwhere\n"));
+    // a guess is left out where a call says what is wrong
+    first.worth = StatisticRecord::Worth::guess;
+    CHECK(diagnose(fragment).words.starts_with("where\nFor "));
+    fragment.finding.fault = "moved.cpp:3: fault";
+    CHECK(diagnose(fragment).words.starts_with("moved.cpp:3: fault\nwhere\n"));
 }

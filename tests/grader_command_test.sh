@@ -34,6 +34,19 @@ expect 3 "the grader failed" "$grade" solution moved --toolchain "$work/none.tom
 timeless() { grep -v '_seconds"\|"command"\|"date"' "$1"; }
 expect 0 "" diff <(timeless "$work/a.json") <(timeless "$work/b.json")
 
+# the compiler's warnings, what sanitizers say, and the simplest call that goes wrong
+moved() { printf '#include "rt/fragments.h"\nnamespace rt {\nvec3 moved(vec3 point, vec3 velocity, Real time) {\n%s\n}\n}\n' "$1"; }
+mkdir "$work/broken"
+moved 'int unused; return point + velocity * moved(velocity, point, time + 1);' >"$work/broken/moved.cpp"
+expect 0 "moved.cpp:4:5: warning: unused variable" "$grade" "$work/broken" moved
+if "$grade" solution moved --seed 5 | grep -q "bubblewrap"; then
+    expect 0 "the function calls itself without end" "$grade" "$work/broken" moved
+fi
+moved '(void)velocity; return point + vec3(time);' >"$work/broken/moved.cpp"
+expect 0 "the answer is the same whatever" "$grade" "$work/broken" moved --seed 5 --json "$work/c.json"
+expect 0 "./grade call moved " cat "$work/c.json"
+expect 0 "moved(vec3(" cat "$work/c.json"
+
 # a sandbox is stated, and so is its absence
 expect 0 "the code is its owner's" "$grade" solution moved --trusted
 

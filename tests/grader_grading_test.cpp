@@ -262,7 +262,8 @@ TEST_CASE("a fragment that keeps state is told so") {
 TEST_CASE("a wrong fragment fails with the hint of its statistic") {
     const FragmentRecord fragment = graded_mirror(mirror("return d - dot(d, n) * n;"));
     CHECK(fragment.verdict == Verdict::failed);
-    CHECK(first_message(fragment).starts_with("keep the length\nFor d = "));
+    CHECK(first_message(fragment).starts_with(
+        "the answer is `d - dot(d, n) * n`, must be `d - 2 * dot(d, n) * n`\nFor d = "));
     CHECK(fragment.points == 0);
 
     const Record disk =

@@ -42,7 +42,7 @@ TEST_CASE("nothing that a submission says gets into the page or the terminal as 
     const std::string hostile = "<script>alert(1)</script>\" onload='x' \033[2J\xff\xe2\x80\xae";
     const Record record = record_with(hostile);
     const std::string text = page(record);
-    CHECK(text.find("<script") == std::string::npos);
+    CHECK(text.find("<script>alert") == std::string::npos);  // but for the one of the page
     CHECK(text.find("onload='x'") == std::string::npos);
     CHECK(text.find('\033') == std::string::npos);
     CHECK(text.find('\xff') == std::string::npos);
@@ -153,8 +153,15 @@ TEST_CASE("a diagnosis says where to read, in the record, in the table and as a 
     CHECK(diagnose(wrong).section == "lens_ray");
     CHECK(reading("lens_ray") == "handout.md, \"lens_ray\"");
     CHECK(anchor("What to use instead of an epsilon") == "what-to-use-instead-of-an-epsilon");
-    CHECK(diagnose(fragment_with(Verdict::not_finite, "returned nan for (0)", {})).section == numbers_section);
-    CHECK(diagnose(fragment_with(Verdict::failed, "another result when it runs again", {})).section == rules_section);
+    const auto in_trouble = [](Verdict verdict, Trouble trouble) {
+        FragmentRecord fragment = fragment_with(verdict, "words", {});
+        fragment.checks[0].trouble = trouble;
+        return diagnose(fragment).section;
+    };
+    CHECK(in_trouble(Verdict::not_finite, Trouble::not_a_number) == numbers_section);
+    CHECK(in_trouble(Verdict::not_finite, Trouble::no_radiance) == pictures_section);
+    CHECK(in_trouble(Verdict::failed, Trouble::keeps_state) == rules_section);
+    CHECK(in_trouble(Verdict::failed, Trouble::no_radiance) == pictures_section);
     CHECK(diagnose(fragment_with(Verdict::failed, "", {failing("V0", "changes")})).section == rules_section);
     Record record;
     record.parts = {{"one", "Part one"}};
@@ -167,6 +174,37 @@ TEST_CASE("a diagnosis says where to read, in the record, in the table and as a 
     CHECK(page(record, "../handout.md").find("href=\"../handout.md#lens_ray\"") != std::string::npos);
     record.fragments = {fragment_with(Verdict::passed, "", {})};
     CHECK(!nlohmann::json::parse(to_json(record))["fragments"][0].contains("read"));
+}
+
+TEST_CASE("the compiler's warnings are in the table, on the page and in the record, also of what passes") {
+    Record record;
+    record.parts = {{"one", "Part one"}};
+    record.fragments = {fragment_with(Verdict::passed, "", {})};
+    record.fragments[0].part = "one";
+    record.fragments[0].warnings = "phong.cpp:4:9: warning: unused <b>variable</b> [-Wunused-variable]\x1b[31m\n";
+    const std::string rows = table(record, false), text = page(record, "../handout.md");
+    CHECK(rows.find("phong.cpp:4:9: warning: unused <b>variable</b>") != std::string::npos);
+    CHECK(rows.find('\x1b') == std::string::npos);
+    CHECK(text.find("&lt;b&gt;variable") != std::string::npos);
+    CHECK(text.find("<b>variable") == std::string::npos);
+    CHECK(nlohmann::json::parse(to_json(record))["fragments"][0].contains("warnings"));
+}
+
+TEST_CASE("the simplest call that goes wrong is on the page and in the record as C++ and for a shell") {
+    Record record;
+    record.parts = {{"one", "Part one"}};
+    record.fragments = {fragment_with(Verdict::failed, "", {failing("M1", "off")})};
+    record.fragments[0].part = "one";
+    Finding& finding = record.fragments[0].finding;
+    finding.arguments = "time = -1", finding.answer = "0", finding.right = "1";
+    finding.code = "moved(vec3(0), vec3(1), -1);\n", finding.command = "./grade call moved 'time = -1'";
+    const std::string text = page(record, "../handout.md");
+    CHECK(text.find("moved(vec3(0), vec3(1), -1);") != std::string::npos);
+    CHECK(text.find("./grade call moved &#39;time = -1&#39;") != std::string::npos);
+    const auto call = nlohmann::json::parse(to_json(record))["fragments"][0]["finding"];
+    CHECK(call["command"] == finding.command);
+    CHECK(call["right"] == "1");
+    CHECK(table(record, false).find("./grade call") == std::string::npos);
 }
 
 TEST_CASE("a value far off stays inside its drawing, as an arrow") {

@@ -5,10 +5,13 @@
 #include <csignal>
 
 #include "catch.h"
+#include "diagnosis/sanitizer.h"
 #include "files/files.h"
 #include "programs/compile.h"
 #include "programs/object.h"
+#include "programs/runner.h"
 #include "programs/sandbox.h"
+#include "protocol/rows.h"
 
 using namespace grade;
 
@@ -183,6 +186,57 @@ TEST_CASE("a fragment compiles and links in every sandbox", "[steps]") {
         fs::create_directory(place.outer.path() / "program");
         CHECK(link_child(chain(), sandbox, objects, place.outer.path() / "program/child").empty());
         CHECK(fs::exists(place.outer.path() / "program/child"));
+    }
+}
+
+TEST_CASE("the compiler's warnings about the student's own file are kept, a few lines of them", "[steps]") {
+    for (const Sandbox& sandbox : sandboxes()) {
+        INFO(sandbox.description);
+        CHECK(compiled(sandbox, phong).warnings.empty());
+        const std::string unused = "static void f() { int a, b, c, d; }\n";
+        const std::string warnings = compiled(sandbox, phong + unused).warnings;
+        CHECK(warnings.starts_with("phong.cpp:"));
+        CHECK(std::ranges::count(warnings, '\n') == 4);
+        CHECK(warnings.find("and 2 more") != std::string::npos);
+        // an error behind more warnings than are kept
+        std::string many;
+        for (int i = 0; i < 2000; ++i) many += fmt::format("static void unused_function_{}() {{ int unused; }}\n", i);
+        CHECK(compiled(sandbox, many + phong + "int x = nothing;\n").message.find("nothing") != std::string::npos);
+    }
+}
+
+TEST_CASE("sanitizers say in which line a fragment breaks down", "[steps]") {
+    const auto said = [](const Sandbox& sandbox, const std::string& body) {
+        const Place place;
+        const Toolchain checked = with_sanitizers(chain());
+        const Compiled result = compile_fragment(checked, sandbox, "moved",
+                                                 "#include \"rt/fragments.h\"\n#include <vector>\nnamespace rt {\nvec3 "
+                                                 "moved(vec3 point, vec3 velocity, Real time) {\n" +
+                                                     body + "\n}\n}\n",
+                                                 "moved.cpp", place.folder);
+        REQUIRE(result.message.empty());
+        std::vector<fs::path> objects{result.object};
+        for (const auto& [name, object] : chain().solution_objects)
+            if (name != "moved") objects.push_back(object);
+        const fs::path program = place.outer.path() / "program/child";
+        fs::create_directory(program.parent_path());
+        REQUIRE(link_child(checked, sandbox, objects, program).empty());
+        Runner runner(program, sandbox, fs::absolute("scenes"), 5, true);
+        const auto outcome = runner.probe("moved", {row(rt::vec3(1), rt::vec3(2), 3.0)});
+        const Fault* fault = std::get_if<Fault>(&outcome);
+        return fault ? fault_in_words(fault->excerpt, "moved") : "answered";
+    };
+    for (const Sandbox& sandbox : sandboxes()) {
+        if (sandbox.kind == Sandbox::Kind::container) continue;
+        INFO(sandbox.description);
+        CHECK(said(sandbox, "return point + velocity * time;") == "answered");
+        CHECK(said(sandbox, "if (time < 0) return point;").starts_with("moved.cpp:4: a way through this function"));
+        CHECK(said(sandbox, "Real a[3] = {}; volatile int k = 5;\nreturn point * a[k];")
+                  .starts_with("moved.cpp:6: index 5"));
+        CHECK(said(sandbox, "return velocity + moved(velocity, point, time + 1);")
+                  .ends_with(": the function calls itself without end"));
+        CHECK(said(sandbox, "std::vector<Real> a(3);\nreturn point * a[std::size_t(time)];") ==
+              "moved.cpp:6: an index is out of range");
     }
 }
 

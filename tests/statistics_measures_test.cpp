@@ -6,6 +6,7 @@
 #include "statistics/image_fault.h"
 #include "statistics/region.h"
 #include "statistics/spread.h"
+#include "statistics/tiles.h"
 
 using namespace grade;
 using rt::Color;
@@ -122,4 +123,31 @@ TEST_CASE("an 8-bit picture is recognised, a float one and a flat one are not") 
     CHECK(!is_quantised(Image(16, 16)));
     CHECK(is_same(real, real));
     CHECK(!is_same(real, linear));
+}
+
+TEST_CASE("the tile where two pictures differ beyond noise is the clearest one") {
+    std::mt19937_64 random(5);
+    std::normal_distribution<double> noise(1, 0.1);
+    const auto pictures = [&](double more) {
+        std::vector<Image> all;
+        for (int i = 0; i < 4; ++i) {
+            all.emplace_back(20, 16);
+            for (Color& pixel : all.back().pixels) pixel = Color(noise(random));
+            for (int y = 8; y < 16; ++y)
+                for (int x = 8; x < 16; ++x) all.back().at(x, y) += Color(more);
+        }
+        return all;
+    };
+    const auto right = pictures(0);
+    const Tiles tiles = compare_tiles(pictures(0.5), right);
+    CHECK(tiles.columns == 3);
+    CHECK(tiles.rows == 2);
+    CHECK(tiles.clearest() == 4);
+    CHECK(tiles.p[4] < 1e-4);
+    CHECK(std::abs(tiles.mine[4] - tiles.right[4] - 0.5) < 0.05);
+    CHECK(tiles.p[0] > 1e-3);
+    // without noise, of what differs the tile that differs most
+    const Tiles same = compare_tiles({right[0]}, {right[0]});
+    CHECK(same.t[same.clearest()] == 0);
+    CHECK(compare_tiles({}, {}).empty());
 }

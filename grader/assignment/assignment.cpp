@@ -26,10 +26,15 @@ Assignment read_assignment(const std::string& path) {
     const std::optional<std::string> text = read_text(fs::canonical(path, error));
     if (!text) throw rt::InputError(path + ":1:1: cannot be read; expected the assignment's parts and fragments");
     const rt::Table file = rt::Table::parse(*text, path);
-    file.only({"title", "part"});
+    file.only({"title", "part", "theory"});
 
     Assignment assignment;
     assignment.title = file.text("title");
+    if (file.has("theory")) {
+        const rt::Table theory = file.table("theory");
+        theory.only({"points"});
+        assignment.theory_points = theory.number("points", rt::not_negative);
+    }
     for (const rt::Table& part : file.tables("part")) {
         part.only({"name", "title", "fragments", "visibility"});
         const int visibility = part.choice("visibility", visibilities, 0);

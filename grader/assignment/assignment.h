@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,7 +27,8 @@ struct Fragment {
 struct Assignment {
     std::string title;
     std::vector<Part> parts;
-    std::vector<Fragment> fragments;  // in the order of the parts
+    std::vector<Fragment> fragments;      // in the order of the parts
+    std::optional<double> theory_points;  // none: the course has no theory part
 
     /// Its place in the list. Throws std::out_of_range for a name that is none.
     std::size_t place(const std::string& fragment) const;

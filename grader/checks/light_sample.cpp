@@ -10,24 +10,9 @@ namespace {
 
 using rt::Emitter, rt::LightSample, rt::vec2, rt::vec3;
 
-vec3 normal_of(const Emitter& light) {
-    return light.kind == Emitter::Kind::quad ? rt::unit(rt::cross(light.quad.u, light.quad.v)) : light.disc.normal;
-}
-
-vec3 center_of(const Emitter& light) {
-    return light.kind == Emitter::Kind::quad   ? light.quad.center
-           : light.kind == Emitter::Kind::disc ? light.disc.center
-                                               : light.sphere.center;
-}
-
-double area_of(const Emitter& light) {
-    return light.kind == Emitter::Kind::quad ? 4 * glm::length(light.quad.u) * glm::length(light.quad.v)
-                                             : rt::pi * rt::sqr(light.disc.radius);
-}
-
 /// The point of a flat light in units of its half edges or its radius, across and along.
 vec2 on_light(const Emitter& light, vec3 p, const LightSample& s) {
-    const vec3 q = p + s.distance * s.direction - center_of(light);
+    const vec3 q = p + s.distance * s.direction - rt::center(light);
     if (light.kind == Emitter::Kind::quad)
         return {rt::dot(q, light.quad.u) / rt::dot(light.quad.u, light.quad.u),
                 rt::dot(q, light.quad.v) / rt::dot(light.quad.v, light.quad.v)};
@@ -39,7 +24,7 @@ vec2 on_light(const Emitter& light, vec3 p, const LightSample& s) {
 /// the density, if that is the density of the sample.
 double area_share(const LightSample& s, const Emitter& light) {
     if (!(s.density > 0)) return 0;
-    const double cosine = -rt::dot(s.direction, normal_of(light));
+    const double cosine = -rt::dot(s.direction, rt::unit(rt::normal(light)));
     return cosine > 1e-9 ? rt::sqr(s.distance) / (cosine * s.density) : 0;
 }
 
@@ -47,13 +32,14 @@ double area_share(const LightSample& s, const Emitter& light) {
 double off_light(const LightSample& s, const Emitter& light, vec3 p, vec2) {
     if (!(s.density > 0)) return s.density == 0 ? 0 : rt::inf;
     if (std::abs(glm::length(s.direction) - 1) > 1e-4) return rt::inf;
-    const vec3 q = p + s.distance * s.direction - center_of(light);
+    const vec3 q = p + s.distance * s.direction - rt::center(light);
     if (light.kind == Emitter::Kind::sphere) {
         const double off = std::abs(glm::length(q) / light.sphere.radius - 1);
         return rt::dot(q, s.direction) > 1e-3 * light.sphere.radius ? rt::inf : off;  // the near side alone is seen
     }
     const vec2 at = on_light(light, p, s);
-    const double size = std::sqrt(area_of(light)), off_plane = std::abs(rt::dot(q, normal_of(light))) / size;
+    const double size = std::sqrt(rt::area(light)),
+                 off_plane = std::abs(rt::dot(q, rt::unit(rt::normal(light)))) / size;
     const double beyond =
         light.kind == Emitter::Kind::quad ? std::max(std::abs(at.x), std::abs(at.y)) - 1 : std::hypot(at.x, at.y) - 1;
     return std::max({off_plane, beyond, 0.0});
@@ -140,9 +126,9 @@ std::vector<Statistic> places_on_light(double area, bool quad) {
 Check flat_light(Generator& random, Emitter::Kind kind, const char* name) {
     const Emitter light = emitter(random, kind);
     const bool quad = kind == Emitter::Kind::quad;
-    const vec3 p =
-        center_of(light) + between(random, 1, 3) * tilted(random, normal_of(light), between(random, 0.2, 0.8));
-    const double area = area_of(light);
+    const vec3 p = rt::center(light) +
+                   between(random, 1, 3) * tilted(random, rt::unit(rt::normal(light)), between(random, 0.2, 0.8));
+    const double area = rt::area(light);
     const Statistic on = samples_on_light(
         "size", quad ? "samples lie beside the light: its points are center + x u + y v with |x|, |y| <= 1, at "
                        "`distance` along the unit direction"
@@ -229,9 +215,9 @@ double leftover_power(const Observation& seen, std::size_t which) {
         const Row& in = seen.inputs[k * samples_of_each];
         const Emitter light = argument<rt::light_sample, 0>(in);
         const vec3 to = light.quad.center - argument<rt::light_sample, 1>(in);
-        const double r = glm::length(to), cosine = -rt::dot(to, normal_of(light)) / r;
-        factors.push_back({1, std::log(r), std::log(cosine), std::log(area_of(light))});
-        logs.push_back(std::log(sum * r * r / (cosine * area_of(light))));
+        const double r = glm::length(to), cosine = -rt::dot(to, rt::unit(rt::normal(light))) / r;
+        factors.push_back({1, std::log(r), std::log(cosine), std::log(rt::area(light))});
+        logs.push_back(std::log(sum * r * r / (cosine * rt::area(light))));
         if (!std::isfinite(logs.back())) return NAN;
     }
     return least_squares(factors, logs)[which].value;
@@ -245,7 +231,8 @@ Check layouts() {
             Emitter light = emitter(random, Emitter::Kind::quad);
             light.quad.u *= 0.3, light.quad.v *= 0.3;
             const double angle = between(random, 0, 1.2);
-            const vec3 p = light.quad.center + log_between(random, 1.5, 8) * tilted(random, normal_of(light), angle);
+            const vec3 p =
+                light.quad.center + log_between(random, 1.5, 8) * tilted(random, rt::unit(rt::normal(light)), angle);
             for (int i = 0; i < samples_of_each; ++i) rows.push_back(row(light, p, square(random)));
         }
         return rows;
@@ -289,7 +276,7 @@ Check irradiance(Generator& random) {
         vec3 p, n;
     };
     std::array<Surface, 3> surfaces;
-    const vec3 to_quad = tilted(random, normal_of(lights[0]), between(random, 0, 0.6));
+    const vec3 to_quad = tilted(random, rt::unit(rt::normal(lights[0])), between(random, 0, 0.6));
     surfaces[0] = {lights[0].quad.center + between(random, 1.2, 2) * to_quad,
                    tilted(random, -to_quad, between(random, 0.2, 0.5))};
     const double height = between(random, 0.5, 1.5), distance = lights[2].sphere.radius * between(random, 2, 3),
@@ -334,8 +321,8 @@ Check irradiance(Generator& random) {
 Check dark_side() {
     const auto inputs = rows_of(64, [](Generator& random) {
         const Emitter light = emitter(random, chance(random, 0.5) ? Emitter::Kind::quad : Emitter::Kind::disc);
-        const vec3 p =
-            center_of(light) - between(random, 1, 3) * tilted(random, normal_of(light), between(random, 0, 1));
+        const vec3 p = rt::center(light) -
+                       between(random, 1, 3) * tilted(random, rt::unit(rt::normal(light)), between(random, 0, 1));
         return row(light, p, square(random));
     });
     return probe_check(
@@ -351,8 +338,8 @@ Check dark_side() {
 Check anywhere() {
     const auto flat = [](Generator& draw) {
         const Emitter light = emitter(draw, chance(draw, 0.5) ? Emitter::Kind::quad : Emitter::Kind::disc);
-        const vec3 p =
-            center_of(light) + log_between(draw, 1, 100) * tilted(draw, normal_of(light), between(draw, 0, 1));
+        const vec3 p = rt::center(light) +
+                       log_between(draw, 1, 100) * tilted(draw, rt::unit(rt::normal(light)), between(draw, 0, 1));
         return row(light, p, square(draw));
     };
     const auto sphere = [](Generator& draw) {

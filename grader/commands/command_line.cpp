@@ -11,6 +11,7 @@
 #include "commands/exit_code.h"
 #include "commands/grading.h"
 #include "commands/picture.h"
+#include "commands/theory.h"
 #include "commands/words.h"
 #include "files/files.h"
 #include "hand_out/gradescope.h"
@@ -108,6 +109,8 @@ int run_command_line(int argc, char** argv) {
     CLI::App* picture = add_picture_command(app, picture_arguments);
     CallArguments call_arguments;
     CLI::App* call = add_call_command(app, call_arguments);
+    TheoryArguments theory_arguments;
+    CLI::App* theory = add_theory_command(app, theory_arguments);
     for (const Study& study : studies) app.add_subcommand(study.name, study.purpose)->prefix_command()->set_help_flag();
     HandOutArguments hand_out_arguments;
     CLI::App* starter = add_hand_out_command(app, hand_out_arguments);
@@ -128,6 +131,7 @@ int run_command_line(int argc, char** argv) {
         if (starter->parsed()) return run_hand_out(hand_out_arguments, toolchain);
         if (picture->parsed()) return run_picture(picture_arguments, toolchain);
         if (call->parsed()) return run_call(call_arguments, toolchain);
+        if (theory->parsed()) return run_theory(theory_arguments, toolchain);
         return run_grade(grading, toolchain, command);
     });
 }

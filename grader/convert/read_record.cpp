@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "diagnosis/diagnosis.h"
 #include "files/files.h"
@@ -47,11 +48,13 @@ struct Node {
         return number(key);
     }
 
-    Verdict verdict() const {
-        const auto found = std::ranges::find(verdict_names, text("verdict"));
-        if (found == verdict_names.end()) fail("verdict", "one of record/README.md");
-        return Verdict(found - verdict_names.begin());
+    /// The number of a name.
+    int one_of(std::span<const std::string_view> names, const char* key) const {
+        const auto found = std::ranges::find(names, text(key));
+        if (found == names.end()) fail(key, "one of record/README.md");
+        return int(found - names.begin());
     }
+    Verdict verdict() const { return Verdict(one_of(verdict_names, "verdict")); }
 
     Node object(const char* key) const { return {at(key, &Json::is_object, "an object"), path, place + "/" + key}; }
 
@@ -97,6 +100,7 @@ CheckRecord check_of(const Node& node, const std::string& fragment) {
     c.name = node.text("name"), c.fragment = fragment;
     c.points = node.number("points"), c.max_points = node.number("max_points");
     c.verdict = node.verdict(), c.message = node.text_or_none("message");
+    if (node.json.contains("trouble")) c.trouble = Trouble(node.one_of(trouble_names, "trouble"));
     c.cpu_seconds = node.number("cpu_seconds");
     c.scene = node.text_or_none("scene");
     if (!c.scene.empty()) c.samples = node.count("samples"), c.sampler = node.text("sampler");
@@ -115,9 +119,17 @@ FragmentRecord fragment_of(const Node& node) {
     f.cpu_seconds = node.number("cpu_seconds");
     if (node.json.contains("finding")) {
         const Node finding = node.object("finding");
-        f.finding = {finding.text_or_none("how"),    finding.text_or_none("where"), finding.text_or_none("arguments"),
-                     finding.text_or_none("answer"), finding.text_or_none("right"), finding.flag("sampled")};
+        f.finding = {.how = finding.text_or_none("how"),
+                     .where = finding.text_or_none("where"),
+                     .arguments = finding.text_or_none("arguments"),
+                     .answer = finding.text_or_none("answer"),
+                     .right = finding.text_or_none("right"),
+                     .sampled = finding.flag("sampled"),
+                     .code = finding.text_or_none("code"),
+                     .command = finding.text_or_none("command"),
+                     .fault = finding.text_or_none("fault")};
     }
+    f.warnings = node.text_or_none("warnings");
     for (const Node& check : node.objects("checks")) f.checks.push_back(check_of(check, f.name));
     // what follows from the checks is said again from them; what does not is the fragment's own
     const std::string message = node.text("message");

@@ -91,7 +91,10 @@ std::optional<Kind> kind_of(const std::string& type) {
 
 /// Elements of a list, and a function's parameters, end at the place that is returned.
 std::size_t add_list(const Signature::Argument& argument, const Row& row, std::size_t at, Layout& layout) {
-    if (argument.type == "Function") return at + 2 + std::size_t(row.at(at + 1));
+    if (argument.type == "Function") {
+        layout.formulas.push_back({argument.name, Kind::number, at});
+        return at + 2 + std::size_t(row.at(at + 1));
+    }
     const std::size_t count = std::size_t(row.at(at));
     const bool strata = argument.type.find("Stratum") != std::string::npos;
     const std::size_t stride = strata ? 0 : argument.type.find("Color") != std::string::npos ? 3 : 1;
@@ -234,6 +237,56 @@ std::string value_in_words(const Field& part, const Row& row) {
     return "(" + text + ")";
 }
 
+namespace {
+
+/// A function's formula, as Integrand has it.
+template <class Number>
+std::string formula_in_words(const Row& row, std::size_t at, Number number) {
+    const auto p = [&](std::size_t i) { return number(row.at(at + 2 + i)); };
+    switch (Integrand::Kind(int(row.at(at)))) {
+        case Integrand::Kind::gaussian:
+            return fmt::format("{} * exp(-pow((x - {}) / {}, 2) / 2)", p(0), p(1), p(2));
+        case Integrand::Kind::lorentzian:
+            return fmt::format("{} / (1 + pow((x - {}) / {}, 2))", p(0), p(1), p(2));
+        case Integrand::Kind::cosine:
+            return fmt::format("{} + {} * cos(2 * pi * {} * x + {})", p(0), p(1), p(2), p(3));
+        case Integrand::Kind::exponential:
+            return fmt::format("{} * exp(-{} * x)", p(0), p(1));
+        case Integrand::Kind::power:
+            return fmt::format("{} * pow(x, {})", p(0), p(1));
+        case Integrand::Kind::step:
+            return fmt::format("x < {} ? {} : {}", p(0), p(1), p(2));
+        case Integrand::Kind::polynomial:
+            break;
+    }
+    std::string text;
+    for (std::size_t i = 0; i < std::size_t(row.at(at + 1)); ++i)
+        text += fmt::format("{}{}{}", i ? " + " : "", p(i), i > 1 ? fmt::format(" * pow(x, {})", i) : i ? " * x" : "");
+    return text;
+}
+
+/// The elements of a list, in words.
+std::vector<std::string> elements_of(const List& list, const Row& row) {
+    std::vector<std::string> all;
+    std::size_t at = list.at + 1;
+    for (std::size_t k = 0; k < list.count; ++k) {
+        if (list.stride > 0) {
+            all.push_back(value_in_words({"", list.stride == 3 ? Kind::color : Kind::number, at}, row));
+            at += list.stride;
+            continue;
+        }
+        const std::size_t count = std::size_t(row.at(at + 2));
+        std::string u;
+        for (std::size_t i = 0; i < count; ++i) u += (i ? ", " : "") + number_in_words(row.at(at + 3 + i));
+        all.push_back(
+            fmt::format("{{{}, {}, {{{}}}}}", number_in_words(row.at(at)), number_in_words(row.at(at + 1)), u));
+        at += 3 + count;
+    }
+    return all;
+}
+
+}  // namespace
+
 std::string arguments_in_words(const Signature& signature, const Row& row, const std::vector<bool>& told) {
     const Layout layout = signature.of_arguments(row), plain = signature.of_arguments(signature.blank());
     const Row defaults = signature.blank();
@@ -247,25 +300,101 @@ std::string arguments_in_words(const Signature& signature, const Row& row, const
         const bool is_field = layout.parts[i].name.find('.') != std::string::npos;
         if (!is_field || value != value_in_words(plain.parts[i], defaults)) tell(layout.parts[i].name, value);
     }
+    for (const Field& formula : layout.formulas)
+        tell(formula.name + "(x)", formula_in_words(row, formula.at, number_in_words));
     for (const List& list : layout.lists) {
         constexpr std::size_t most = 6;
-        if (list.stride == 0) continue;
         std::string values;
-        for (std::size_t k = 0; k < std::min(list.count, most); ++k) {
-            const Field element{"", list.stride == 3 ? Kind::color : Kind::number, list.at + 1 + k * list.stride};
-            values += (k ? ", " : "") + value_in_words(element, row);
-        }
+        const auto elements = elements_of(list, row);
+        for (std::size_t k = 0; k < std::min(elements.size(), most); ++k) values += (k ? ", " : "") + elements[k];
         tell(list.name,
              fmt::format("[{}{}]", values, list.count > most ? fmt::format(", ... {} in all", list.count) : ""));
     }
     return text;
 }
 
+namespace {
+
+std::string number_in_code(double x) {
+    if (std::isnan(x)) return "NAN";
+    if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
+    return fmt::format("{}", x == 0 ? 0.0 : x);
+}
+
+/// "Color(0.2, 0.5, 1)"
+std::string value_in_code(const Field& part, const Row& row) {
+    if (part.kind == Kind::flag) return row[part.at] != 0 ? "true" : "false";
+    if (part.kind == Kind::choice) return choice_type(part) + "::" + value_in_words(part, row);
+    std::string text = number_in_code(row[part.at]);
+    if (size_of(part.kind) == 1) return text;
+    for (std::size_t k = 1; k < size_of(part.kind); ++k) text += ", " + number_in_code(row[part.at + k]);
+    return fmt::format("{}({})",
+                       part.kind == Kind::color        ? "Color"
+                       : part.kind == Kind::vector     ? "vec3"
+                       : part.kind == Kind::whole_pair ? "ivec2"
+                                                       : "vec2",
+                       text);
+}
+
+/// "const std::vector<Color> radiance{Color(1, 1, 1)};"
+std::string list_in_code(const List& list, const Row& row) {
+    std::string values, numbers;
+    std::size_t at = list.at + 1;
+    for (std::size_t k = 0; k < list.count; ++k) {
+        const char* comma = k ? ", " : "";
+        if (list.stride > 0) {
+            values += comma + value_in_code({"", list.stride == 3 ? Kind::color : Kind::number, at}, row);
+            at += list.stride;
+            continue;
+        }
+        values += fmt::format("{}{{{}, {}, u[{}]}}", comma, number_in_code(row[at]), number_in_code(row[at + 1]), k);
+        const std::size_t count = std::size_t(row[at + 2]);
+        numbers += fmt::format("{}{{", comma);
+        for (std::size_t i = 0; i < count; ++i) numbers += (i ? ", " : "") + number_in_code(row[at + 3 + i]);
+        numbers += "}";
+        at += 3 + count;
+    }
+    const char* type = list.stride == 3 ? "Color" : list.stride > 0 ? "Real" : "Stratum";
+    const std::string own = fmt::format("const std::vector<{}> {}{{{}}};\n", type, list.name, values);
+    return list.stride > 0 ? own : fmt::format("const std::vector<std::vector<Real>> u{{{}}};\n", numbers) + own;
+}
+
+}  // namespace
+
+std::string call_in_code(const Signature& signature, const Row& row) {
+    constexpr std::size_t longest_list = 16;
+    const Row defaults = signature.blank();
+    const Layout layout = signature.of_arguments(row), plain = signature.of_arguments(defaults);
+    std::string before, given;
+    for (const Field& formula : layout.formulas)
+        before += fmt::format("const Function {} = [](Real x) {{ return {}; }};\n", formula.name,
+                              formula_in_words(row, formula.at, number_in_code));
+    for (const List& list : layout.lists) {
+        if (list.count > longest_list) return {};
+        before += list_in_code(list, row);
+    }
+    for (const auto& [type, name] : signature.arguments) {
+        const auto part = std::ranges::find(layout.parts, name, &Field::name);
+        given += (given.empty() ? "" : ", ") + (part == layout.parts.end() ? name : value_in_code(*part, row));
+        if (structures().contains(type)) before += fmt::format("{} {}{{}};\n", type, name);
+        for (std::size_t i = 0; i < layout.parts.size(); ++i) {
+            const std::string value = value_in_code(layout.parts[i], row);
+            if (layout.parts[i].name.starts_with(name + ".") && value != value_in_code(plain.parts[i], defaults))
+                before += fmt::format("{} = {};\n", layout.parts[i].name, value);
+        }
+    }
+    return fmt::format("{}{}({});\n", before, signature.fragment, given);
+}
+
+bool are_readable(const Signature& signature) {
+    const Layout layout = signature.of_arguments(signature.blank());
+    return layout.lists.empty() && layout.formulas.empty();
+}
+
 Row arguments_from_words(const Signature& signature, const std::string& words) {
     Row row = signature.blank();
     const Layout layout = signature.of_arguments(row);
-    if (!layout.lists.empty() ||
-        std::ranges::any_of(signature.arguments, [](const auto& a) { return a.type == "Function"; }))
+    if (!are_readable(signature))
         throw std::invalid_argument(
             fmt::format("{} takes functions or lists, which cannot be written here", signature.fragment));
     if (trimmed(words).empty()) return row;

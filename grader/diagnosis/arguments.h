@@ -29,7 +29,8 @@ struct List {
 /// What a row holds. All rows of a fragment have the same parts in the same order.
 struct Layout {
     std::vector<Field> parts;
-    std::vector<List> lists;
+    std::vector<List> lists;      // stride 0: strata
+    std::vector<Field> formulas;  // functions: where they stand; the kind says nothing
 };
 
 /// The declaration of a fragment.
@@ -59,6 +60,12 @@ std::string value_in_words(const Field& part, const Row& row);
 
 /// "camera.size = (2, 2), film = (0, 0)"; parts that are not told, and those at their defaults, are left out.
 std::string arguments_in_words(const Signature& signature, const Row& row, const std::vector<bool>& told = {});
+
+/// The call as C++ that can be pasted: what is not at its default is set. Empty where a list is too long.
+std::string call_in_code(const Signature& signature, const Row& row);
+
+/// Whether arguments_from_words can read them: there is no list and no function.
+bool are_readable(const Signature& signature);
 
 /// The inverse: what is not named has its default. Throws std::invalid_argument with what is wrong.
 Row arguments_from_words(const Signature& signature, const std::string& words);

@@ -2,7 +2,9 @@
 
 #include <cmath>
 
-#include "diagnosis/changes.h"
+#include <functional>
+
+#include "diagnosis/arguments.h"
 
 namespace grade {
 
@@ -49,8 +51,5 @@ inline bool is_equal(const Layout& result, const Row& a, const Row& b) {
         if (!is_equal(part, a, b)) return false;
     return true;
 }
-
-/// "1.005": with as many digits as tell it from 1.
-std::string ratio_in_words(double ratio);
 
 }  // namespace grade

@@ -5,191 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rt/math.h"
+#include "diagnosis/functions.h"
+#include "diagnosis/quantities.h"
+#include "diagnosis/scalars.h"
 
 namespace grade {
 
 namespace {
-
-using rt::vec3;
-
-vec3 vector_at(const Row& row, std::size_t at) { return {row[at], row[at + 1], row[at + 2]}; }
-void put(Row& row, std::size_t at, vec3 v) { row[at] = v.x, row[at + 1] = v.y, row[at + 2] = v.z; }
-
-/// A number of an argument.
-struct Scalar {
-    std::string name;
-    std::size_t part, component;
-    bool whole;
-
-    std::size_t at(const Layout& layout) const { return layout.parts[part].at + component; }
-    std::string owner() const { return name.substr(0, name.rfind('.')); }
-};
-
-std::vector<Scalar> scalars_of(const Layout& layout, const std::vector<bool>& told) {
-    std::vector<Scalar> list;
-    for (std::size_t i = 0; i < layout.parts.size(); ++i) {
-        const auto& [name, kind, at] = layout.parts[i];
-        if (i < told.size() && !told[i]) continue;
-        const bool whole = kind == Kind::whole || kind == Kind::whole_pair;
-        if (kind == Kind::number || kind == Kind::whole) list.push_back({name, i, 0, whole});
-        if (kind == Kind::pair || kind == Kind::whole_pair)
-            list.push_back({name + ".x", i, 0, whole}), list.push_back({name + ".y", i, 1, whole});
-    }
-    return list;
-}
-
-struct Function {
-    const char* words;  // {} is the argument
-    double cost;
-    double (*value)(double);
-    const char* usually = "";  // what that is in most code
-};
-
-constexpr Function scalar_functions[] = {
-    {"-{}", 1, [](double x) { return -x; }},
-    {"2 * {}", 1.1, [](double x) { return 2 * x; }},
-    {"{} / 2", 1.1, [](double x) { return x / 2; }},
-    {"{0} * {0}", 1.2, [](double x) { return x * x; }, ": is a square root missing?"},
-    {"sqrt({})", 1.2, [](double x) { return std::sqrt(x); }, ": is a square root too many?"},
-    {"1 / {}", 1.2, [](double x) { return 1 / x; }},
-    {"1 - {}", 1.2, [](double x) { return 1 - x; }},
-    {"{} + 1", 1.2, [](double x) { return x + 1; }},
-    {"{} - 1", 1.2, [](double x) { return x - 1; }},
-    {"abs({})", 1.2, [](double x) { return std::abs(x); }},
-    {"max({}, 0)", 1.3, [](double x) { return std::max(x, 0.0); }},
-    {"min({}, 1)", 1.3, [](double x) { return std::min(x, 1.0); }},
-    {"0", 1.3, [](double) { return 0.0; }},
-    {"1", 1.3, [](double) { return 1.0; }},
-    {"0.5", 1.4, [](double) { return 0.5; }},
-    {"inf", 1.4, [](double) { return rt::inf; }},
-    {"{} * 180 / pi", 1.5, [](double x) { return x * 180 / rt::pi; }, ": angles are in radians"},
-    {"{} * pi / 180", 1.5, [](double x) { return x * rt::pi / 180; }, ": it is in radians already"},
-    {"tan({})", 1.5, [](double x) { return std::tan(x); }},
-    {"atan({})", 1.6, [](double x) { return std::atan(x); }},
-    {"sin({})", 1.6, [](double x) { return std::sin(x); }},
-    {"cos({})", 1.6, [](double x) { return std::cos(x); }},
-    {"asin({})", 1.6, [](double x) { return std::asin(x); }},
-    {"{} / (2 * pi)", 1.5, [](double x) { return x / (2 * rt::pi); }},
-    {"2 * pi * {}", 1.5, [](double x) { return 2 * rt::pi * x; }},
-    {"{} / pi", 1.6, [](double x) { return x / rt::pi; }},
-    {"pi * {}", 1.6, [](double x) { return x * rt::pi; }},
-    {"{} / 4", 1.7, [](double x) { return x / 4; }},
-    {"4 * {}", 1.7, [](double x) { return 4 * x; }},
-    {"3 * {} / 4", 1.9, [](double x) { return 0.75 * x; }},
-    {"floor({})", 1.6, [](double x) { return std::floor(x); }},
-    {"round({})", 1.6, [](double x) { return std::round(x); }},
-    {"{} + 0.5", 1.6, [](double x) { return x + 0.5; }},
-    {"{} - 0.5", 1.6, [](double x) { return x - 0.5; }},
-    {"{} + 2", 1.7, [](double x) { return x + 2; }},
-    {"{} - 2", 1.7, [](double x) { return x - 2; }},
-    {"2 * {} - 1", 1.7, [](double x) { return 2 * x - 1; }},
-    {"sqrt(sqrt({}))", 1.9, [](double x) { return std::sqrt(std::sqrt(x)); }},
-    {"sqrt(1 - {0} * {0})", 1.8, [](double x) { return std::sqrt(1 - x * x); }},
-    {"1 - {0} * {0}", 1.9, [](double x) { return 1 - x * x; }},
-    {"cbrt({})", 1.8, [](double x) { return std::cbrt(x); }},
-    {"pow({}, 2.0 / 3)", 1.9, [](double x) { return std::pow(x, 2.0 / 3); }},
-    {"pow({}, 3)", 1.9, [](double x) { return x * x * x; }},
-    {"pow({}, 1.5)", 2, [](double x) { return std::pow(x, 1.5); }},
-    {"pow({}, 4)", 2, [](double x) { return x * x * x * x; }},
-    {"{0} / (1 - {0})", 2.2, [](double x) { return x / (1 - x); }},
-};
-
-struct TwoScalars {
-    const char* words;
-    double cost;
-    double (*value)(double, double);
-};
-
-constexpr TwoScalars of_two_scalars[] = {
-    {"{1}", 1.5, [](double, double y) { return y; }},
-    {"{0} * {1}", 1.9, [](double x, double y) { return x * y; }},
-    {"{0} / {1}", 1.9, [](double x, double y) { return x / y; }},
-    {"{1} / {0}", 2, [](double x, double y) { return y / x; }},
-    {"{0} - {1}", 1.9, [](double x, double y) { return x - y; }},
-    {"{0} + {1}", 1.9, [](double x, double y) { return x + y; }},
-    {"1 - {1}", 1.9, [](double, double y) { return 1 - y; }},
-    {"max({0}, {1})", 2.1, [](double x, double y) { return std::max(x, y); }},
-    {"min({0}, {1})", 2.1, [](double x, double y) { return std::min(x, y); }},
-};
-
-struct VectorFunction {
-    const char* words;
-    double cost;
-    vec3 (*value)(vec3);
-};
-
-double length(vec3 v) { return std::sqrt(rt::dot(v, v)); }
-
-constexpr VectorFunction vector_functions[] = {
-    {"-{}", 1, [](vec3 v) { return -v; }},
-    {"unit({})", 1.1, [](vec3 v) { return rt::unit(v); }},
-    {"2 * {}", 1.2, [](vec3 v) { return 2.0 * v; }},
-    {"{} / 2", 1.2, [](vec3 v) { return 0.5 * v; }},
-    {"(0, 0, 0)", 1.4, [](vec3) { return vec3(0); }},
-    {"(0, 0, 1)", 1.4, [](vec3) { return vec3(0, 0, 1); }},
-    {"(0, 1, 0)", 1.4, [](vec3) { return vec3(0, 1, 0); }},
-    {"(1, 0, 0)", 1.5, [](vec3) { return vec3(1, 0, 0); }},
-    {"{0} / |{0}|^2", 1.8, [](vec3 v) { return v / rt::dot(v, v); }},
-    {"{0} * |{0}|", 1.8, [](vec3 v) { return v * length(v); }},
-    {"{0} with x and y exchanged", 1.5, [](vec3 v) { return vec3(v.y, v.x, v.z); }},
-    {"{0} with y and z exchanged", 1.5, [](vec3 v) { return vec3(v.x, v.z, v.y); }},
-    {"{0} with x and z exchanged", 1.6, [](vec3 v) { return vec3(v.z, v.y, v.x); }},
-    {"{0} with x = 0", 1.5, [](vec3 v) { return vec3(0, v.y, v.z); }},
-    {"{0} with y = 0", 1.5, [](vec3 v) { return vec3(v.x, 0, v.z); }},
-    {"{0} with z = 0", 1.5, [](vec3 v) { return vec3(v.x, v.y, 0); }},
-    {"{0} with x negated", 1.6, [](vec3 v) { return vec3(-v.x, v.y, v.z); }},
-    {"{0} with y negated", 1.6, [](vec3 v) { return vec3(v.x, -v.y, v.z); }},
-    {"{0} with z negated", 1.6, [](vec3 v) { return vec3(v.x, v.y, -v.z); }},
-    {"(|x|, |y|, |z|) of {0}", 1.8, [](vec3 v) { return glm::abs(v); }},
-};
-
-constexpr VectorFunction color_functions[] = {
-    {"{} / pi", 1.1, [](vec3 c) { return c / rt::pi; }},
-    {"pi * {}", 1.1, [](vec3 c) { return c * rt::pi; }},
-    {"2 * {}", 1.2, [](vec3 c) { return 2.0 * c; }},
-    {"{} / 2", 1.2, [](vec3 c) { return 0.5 * c; }},
-    {"{0} * {0}", 1.2, [](vec3 c) { return c * c; }},
-    {"sqrt({})", 1.3, [](vec3 c) { return glm::sqrt(c); }},
-    {"(0, 0, 0)", 1.2, [](vec3) { return vec3(0); }},
-    {"(1, 1, 1)", 1.3, [](vec3) { return vec3(1); }},
-    {"1 - {}", 1.4, [](vec3 c) { return 1.0 - c; }},
-    {"min({}, 1)", 1.3, [](vec3 c) { return glm::min(c, vec3(1)); }},
-    {"{0}.x in all channels", 1.3, [](vec3 c) { return vec3(c.x); }},
-    {"{0}.y in all channels", 1.4, [](vec3 c) { return vec3(c.y); }},
-    {"{0}.z in all channels", 1.4, [](vec3 c) { return vec3(c.z); }},
-    {"{0} with red and green exchanged", 1.4, [](vec3 c) { return vec3(c.y, c.x, c.z); }},
-    {"{0} with green and blue exchanged", 1.4, [](vec3 c) { return vec3(c.x, c.z, c.y); }},
-    {"{0} with red and blue exchanged", 1.4, [](vec3 c) { return vec3(c.z, c.y, c.x); }},
-    {"the mean of {}'s channels", 1.5, [](vec3 c) { return vec3((c.x + c.y + c.z) / 3); }},
-    {"pow({}, 1 / 2.2)", 1.7, [](vec3 c) { return glm::pow(c, vec3(1 / 2.2)); }},
-    {"pow({}, 2.2)", 1.7, [](vec3 c) { return glm::pow(c, vec3(2.2)); }},
-};
-
-struct TwoVectors {
-    const char* words;
-    double cost;
-    vec3 (*value)(vec3, vec3);
-};
-
-constexpr TwoVectors of_two_vectors[] = {
-    {"{1}", 1.4, [](vec3, vec3 w) { return w; }},
-    {"-{1}", 1.6, [](vec3, vec3 w) { return -w; }},
-    {"{0} + {1}", 1.7, [](vec3 v, vec3 w) { return v + w; }},
-    {"{0} - {1}", 1.7, [](vec3 v, vec3 w) { return v - w; }},
-    {"unit({0} + {1})", 1.7, [](vec3 v, vec3 w) { return rt::unit(v + w); }},
-    {"2 * dot({0}, {1}) * {1} - {0}", 1.7, [](vec3 v, vec3 w) { return 2 * rt::dot(v, w) * w - v; }},
-    {"{0} - 2 * dot({0}, {1}) * {1}", 1.8, [](vec3 v, vec3 w) { return v - 2 * rt::dot(v, w) * w; }},
-    {"{0}, turned to the side of {1}", 1.7, [](vec3 v, vec3 w) { return rt::dot(v, w) < 0 ? -v : v; }},
-    {"{0}, turned away from {1}", 1.8, [](vec3 v, vec3 w) { return rt::dot(v, w) > 0 ? -v : v; }},
-};
-
-constexpr TwoVectors of_two_colors[] = {
-    {"{1}", 1.3, [](vec3, vec3 w) { return w; }},
-    {"{0} * {1}", 1.6, [](vec3 v, vec3 w) { return v * w; }},
-    {"{0} / {1}", 1.8, [](vec3 v, vec3 w) { return v / w; }},
-    {"{0} + {1}", 1.7, [](vec3 v, vec3 w) { return v + w; }},
-};
 
 template <class... Names>
 std::string filled(const char* words, const Names&... names) {
@@ -233,7 +55,7 @@ public:
 
 private:
     void add(std::string words, double cost, std::function<bool(Row&, const Layout&)> make) {
-        all_.push_back({std::move(words), cost, std::move(make)});
+        all_.push_back({std::move(words), cost, std::move(make), {}});
     }
 
     const std::string& name(std::size_t part) const { return layout_.parts[part].name; }
@@ -255,8 +77,7 @@ private:
             const bool of_index = s.whole && s.name == "i";
             add(in_place(s.whole && std::string(f.words) == "{} / 2" ? s.name + " / 2 (of whole numbers)"
                                                                      : filled(f.words, s.name),
-                         s.name) +
-                    f.usually,
+                         s.name),
                 f.cost, [s, f, of_index](Row& row, const Layout& l) {
                     double& x = row[s.at(l)];
                     const double before = x;
@@ -264,6 +85,7 @@ private:
                     if (of_index && !(x >= 0)) return false;
                     return fits(x, of_index ? 0 : before, s.whole);
                 });
+            all_.back().usually = f.usually;
         }
         for (const Scalar& other : scalars_) {
             if (other.name == s.name || s.whole != other.whole) continue;
@@ -437,7 +259,7 @@ std::vector<Change> changes_of(const Signature&, const Layout& layout, const std
 }
 
 std::vector<Change> same_sampling(const Signature& signature, const Layout& layout) {
-    std::vector<Change> all{{"", 0, [](Row&, const Layout&) { return true; }}};
+    std::vector<Change> all{{"", 0, [](Row&, const Layout&) { return true; }, {}}};
     const auto part = std::ranges::find(layout.parts, "u", &Field::name);
     if (part == layout.parts.end()) return all;
     const std::size_t i = std::size_t(part - layout.parts.begin());
@@ -452,78 +274,6 @@ std::vector<Change> same_sampling(const Signature& signature, const Layout& layo
                        }});
     if (has_index) all.resize(1);  // where in a cell, not where in the square
     (void)signature;
-    return all;
-}
-
-std::vector<Quantity> quantities_of(const Layout& layout, const std::vector<bool>& told, const Layout* result) {
-    std::vector<Quantity> all;
-    for (const Scalar& s : scalars_of(layout, told))
-        all.push_back({s.name, [s](const Row& row, const Layout& l, const Row&) { return row[s.at(l)]; }});
-    struct Vector {
-        std::string name;
-        std::size_t part;
-        bool own;  // of the answer
-        int mirror = -1;
-    };
-    std::vector<Vector> vectors;
-    for (std::size_t i = 0; i < layout.parts.size(); ++i)
-        if (layout.parts[i].kind == Kind::vector && (i >= told.size() || told[i]))
-            vectors.push_back({layout.parts[i].name, i, false});
-    if (result)
-        for (const Field& part : result->parts)
-            if (part.kind == Kind::vector && !part.name.empty())
-                vectors.push_back({"the answer's " + part.name, part.at, true});
-    // where the answer is a direction: mirrored ones, which it may be measured from
-    const std::size_t given = vectors.size() - std::size_t(std::ranges::count(vectors, true, &Vector::own));
-    const bool has_own = given < vectors.size();
-    for (std::size_t a = 0; has_own && a < given; ++a)
-        for (std::size_t b = 0; b < given; ++b)
-            if (a != b)
-                vectors.push_back({fmt::format("{} mirrored at {}", vectors[a].name, vectors[b].name), vectors[a].part,
-                                   false, int(vectors[b].part)});
-    const auto at = [](const Vector& v, const Row& row, const Layout& l, const Row& output) {
-        if (v.mirror >= 0) {
-            const vec3 d = vector_at(row, l.parts[v.part].at), n = vector_at(row, l.parts[std::size_t(v.mirror)].at);
-            return d - 2 * rt::dot(d, n) * n;
-        }
-        return v.own ? vector_at(output, v.part) : vector_at(row, l.parts[v.part].at);
-    };
-    for (std::size_t a = 0; a < vectors.size(); ++a) {
-        const Vector v = vectors[a];
-        if (v.mirror >= 0) continue;
-        all.push_back({fmt::format("|{}|", v.name),
-                       [=](const Row& row, const Layout& l, const Row& out) { return length(at(v, row, l, out)); }});
-        for (std::size_t b = a + 1; b < vectors.size(); ++b) {
-            const Vector w = vectors[b];
-            if (w.mirror >= 0 && !v.own) continue;
-            all.push_back(
-                {fmt::format("dot({}, {})", v.name, w.name), [=](const Row& row, const Layout& l, const Row& out) {
-                     return rt::dot(at(v, row, l, out), at(w, row, l, out));
-                 }});
-            all.push_back(
-                {fmt::format("|{} - {}|", v.name, w.name), [=](const Row& row, const Layout& l, const Row& out) {
-                     return length(at(v, row, l, out) - at(w, row, l, out));
-                 }});
-        }
-    }
-    for (std::size_t i = 0; result && i < result->parts.size(); ++i) {
-        const Field part = result->parts[i];
-        if (part.kind == Kind::pair && !part.name.empty())
-            all.push_back(
-                {fmt::format("|the answer's {}|", part.name), [part](const Row&, const Layout&, const Row& out) {
-                     return std::hypot(out[part.at], out[part.at + 1]);
-                 }});
-        if (part.kind == Kind::number && part.name == "distance")
-            all.push_back({fmt::format("the answer's {}", part.name),
-                           [part](const Row&, const Layout&, const Row& out) { return out[part.at]; }});
-        if (part.kind == Kind::vector && !part.name.empty())
-            all.push_back({fmt::format("the answer's {}.z", part.name),
-                           [part](const Row&, const Layout&, const Row& out) { return out[part.at + 2]; }});
-    }
-    for (std::size_t i = 0; i < layout.lists.size(); ++i) {
-        all.push_back({fmt::format("the number of {}", layout.lists[i].name),
-                       [i](const Row&, const Layout& l, const Row&) { return double(l.lists[i].count); }});
-    }
     return all;
 }
 

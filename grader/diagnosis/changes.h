@@ -12,6 +12,7 @@ struct Change {
     std::string words;                                         // "`u.x` in place of `u.y`"; empty: nothing is changed
     double cost = 0;                                           // the simpler, the less
     std::function<bool(Row& row, const Layout& layout)> make;  // false: it makes no arguments
+    std::string usually{};                                     // what that is in most code, if it is the only one
 };
 
 /// All that make sense for arguments of these kinds, the simplest first. told: the parts that matter.
@@ -19,15 +20,5 @@ std::vector<Change> changes_of(const Signature& signature, const Layout& layout,
 
 /// Other random numbers that are as good: u.x and u.y exchanged, 1 - u. The first one changes nothing.
 std::vector<Change> same_sampling(const Signature& signature, const Layout& layout);
-
-/// A number of the arguments that a formula may hold: an argument, a length, a dot product, a distance.
-struct Quantity {
-    std::string words;
-    std::function<double(const Row& row, const Layout& layout, const Row& output)> value;
-};
-
-/// With result, those that the direction or point of the fragment's own answer is part of as well.
-std::vector<Quantity> quantities_of(const Layout& layout, const std::vector<bool>& told,
-                                    const Layout* result = nullptr);
 
 }  // namespace grade

@@ -43,7 +43,7 @@ Rank rank_of(Verdict verdict, const CheckRecord& check, Subject subject) {
     return {rank_of(verdict), evidence, subject};
 }
 
-std::string section_of(const std::string& fragment, Verdict verdict, const std::string& words) {
+std::string section_of(const std::string& fragment, Verdict verdict, Trouble trouble) {
     switch (verdict) {
         case Verdict::passed:
             return {};
@@ -52,7 +52,7 @@ std::string section_of(const std::string& fragment, Verdict verdict, const std::
         case Verdict::inconclusive:
             return std::string(verdicts_section);
         case Verdict::not_finite:
-            return std::string(words.find("nan") != words.npos ? numbers_section : pictures_section);
+            return std::string(trouble == Trouble::not_a_number ? numbers_section : pictures_section);
         default:
             return fragment;
     }
@@ -86,75 +86,81 @@ Subject subject_of(std::string_view id) {
 std::string section_of(const CheckRecord& check, const StatisticRecord* statistic) {
     // what is no statistic's: no picture of radiance, or a fragment that remembers
     if (!statistic && check.verdict == Verdict::failed)
-        return std::string(check.message.find("again") != check.message.npos ? rules_section : pictures_section);
-    if (!statistic) return section_of(check.fragment, check.verdict, check.message);
+        return std::string(check.trouble == Trouble::keeps_state ? rules_section : pictures_section);
+    if (!statistic) return section_of(check.fragment, check.verdict, check.trouble);
     // a fragment that remembers, or makes its own numbers
     const bool keeps_state = statistic->verdict == Verdict::failed && statistic->id == "V0";
-    return keeps_state ? std::string(rules_section) : section_of(check.fragment, statistic->verdict, statistic->hint);
+    return keeps_state ? std::string(rules_section) : section_of(check.fragment, statistic->verdict, Trouble::none);
 }
 
 namespace {
 
-/// A hint, and whether it is sure: a suspect whose outputs are those of every call, or what is no number or changes,
-/// not what a deviation usually means.
+/// A hint, without the numbers that a finding says better, and what it is worth.
 struct FirstHint {
     std::string words;
-    bool is_sure = false;
+    StatisticRecord::Worth worth = StatisticRecord::Worth::guess;
 };
 
-constexpr std::string_view bare = " calls are wrong; for arguments ";
-
-/// Without the numbers that a finding says better.
-FirstHint without_numbers(const StatisticRecord& statistic) {
-    const std::size_t numbers = statistic.hint.find(bare);
-    const auto has = [&](const char* words) { return statistic.hint.find(words) != statistic.hint.npos; };
-    if (numbers == statistic.hint.npos)
-        return {statistic.hint,
-                statistic.exact && !has("(off by") && !has(" times what it must be") && !has("off by up to")};
-    const std::size_t end = statistic.hint.rfind(": ", numbers);
-    return {end == statistic.hint.npos ? "" : statistic.hint.substr(0, end), false};
+/// Whether a message says all: a program that breaks down, what is no number, what changes.
+bool is_sure(const CheckRecord& check) {
+    return check.verdict == Verdict::not_finite || check.verdict == Verdict::crashed ||
+           check.verdict == Verdict::timed_out || check.trouble == Trouble::keeps_state;
 }
 
 std::string example(const Finding& finding) {
     if (finding.arguments.empty()) return {};
-    return fmt::format("For {} the answer is {}, must be {}", finding.arguments, finding.answer, finding.right);
+    const std::string answer = fmt::format("For {} the answer is {}", finding.arguments, finding.answer);
+    return finding.right.empty() ? answer : answer + ", must be " + finding.right;
 }
 
-/// What is wrong, where, the simplest call: a line each.
+/// What is wrong, where, the simplest call: a line each. What a deviation usually means is said only where nothing is
+/// sure, not even a call.
 std::string in_order(const FragmentRecord& fragment, const FirstHint& hint) {
     const Finding& finding = fragment.finding;
-    const std::string cause = hint.is_sure || finding.how.empty() ? hint.words : finding.how;
+    const bool is_sure = hint.worth == StatisticRecord::Worth::cause;
+    std::string cause = is_sure || finding.how.empty() ? hint.words : finding.how;
+    if (finding.how.empty() && !finding.arguments.empty() && hint.worth == StatisticRecord::Worth::guess) cause.clear();
     std::string text;
-    for (const std::string& line : {cause, finding.where, example(finding)})
+    for (const std::string& line : {cause, finding.fault, finding.where, example(finding)})
         if (!line.empty()) text += (text.empty() ? "" : "\n") + line;
     return text;
 }
 
 }  // namespace
 
+std::string tile_in_words(const Tiles& tiles, std::size_t tile) {
+    const int left = int(tile) % tiles.columns * Tiles::side, top = int(tile) / tiles.columns * Tiles::side;
+    return fmt::format("pixels {} to {} from the left and {} to {} from the top are {:.3g} bright, must be {:.3g}",
+                       left, left + Tiles::side - 1, top, top + Tiles::side - 1, tiles.mine[tile], tiles.right[tile]);
+}
+
 Diagnosis diagnose(const FragmentRecord& fragment) {
     if (!fragment.message.empty())
-        return {fragment.message, section_of(fragment.name, fragment.verdict, fragment.message)};
-    const bool found = !fragment.finding.how.empty() || !fragment.finding.arguments.empty();
+        return {fragment.message, section_of(fragment.name, fragment.verdict, Trouble::none)};
+    const Finding& finding = fragment.finding;
+    const bool found = !finding.how.empty() || !finding.arguments.empty() || !finding.fault.empty();
     FirstHint first;
     std::string section;
     std::optional<Rank> best;
-    const auto tell = [&](Rank rank, const FirstHint& hint, const std::string& where_to_read) {
+    std::string picture;  // where the picture of the first hint is wrong
+    const auto tell = [&](Rank rank, const FirstHint& hint, const std::string& where_to_read, const Tiles& tiles) {
         if (best && *best <= rank) return;
         best = rank, first = hint, section = where_to_read;
+        picture = tiles.empty() ? "" : tile_in_words(tiles, tiles.clearest());
     };
     for (const CheckRecord& check : fragment.checks) {
         if (check.verdict == Verdict::passed) continue;
         if (!check.message.empty())
             tell(rank_of(check.verdict, check, Subject::no_image),
-                 {check.message,
-                  check.verdict == Verdict::not_finite || check.message.find("again") != check.message.npos},
-                 section_of(check, nullptr));
+                 {check.message, is_sure(check) ? StatisticRecord::Worth::cause : StatisticRecord::Worth::fact},
+                 section_of(check, nullptr), {});
         for (const StatisticRecord& statistic : check.statistics)
             if (statistic.verdict != Verdict::passed && !statistic.hint.empty())
                 tell(rank_of(statistic.verdict, check, known_subject(statistic.id).value_or(Subject::radiometry)),
-                     found ? without_numbers(statistic) : FirstHint{statistic.hint}, section_of(check, &statistic));
+                     {found ? statistic.without_numbers : statistic.hint, statistic.worth},
+                     section_of(check, &statistic), check.tiles);
     }
+    if (!found && !picture.empty()) return {first.words + "\nMost clearly, " + picture, section};
     if (!found) return {first.words, section};
     return {in_order(fragment, first), section};
 }

@@ -32,6 +32,9 @@ std::string first_message(const FragmentRecord& fragment);
 /// Where to read about one statistic or check that does not pass.
 std::string section_of(const CheckRecord& check, const StatisticRecord* statistic);
 
+/// "pixels 24 to 31 from the left and 8 to 15 from the top are 0.31 bright, must be 0.42"
+std::string tile_in_words(const Tiles& tiles, std::size_t tile);
+
 /// As the record has it: handout.md, "lens_ray".
 std::string reading(const std::string& section);
 

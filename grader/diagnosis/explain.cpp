@@ -4,8 +4,11 @@
 
 #include <algorithm>
 
+#include "diagnosis/bounds.h"
 #include "diagnosis/relation.h"
+#include "diagnosis/shares.h"
 #include "diagnosis/simplest.h"
+#include "diagnosis/spread.h"
 #include "diagnosis/where.h"
 
 namespace grade {
@@ -131,6 +134,28 @@ std::string independence(const Calls& calls, const std::vector<Dependence>& all)
     return {};
 }
 
+/// The call of a finding, as it can be pasted into a program and into a shell.
+void add_code(Finding& finding, const Signature& signature, const Row& row) {
+    finding.code = call_in_code(signature, row);
+    if (are_readable(signature))
+        finding.command = fmt::format("./grade call {} '{}'", signature.fragment, finding.arguments);
+}
+
+/// What is wrong with samples that are not the solution's call by call: what no right one does, or how they are spread.
+Finding of_samples(Finding finding, const Calls& all, const std::optional<Broken>& broken, const Ask& ask_mine,
+                   const Ask& ask_right) {
+    if (broken) {
+        finding.arguments = arguments_in_words(all.signature, all.rows[broken->call], all.told);
+        finding.answer = result_in_words(all.signature, all.mine[broken->call]);
+        add_code(finding, all.signature, all.rows[broken->call]);
+        return finding;
+    }
+    std::size_t left = most_calls;
+    const auto spread = spread_of(all, limited(ask_mine, left), limited(ask_right, left));
+    if (finding.how.empty()) finding.how = spread.value_or("");
+    return finding;
+}
+
 }  // namespace
 
 Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_mine, const Ask& ask_right) try {
@@ -151,12 +176,15 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_min
         relation_of(picked(crossed(all, mine, right), most_compared), right, sampled, right_otherwise);
     if (right_otherwise) return {};
     finding.sampled = sampled;
-    if (relation)
-        finding.how = relation->words;
-    else if (!sampled)
-        finding.how = independence(all, depends);
+    const bool is_known = relation && relation->explains == Relation::Explains::all;
+    const bool is_nothing = !relation || relation->explains == Relation::Explains::nothing;
+    const auto broken = is_nothing ? broken_bound(all) : std::nullopt;
+    if (!is_known) finding.how = wrong_shares(all, mine, right);
+    if (finding.how.empty())
+        finding.how = broken ? broken->words : is_nothing ? independence(all, depends) : relation->words;
+    if (finding.how.empty() && relation) finding.how = relation->words;
     // another parametrisation is wrong in no call
-    if (sampled && !relation) return finding;
+    if (sampled && !relation) return of_samples(finding, all, broken, ask_mine, ask_right);
 
     if (wrong < all.size() && !sampled) {
         const std::string where = where_wrong(all);
@@ -171,6 +199,7 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_min
     for (const Field& part : all.result.parts) wrong_parts.push_back(!is_equal(part, simplest.mine, simplest.right));
     finding.answer = result_in_words(signature, simplest.mine, wrong_parts);
     finding.right = result_in_words(signature, simplest.right, wrong_parts);
+    add_code(finding, signature, simplest.row);
     return finding;
 } catch (const std::out_of_range&) {
     return {};  // an answer that is too short

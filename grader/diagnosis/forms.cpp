@@ -6,60 +6,19 @@
 #include <array>
 #include <cmath>
 
+#include "diagnosis/constants.h"
+#include "diagnosis/products.h"
+#include "diagnosis/terms.h"
 #include "rt/math.h"
 
 namespace grade {
 
-std::string ratio_in_words(double ratio) {
-    const double off = std::abs(ratio - 1);
-    const int digits = off > 0 && off < 0.5 ? int(std::ceil(-std::log10(off))) + 2 : 3;
-    return fmt::format("{:.{}g}", ratio, std::clamp(digits, 3, 12));
-}
-
 namespace {
-
-struct Named {
-    double value;
-    const char* words;
-};
-
-constexpr Named constants[] = {{1, "1"},
-                               {2, "2"},
-                               {3, "3"},
-                               {4, "4"},
-                               {8, "8"},
-                               {rt::pi, "pi"},
-                               {2 * rt::pi, "2 pi"},
-                               {4 * rt::pi, "4 pi"},
-                               {rt::pi / 2, "pi / 2"},
-                               {rt::pi * rt::pi, "pi^2"},
-                               {180 / rt::pi, "180 / pi"},
-                               {1.4142135623730951, "sqrt(2)"},
-                               {1.7320508075688772, "sqrt(3)"},
-                               {1.5, "3 / 2"}};
-
-/// "pi", "1 / pi", or digits.
-std::string constant(double x) {
-    if (x < 0) return "-" + constant(-x);
-    if (x == 0) return "0";
-    for (const auto& [value, words] : constants) {
-        if (std::abs(x / value - 1) < 3e-5) return words;
-        const std::string name = words;
-        if (std::abs(x * value - 1) < 3e-5) return "1 / " + (name.find(' ') == name.npos ? name : "(" + name + ")");
-    }
-    return ratio_in_words(x);
-}
-
-bool is_named(double x) {
-    return std::ranges::any_of(constants, [=](const Named& n) {
-        return std::abs(std::abs(x) / n.value - 1) < 3e-5 || std::abs(std::abs(x) * n.value - 1) < 3e-5;
-    });
-}
 
 class Forms {
 public:
-    Forms(const Calls& calls, const Field& part, const Rows& right, const std::vector<std::size_t>& scope)
-        : calls_(calls), part_(part), right_(right), scope_(scope), size_(size_of(part.kind)) {}
+    explicit Forms(const PartOfCalls& of)
+        : of_(of), calls_(of.calls), part_(of.part), right_(of.right_rows), scope_(of.scope), size_(of.size()) {}
 
     std::optional<Form> simple() const {
         if (equals([&](std::size_t k, std::size_t c) { return right(k, c); })) return Form{};
@@ -70,38 +29,41 @@ public:
 
     std::optional<Form> any() const {
         if (auto form = simple()) return form;
-        for (const auto& look : {&Forms::constant_value, &Forms::rearranged, &Forms::own_function, &Forms::other_part,
-                                 &Forms::with_argument})
-            if (auto form = (this->*look)()) return form;
-        // logarithms of what is not 0
-        std::vector<std::size_t> shining;  // of what is not 0 everywhere
-        for (const std::size_t k : scope_)
-            for (std::size_t c = 0; c < size_; ++c)
-                if (mine(k, c) != 0 || right(k, c) != 0) {
-                    shining.push_back(k);
-                    break;
-                }
-        const Forms some(calls_, part_, right_, shining);
-        if (shining.size() > 8 && shining.size() < scope_.size())
-            if (auto form = some.constant_value()) return Form{form->words + " where it is not 0", 1.9};
-        if (auto form = some.of_quantity()) return form;
-        return some.product();
+        if (auto form = first_of(*this)) return form;
+        // logarithms of what is not 0; what is 0 may be a second mistake, but not most of it
+        std::vector<std::size_t> shining;
+        std::size_t wrong = 0, wrong_shining = 0;
+        for (const std::size_t k : scope_) {
+            const bool is_wrong = !is_equal(part_, calls_.mine[k], right_[k]);
+            bool shines = false;
+            for (std::size_t c = 0; c < size_; ++c) shines = shines || (mine(k, c) != 0 && right(k, c) != 0);
+            if (shines) shining.push_back(k);
+            wrong += is_wrong, wrong_shining += is_wrong && shines;
+        }
+        const PartOfCalls some{calls_, part_, right_, shining};
+        const bool fewer = shining.size() > 8 && shining.size() < scope_.size() && 2 * wrong_shining > wrong;
+        if (fewer)
+            if (auto form = first_of(Forms(some))) return Form{form->words + " where it is not 0", form->cost + 0.4};
+        const PartOfCalls& lit = fewer ? some : of_;
+        for (const auto& look : {quantity_of, product_of, terms_of})
+            if (auto form = look(lit)) return form;
+        return std::nullopt;
     }
 
 private:
-    double mine(std::size_t k, std::size_t c) const { return calls_.mine[k][part_.at + c]; }
-    double right(std::size_t k, std::size_t c) const { return right_[k][part_.at + c]; }
+    static std::optional<Form> first_of(const Forms& forms) {
+        for (const auto& look : {&Forms::constant_value, &Forms::rearranged, &Forms::own_function, &Forms::other_part,
+                                 &Forms::with_argument})
+            if (auto form = (forms.*look)()) return form;
+        return std::nullopt;
+    }
+
+    double mine(std::size_t k, std::size_t c) const { return of_.mine(k, c); }
+    double right(std::size_t k, std::size_t c) const { return of_.right(k, c); }
 
     template <class F>
     bool equals(F expected) const {
-        for (const std::size_t k : scope_) {
-            double scale = 1e-9;
-            for (std::size_t c = 0; c < size_; ++c)
-                if (std::isfinite(mine(k, c))) scale = std::max(scale, std::abs(mine(k, c)));
-            for (std::size_t c = 0; c < size_; ++c)
-                if (!is_close(mine(k, c), expected(k, c), scale)) return false;
-        }
-        return true;
+        return of_.equals(expected);
     }
 
     std::optional<Form> factor() const {
@@ -200,155 +162,7 @@ private:
         return std::nullopt;
     }
 
-    /// Columns of logarithms, of quantities that a factor may hold.
-    struct Column {
-        std::string words;
-        std::vector<double> log;
-    };
-
-    std::vector<Column> columns() const {
-        std::vector<Column> list;
-        const auto add = [&](const std::string& words, auto value) {
-            std::vector<double> log;
-            double least = rt::inf, most = -rt::inf;
-            for (const std::size_t k : scope_) {
-                log.push_back(value(k));
-                least = std::min(least, log.back()), most = std::max(most, log.back());
-            }
-            if (std::isfinite(least) && std::isfinite(most) && most - least > 1e-3)
-                list.push_back({words, std::move(log)});
-        };
-        const auto quantities = quantities_of(calls_.layouts.front(), calls_.told, &calls_.result);
-        const auto at = [&](const Quantity& q, std::size_t k) {
-            return q.value(calls_.rows[k], calls_.layouts[k], calls_.mine[k]);
-        };
-        for (const Quantity& q : quantities)
-            if (q.words != "the answer's " + part_.name)
-                add(q.words, [&](std::size_t k) { return std::log(std::abs(at(q, k))); });
-        for (const Quantity& q : quantities) {
-            const bool is_plain = q.words.find('|') == q.words.npos && q.words.find('(') == q.words.npos &&
-                                  q.words.find('\'') == q.words.npos;
-            if (!is_plain) continue;
-            for (const int more : {1, 2, -1})
-                add(fmt::format("({} {} {})", q.words, more > 0 ? "+" : "-", std::abs(more)),
-                    [&](std::size_t k) { return std::log(std::abs(at(q, k) + more)); });
-            add(fmt::format("sqrt(1 - {0} * {0})", q.words),
-                [&](std::size_t k) { return std::log(1 - at(q, k) * at(q, k)) / 2; });
-            for (const Quantity& base : quantities)
-                if (base.words.starts_with("dot") || base.words.ends_with(".z"))
-                    add(fmt::format("pow({}, {})", base.words, q.words),
-                        [&](std::size_t k) { return at(q, k) * std::log(at(base, k)); });
-        }
-        return list;
-    }
-
-    /// The logarithm of mine over right in each call of the scope, the same in all components.
-    std::optional<std::vector<double>> log_ratio() const {
-        std::vector<double> log;
-        for (const std::size_t k : scope_) {
-            std::size_t most = 0;
-            for (std::size_t c = 1; c < size_; ++c)
-                if (std::abs(right(k, c)) > std::abs(right(k, most))) most = c;
-            const double ratio = mine(k, most) / right(k, most);
-            if (!(std::abs(ratio) > 0) || !std::isfinite(ratio)) return std::nullopt;
-            for (std::size_t c = 0; c < size_; ++c)
-                if (!is_close(mine(k, c), ratio * right(k, c), std::abs(mine(k, most)))) return std::nullopt;
-            log.push_back(std::log(std::abs(ratio)));
-        }
-        return log;
-    }
-
-    static std::optional<double> nice_power(double p) {
-        for (const double nice : {1.0, 2.0, 0.5, 3.0, 4.0, 1.5})
-            if (std::abs(std::abs(p) - nice) < 1e-3) return std::copysign(nice, p);
-        return std::nullopt;
-    }
-
-    static std::string power(const std::string& words, double p) {
-        return p == 1 ? words : fmt::format("{}^{:g}", words, p);
-    }
-
-    static std::string times(double c, const std::string& words) {
-        return std::abs(c - 1) < 1e-4 ? words : constant(c) + " * " + words;
-    }
-
-    /// Mine is a quantity, times a constant.
-    std::optional<Form> of_quantity() const {
-        if (size_ != 1 || part_.kind != Kind::number) return std::nullopt;
-        std::vector<double> log;
-        for (const std::size_t k : scope_) log.push_back(std::log(std::abs(mine(k, 0))));
-        const auto all = columns();
-        for (const Column& q : all)
-            if (const auto fit = fitted(log, {&q}); fit && nice_power(fit->powers[0]))
-                if (is_named(std::exp(fit->constant)))
-                    return Form{fmt::format("is `{}`", times(std::exp(fit->constant),
-                                                             power(q.words, *nice_power(fit->powers[0])))),
-                                2.4};
-        return std::nullopt;
-    }
-
-    struct Fit {
-        double constant;
-        std::array<double, 2> powers;
-    };
-
-    /// log = constant + powers . columns, exactly.
-    static std::optional<Fit> fitted(const std::vector<double>& log, std::vector<const Column*> columns) {
-        const std::size_t n = log.size(), m = columns.size();
-        if (n < 5 + m) return std::nullopt;
-        const auto mean = [n](const std::vector<double>& v) {
-            double sum = 0;
-            for (const double x : v) sum += x;
-            return sum / double(n);
-        };
-        const double y = mean(log);
-        if (!std::isfinite(y)) return std::nullopt;
-        std::array<double, 2> x{};
-        for (std::size_t a = 0; a < m; ++a) x[a] = mean(columns[a]->log);
-        double xx = 0, xz = 0, zz = 0, xy = 0, zy = 0;
-        for (std::size_t k = 0; k < n; ++k) {
-            const double dx = columns[0]->log[k] - x[0], dz = m > 1 ? columns[1]->log[k] - x[1] : 0, dy = log[k] - y;
-            xx += dx * dx, xz += dx * dz, zz += dz * dz, xy += dx * dy, zy += dz * dy;
-        }
-        Fit fit{0, {}};
-        if (m == 1)
-            fit.powers[0] = xy / xx;
-        else {
-            const double determinant = xx * zz - xz * xz;
-            if (!(determinant > 1e-6 * xx * zz)) return std::nullopt;
-            fit.powers = {(xy * zz - zy * xz) / determinant, (zy * xx - xy * xz) / determinant};
-        }
-        fit.constant = y - fit.powers[0] * x[0] - fit.powers[1] * x[1];
-        for (std::size_t k = 0; k < n; ++k) {
-            double value = fit.constant;
-            for (std::size_t a = 0; a < m; ++a) value += fit.powers[a] * columns[a]->log[k];
-            if (!(std::abs(value - log[k]) < equal_within)) return std::nullopt;
-        }
-        return fit;
-    }
-
-    std::optional<Form> product() const {
-        const auto log = log_ratio();
-        if (!log) return std::nullopt;
-        const auto all = columns();
-        const auto form = [](double c, const std::string& words, double cost) {
-            return Form{fmt::format("is `{}` times what it must be", times(c, words)), cost};
-        };
-        for (const Column& q : all)
-            if (const auto fit = fitted(*log, {&q}))
-                if (const auto p = nice_power(fit->powers[0]))
-                    return form(std::exp(fit->constant), power(q.words, *p), 2.5);
-        for (std::size_t a = 0; a < all.size(); ++a)
-            for (std::size_t b = a + 1; b < all.size(); ++b)
-                if (const auto fit = fitted(*log, {&all[a], &all[b]})) {
-                    const auto p = nice_power(fit->powers[0]), q = nice_power(fit->powers[1]);
-                    if (p && q && is_named(std::exp(fit->constant)))
-                        return form(std::exp(fit->constant), power(all[a].words, *p) + " * " + power(all[b].words, *q),
-                                    3.5);
-                }
-        return std::nullopt;
-    }
-
+    const PartOfCalls& of_;
     const Calls& calls_;
     const Field& part_;
     const Rows& right_;
@@ -360,8 +174,8 @@ private:
 
 std::optional<Form> form_of(const Calls& calls, const Field& part, const Rows& right,
                             const std::vector<std::size_t>& scope, bool only_simple) {
-    const Forms forms(calls, part, right, scope);
-    return only_simple ? forms.simple() : forms.any();
+    const PartOfCalls of{calls, part, right, scope};
+    return only_simple ? Forms(of).simple() : Forms(of).any();
 }
 
 }  // namespace grade

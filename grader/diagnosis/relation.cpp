@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "diagnosis/changes.h"
+#include "diagnosis/families.h"
 #include "diagnosis/forms.h"
 
 namespace grade {
@@ -51,17 +53,21 @@ public:
             one_change(base, all_);
             if (best_) return best_;
         }
+        one_constant(all_);
+        if (best_) return best_;
         if (auto there = by_choice()) return there;
         const bool some_right = wrong_.size() < all_.size() && !sampled_;
         if (some_right) {
             consider(calls_.right, {}, 0, wrong_, false);
             one_change(bases.front(), wrong_);
+            if (!best_) one_constant(wrong_);
             if (best_) return best_;
         }
         if (!sampled_)
             if (auto there = where_it_is_not_nothing()) return there;
         two_changes(all_);
         if (!best_ && some_right) two_changes(wrong_);
+        if (!best_) one_of_several();
         if (best_) return best_;
         return by_parts();
     }
@@ -83,6 +89,7 @@ private:
                                       value_in_words({parts[i].name, parts[i].kind, 0}, {double(value)}));
                 consider(calls_.right, {}, 0, some, false);
                 one_change(same_, some);
+                if (!best_) one_constant(some);
                 if (best_) return best_;
             }
         }
@@ -151,7 +158,7 @@ private:
         if (best_ && best_->cost <= cost) return;
         const bool everywhere = scope.size() == all_.size();
         const std::string there = !region_.empty() ? region_ : everywhere ? "" : "in the wrong calls ";
-        best_ = Relation{there + sentence(change, forms), everywhere, cost};
+        best_ = Relation{there + sentence(change, forms), everywhere, cost, Relation::Explains::all};
     }
 
     static std::string sentence(const std::string& change, const std::string& forms) {
@@ -180,7 +187,69 @@ private:
         for (const Change& change : changes_) {
             if (best_ && change.cost + base.cost >= best_->cost) break;
             const auto right = answers(change, &base, scope);
-            if (right && tells(*right, scope)) consider(*right, change.words, change.cost + base.cost, scope, true);
+            if (right && tells(*right, scope))
+                consider(*right, change.words + change.usually, change.cost + base.cost, scope, true);
+        }
+    }
+
+    void one_constant(const std::vector<std::size_t>& scope) {
+        std::vector<std::size_t> wrong;
+        for (const std::size_t k : scope)
+            if (std::ranges::count(wrong_, k) > 0) wrong.push_back(k);
+        for (const Change& base :
+             sampled_ ? same_sampling(calls_.signature, calls_.layouts.front()) : std::vector<Change>{same_}) {
+            const auto calls = with_base(base);
+            if (!calls) continue;
+            for (const Change& change : changes_with_constants(*calls, ask_, wrong)) {
+                const auto right = answers(base, &change, scope);
+                if (right && tells(*right, scope)) consider(*right, change.words, change.cost + base.cost, scope, true);
+            }
+        }
+    }
+
+    /// The calls with other random numbers. None: hardly any of the answers is right with these, and they are others.
+    std::optional<Calls> with_base(const Change& base) const {
+        constexpr double least = 0.2;
+        Calls calls = calls_;
+        if (base.cost == 0) return calls;
+        const auto right = answers(base, nullptr, all_);
+        if (!right) return std::nullopt;
+        std::size_t same = 0;
+        for (std::size_t k = 0; k < calls.size(); ++k) {
+            same += is_equal(calls_.result, calls_.mine[k], (*right)[k]);
+            base.make(calls.rows[k], calls.layouts[k]);
+        }
+        return double(same) >= least * double(calls.size()) ? std::optional(std::move(calls)) : std::nullopt;
+    }
+
+    /// The change that explains most of the wrong calls, where it explains nearly all that it changes: the rest is
+    /// another mistake.
+    void one_of_several() {
+        constexpr double share_of_wrong = 0.5, share_of_changed = 0.8;
+        constexpr std::size_t least = 8;
+        constexpr double dearest = 2;
+        if (calls_.result.parts.front().kind == Kind::flag) return;  // true and false agree by chance
+        std::size_t most = 0;
+        for (const Change& change : changes_) {
+            if (change.cost > dearest) break;
+            const auto right = answers(change, nullptr, all_);
+            if (!right || !tells(*right, all_)) continue;
+            std::size_t changed = 0, same = 0, telling = 0;
+            for (const std::size_t k : all_) {
+                if (is_equal(calls_.result, (*right)[k], calls_.right[k])) continue;
+                const bool equal = is_equal(calls_.result, (*right)[k], calls_.mine[k]);
+                ++changed, same += equal;
+                telling +=
+                    equal && std::ranges::any_of(calls_.mine[k], [](double x) { return std::isfinite(x) && x != 0; });
+            }
+            const bool explains = double(same) >= share_of_wrong * double(wrong_.size()) &&
+                                  double(same) >= share_of_changed * double(changed);
+            if (!explains || telling < least || same <= most) continue;
+            most = same;
+            best_ = Relation{fmt::format("in {} of {} wrong calls the answers are exactly what the right fragment "
+                                         "answers with {}; in the others something else is wrong",
+                                         same, wrong_.size(), change.words),
+                             false, best_cost, Relation::Explains::some};
         }
     }
 
@@ -220,7 +289,7 @@ private:
             if (const auto form = form_of(calls_, *part, calls_.right, all_, false); form && !sampled_)
                 best = form->cost, found = fmt::format("{} {}", named(*part), form->words);
             for (const Change& change : changes_) {
-                if (change.cost >= best || parts_.size() < 2) break;
+                if (change.cost >= best || calls_.result.parts.size() < 2) break;
                 const auto right = answers(change, nullptr, all_);
                 if (!right || !tells(*right, all_)) continue;
                 if (const auto form = form_of(calls_, *part, *right, all_, true); form && form->words.empty())
@@ -229,7 +298,7 @@ private:
             }
             if (!found.empty()) words += (words.empty() ? "" : "; ") + found;
         }
-        if (!words.empty()) return Relation{words, true, best_cost};
+        if (!words.empty()) return Relation{words, true, best_cost, Relation::Explains::some};
         // where a direction is right, the random numbers are used as the solution does, and what is wrong is wrong; the
         // other way round, another direction may be as good
         const auto is_place = [](const Field& part) { return part.kind == Kind::vector || part.kind == Kind::pair; };
@@ -243,14 +312,14 @@ private:
         return Relation{
             fmt::format("{} {} right, {} {} not", good, calls_.result.parts.size() - parts_.size() > 1 ? "are" : "is",
                         words, parts_.size() > 1 ? "are" : "is"),
-            true, best_cost};
+            true, best_cost, Relation::Explains::nothing};
     }
 
     const Calls& calls_;
     const Ask& ask_;
     bool sampled_;
     std::string region_;  // of which a relation is looked for: "where ..., "
-    const Change same_{"", 0, [](Row&, const Layout&) { return true; }};
+    const Change same_{"", 0, [](Row&, const Layout&) { return true; }, {}};
     std::vector<std::size_t> all_, wrong_;
     std::vector<const Field*> parts_;  // of the answer, that are wrong somewhere
     std::vector<Change> changes_;

@@ -9,6 +9,10 @@ struct Relation {
     std::string words;
     bool everywhere = true;  // else in those calls only that are wrong
     double cost = 0;
+
+    /// What is explained: all, some of the calls or parts of the answer, or nothing beyond which parts are wrong.
+    enum class Explains { all, some, nothing };
+    Explains explains = Explains::all;
 };
 
 /// The simplest one; none: none was found.

@@ -157,6 +157,10 @@ std::vector<std::vector<double>> simpler_values(const Field& part, const Row& ro
     return list;
 }
 
+bool has_nan(const Row& row) {
+    return std::ranges::any_of(row, [](double x) { return std::isnan(x); });
+}
+
 /// Wrong by a hundredth or more, so that it shows.
 bool shows(const Calls& calls, const Row& mine, const Row& right) {
     for (const double x : right)
@@ -184,14 +188,17 @@ public:
             for (std::size_t i = 0; i < calls_.layouts.front().parts.size(); ++i)
                 if (calls_.told.empty() || calls_.told[i]) one(i);
         }
+        leave_out();
         return best_;
     }
 
 private:
     void start() {
         std::size_t first = calls_.size(), least = std::size_t(-1);
+        for (std::size_t k = 0; k < calls_.size(); ++k) is_nan_ = is_nan_ || is_nan(calls_.mine[k], calls_.right[k]);
         for (const bool clear : {true, false})
             for (std::size_t k = 0; k < calls_.size() && (clear || first == calls_.size()); ++k) {
+                if (is_nan_ && !is_nan(calls_.mine[k], calls_.right[k])) continue;
                 const bool wrong = clear ? shows(calls_, calls_.mine[k], calls_.right[k])
                                          : !is_equal(calls_.result, calls_.mine[k], calls_.right[k]);
                 if (wrong && calls_.rows[k].size() < least) least = calls_.rows[k].size(), first = k;
@@ -209,7 +216,7 @@ private:
         for (std::size_t k = 0; k < rows.size(); ++k) {
             if (mine[k].size() < best_.mine.size() || right[k].size() < best_.right.size()) continue;
             const bool wrong = clear_ ? shows(calls_, mine[k], right[k]) : !is_equal(calls_.result, mine[k], right[k]);
-            if (!wrong) continue;
+            if (!wrong || (is_nan_ && !is_nan(mine[k], right[k]))) continue;
             best_ = {rows[k], mine[k], right[k]};
             return;
         }
@@ -238,6 +245,22 @@ private:
         take({row});
     }
 
+    static bool is_nan(const Row& mine, const Row& right) { return has_nan(mine) && !has_nan(right); }
+
+    /// What does not matter in this call: with its default, the answers are the same.
+    void leave_out() {
+        const Row defaults = calls_.signature.blank();
+        const auto from = calls_.signature.of_arguments(defaults).parts,
+                   to = calls_.signature.of_arguments(best_.row).parts;
+        for (std::size_t i = 0; i < to.size(); ++i) {
+            Row row = best_.row;
+            for (std::size_t c = 0; c < size_of(to[i].kind); ++c) row[to[i].at + c] = defaults[from[i].at + c];
+            if (row == best_.row || to[i].name.find('.') == std::string::npos) continue;
+            const Rows mine = mine_({row}), right = right_({row});
+            if (mine == Rows{best_.mine} && right == Rows{best_.right}) best_.row = std::move(row);
+        }
+    }
+
     /// Three vectors at right angles, as of a camera.
     void axes() {
         const auto parts = calls_.signature.of_arguments(best_.row).parts;
@@ -261,7 +284,7 @@ private:
     const Ask &mine_, &right_;
     const Invariants invariants_;
     Example best_;
-    bool clear_ = false;
+    bool clear_ = false, is_nan_ = false;
 };
 
 }  // namespace

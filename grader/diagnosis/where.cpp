@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <set>
 
+#include "diagnosis/quantities.h"
+
 namespace grade {
 
 namespace {

@@ -24,7 +24,8 @@ std::optional<Fault> probe_fault(const std::string& fragment, const Rows& inputs
                 fragment +
                     " returned nan: look for 0/0, the root of a negative number, or the direction of a vector "
                     "of length 0",
-                fmt::format("for ({:.6g}{})", fmt::join(shown, ", "), shown.size() < inputs[i].size() ? ", ..." : "")};
+                fmt::format("for ({:.6g}{})", fmt::join(shown, ", "), shown.size() < inputs[i].size() ? ", ..." : ""),
+                Trouble::not_a_number};
         }
     return std::nullopt;
 }
@@ -55,7 +56,7 @@ Outcome<Observation> observe(Runner& runner, const Check& check, std::uint64_t s
     if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
     observation.image = std::move(std::get<rt::Image>(outcome));
     if (const auto fault = image_fault(observation.image, observation.image.width, observation.image.height))
-        return Fault{fault->verdict, fault->words, {}};
+        return Fault{fault->verdict, fault->words, {}, fault->trouble};
     return observation;
 }
 

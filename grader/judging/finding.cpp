@@ -34,7 +34,8 @@ Ask asking(const std::string& fragment, const fs::path& program, const Sandbox& 
     };
 }
 
-/// Calls that the fragment's checks make, as many of each, with the parameters of several seeds.
+/// Calls that the fragment's checks make, as many of each, with the parameters of several seeds: from all of its rows,
+/// which may be of several kinds.
 Rows calls_of(const std::string& fragment, const std::vector<Check>& checks, std::uint64_t seed) {
     std::vector<Check> own;
     for (const Check& check : checks)
@@ -47,7 +48,7 @@ Rows calls_of(const std::string& fragment, const std::vector<Check>& checks, std
         Generator generator(replicate_seed(seed + i, own[i], Stream::submission, 0));
         const Rows rows = std::get<Probe>(own[i].experiment).inputs(generator);
         const std::size_t count = std::min(rows.size(), most_calls / own.size() + 1);
-        all.insert(all.end(), rows.begin(), rows.begin() + std::ptrdiff_t(count));
+        for (std::size_t k = 0; k < count; ++k) all.push_back(rows[k * rows.size() / count]);
     }
     return all;
 }

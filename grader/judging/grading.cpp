@@ -8,6 +8,7 @@
 
 #include "files/files.h"
 #include "files/sha256.h"
+#include "judging/fault.h"
 #include "judging/finding.h"
 #include "judging/judge_check.h"
 #include "judging/provenance.h"
@@ -130,6 +131,7 @@ void Grading::finish(FragmentRecord& fragment) {
     } else {
         fragment.message = "no check looks at this fragment";
     }
+    fragment.warnings = programs_.warnings(fragment.name);
     fragment.finished = true;
 }
 
@@ -143,7 +145,8 @@ std::string Grading::made_from(const Task& task) const {
 /// What its calls show, where they are wrong; kept beside the checks' records, each in a file of its own.
 Finding Grading::explain(const FragmentRecord& fragment) {
     const auto is_wrong = [](const CheckRecord& check) {
-        return check.verdict == Verdict::failed || check.verdict == Verdict::not_finite;
+        return check.verdict == Verdict::failed || check.verdict == Verdict::not_finite ||
+               check.verdict == Verdict::crashed;
     };
     const auto first = std::ranges::find_if(fragment.checks, is_wrong);
     if (first == fragment.checks.end() || !programs_.has(fragment.name)) return {};
@@ -152,8 +155,12 @@ Finding Grading::explain(const FragmentRecord& fragment) {
     if (check == checks.end()) return {};
     const std::string key = fragment.name + ".finding", made = made_from({&*check, nullptr, nullptr});
     if (const auto before = settings_.build.kept.finding(key, made)) return *before;
-    if (!programs_.with({fragment.name}).errors.empty()) return {};
-    const Finding finding = find_cause(programs_, chain_, fragment.name, checks, settings_.seed);
+    const Programs::Linked& program = programs_.with({fragment.name});
+    if (!program.errors.empty()) return {};
+    Finding finding;
+    if (std::ranges::none_of(fragment.checks, [](const CheckRecord& c) { return c.verdict == Verdict::crashed; }))
+        finding = find_cause(programs_, chain_, fragment.name, checks, settings_.seed);
+    finding.fault = find_fault(programs_, program, chain_, fragment, checks, settings_.seed);
     settings_.build.kept.keep_finding(key, made, finding);
     return finding;
 }

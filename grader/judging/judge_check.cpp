@@ -15,15 +15,23 @@ namespace grade {
 
 namespace {
 
-constexpr int most_pictures = 4;  // replicates whose mean is shown
+constexpr std::size_t most_pictures = 4;  // replicates whose mean is shown
 
 bool is_render(const Check& check) { return std::holds_alternative<Render>(check.experiment); }
 
 /// What a statistic says about an observation that it fails; empty: nothing.
-std::string cause_of(const Statistic& statistic, const Observation& observation) try {
-    return statistic.cause ? statistic.cause(observation) : "";
+Shown cause_of(const Statistic& statistic, const Observation& observation) try {
+    return statistic.cause ? statistic.cause(observation) : Shown{};
 } catch (const std::exception&) {
     return {};
+}
+
+/// What an observation shows, in the record. Sure is only what every call shows, which no noise hides.
+void tell(const Shown& shown, StatisticRecord& record) {
+    record.without_numbers = shown.words;
+    record.hint =
+        shown.words.empty() || shown.numbers.empty() ? shown.words + shown.numbers : shown.words + ": " + shown.numbers;
+    record.worth = shown.numbers.empty() && record.exact ? StatisticRecord::Worth::cause : StatisticRecord::Worth::fact;
 }
 
 /// The record of a statistic; `first` is the first replicate's observation.
@@ -32,17 +40,22 @@ StatisticRecord record_of(const Statistic& statistic, const Judgement& judgement
                            judgement.low,   judgement.high,       statistic.delta0,  statistic.delta,
                            statistic.exact, judgement.replicates, judgement.verdict, {}};
     if (judgement.verdict == Verdict::passed) return record;
-    if (judgement.verdict == Verdict::failed) record.hint = cause_of(statistic, first);
+    if (judgement.verdict == Verdict::failed) tell(cause_of(statistic, first), record);
     if (!record.hint.empty()) return record;
+    record.worth = statistic.hint_is_fact ? StatisticRecord::Worth::fact : StatisticRecord::Worth::guess;
     if (judgement.verdict == Verdict::inconclusive) {
         record.hint = fmt::format("neither right nor wrong after {} replicates", judgement.replicates);
-    } else if (!std::isfinite(judgement.value)) {
-        record.hint = fmt::format("{} cannot be measured in what came back", statistic.what);
+    } else if (!std::isfinite(judgement.value) && !statistic.hint_is_fact) {
+        record.hint = fmt::format("{}: nothing of it is to be seen", statistic.what);
+        record.worth = StatisticRecord::Worth::fact;
     } else if (statistic.hint) {
         record.hint = statistic.hint(judgement.value, judgement.truth);
     }
-    if (record.hint.empty())
+    if (record.hint.empty()) {
         record.hint = fmt::format("{}: {:.4g}; expected {:.4g}", statistic.what, judgement.value, judgement.truth);
+        record.worth = StatisticRecord::Worth::fact;
+    }
+    record.without_numbers = record.hint;
     return record;
 }
 
@@ -56,12 +69,21 @@ std::string advice(const Fault& fault, Reference& reference) {
                        fault.message.starts_with("ran longer") ? ": look for a loop that does not end" : "");
 }
 
-void add_picture(rt::Image& mean, const rt::Image& next, int count) {
+void add_picture(rt::Image& mean, const rt::Image& next, std::size_t count) {
     if (count == 0)
         mean = next;
     else
         for (std::size_t k = 0; k < mean.pixels.size(); ++k)
             mean.pixels[k] += (next.pixels[k] - mean.pixels[k]) / double(count + 1);
+}
+
+/// What the page shows of a picture: the solution's, and where both differ.
+void add_solution_picture(CheckRecord& record, const std::vector<rt::Image>& shown, Reference& reference) {
+    record.solution_picture = reference.picture(int(shown.size()));
+    if (record.verdict != Verdict::failed) return;
+    std::vector<rt::Image> right;
+    for (std::size_t i = 0; i < shown.size(); ++i) right.push_back(reference.image(int(i)));
+    record.tiles = compare_tiles(shown, right);
 }
 
 }  // namespace
@@ -86,9 +108,13 @@ std::optional<Fault> unfit(const Check& check, const Observation& first, const O
             Verdict::failed,
             "gives another result when it runs again with the same arguments: a fragment keeps no state, and all its "
             "randomness is in its arguments",
-            {}};
+            {},
+            Trouble::keeps_state};
     if (is_render(check) && is_quantised(first.image) && !is_quantised(reference.image(0)))
-        return Fault{Verdict::failed, "the picture has only the levels of 8 bits: radiance is not to be rounded", {}};
+        return Fault{Verdict::failed,
+                     "the picture has only the levels of 8 bits: radiance is not to be rounded",
+                     {},
+                     Trouble::no_radiance};
     return std::nullopt;
 }
 
@@ -122,6 +148,7 @@ CheckRecord judge_check(const Check& check, Runner& runner, Reference& reference
     const auto give_up = [&](Fault fault) {
         record.verdict = fault.verdict;
         record.message = advice(fault, reference);
+        record.trouble = fault.trouble;
         record.excerpt = fault.excerpt;
         return record;
     };
@@ -131,10 +158,11 @@ CheckRecord judge_check(const Check& check, Runner& runner, Reference& reference
     if (const Fault* fault = std::get_if<Fault>(&outcome)) return give_up(*fault);
     const Observation first = std::move(std::get<Observation>(outcome));
     if (const auto fault = spend()) return give_up(*fault);
-    int pictures = 0;
+    std::vector<rt::Image> shown;
     const auto show = [&](const Observation& observation) {
-        if (settings.pictures && is_render(check) && pictures < most_pictures)
-            add_picture(record.picture, observation.image, pictures++);
+        if (!settings.pictures || !is_render(check) || shown.size() >= most_pictures) return;
+        add_picture(record.picture, observation.image, shown.size());
+        shown.push_back(observation.image);
     };
     show(first);
     auto repeated = observe(runner, check, seed(0));
@@ -176,7 +204,7 @@ CheckRecord judge_check(const Check& check, Runner& runner, Reference& reference
         record.message = "two seeds give one picture: are the random numbers that the fragment is handed used?";
     }
     if (is_render(check)) add_picture_costs(record, first.image, fastest, reference);
-    if (settings.pictures && is_render(check)) record.solution_picture = reference.picture(pictures);
+    if (settings.pictures && is_render(check)) add_solution_picture(record, shown, reference);
     return record;
 }
 

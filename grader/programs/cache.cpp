@@ -67,8 +67,9 @@ std::optional<fs::path> cache_folder(const Toolchain& chain) {
 }
 
 fs::path precompiled_header(const Toolchain& chain) try {
-    // Clang takes none that it is not told of
-    if (chain.description.find("clang") != std::string::npos || chain.description.find("Clang") != std::string::npos)
+    // one call is not worth it; Clang takes none that it is not told of
+    if (chain.checked || chain.description.find("clang") != std::string::npos ||
+        chain.description.find("Clang") != std::string::npos)
         return {};
     static std::mutex lock;
     static std::map<std::string, fs::path> made;

@@ -53,6 +53,26 @@ std::string first_errors(const std::string& output, const std::string& path, con
     return text;
 }
 
+/// The first warnings about the source itself, a line each, those that matter before others; none about what it
+/// includes.
+std::string first_warnings(const std::string& output, const std::string& path, const std::string& shown) {
+    constexpr std::size_t most = 3;
+    std::istringstream lines(output);
+    std::vector<std::string> all;
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with(path + ":") || line.find(": warning: ") == line.npos) continue;
+        line.replace(0, path.size(), shown);
+        if (line.size() > 300) line = line.substr(0, 300) + "...";
+        if (std::ranges::count(all, line) == 0) all.push_back(line);
+    }
+    // what is only unused breaks nothing
+    std::ranges::stable_partition(all, [](const std::string& line) { return line.find("[-Wunused") == line.npos; });
+    std::string text;
+    for (std::size_t i = 0; i < std::min(most, all.size()); ++i) text += all[i] + "\n";
+    if (all.size() > most) text += fmt::format("and {} more\n", all.size() - most);
+    return text;
+}
+
 /// Why a tool was cut off before it could say what is wrong with a source; empty: it was not.
 std::string cut_off(const Ending& ending, const char* who) {
     const auto said = [&](const char* words) { return ending.err.find(words) != ending.err.npos; };
@@ -81,7 +101,7 @@ std::string why_not_built(const Ending& ending, const std::string& path, const s
 std::vector<std::string> compiler_of(const Toolchain& chain) {
     std::vector<std::string> command{chain.compiler.string()};
     command.insert(command.end(), chain.compile.begin(), chain.compile.end());
-    command.insert(command.end(), {"-w", "-fdiagnostics-color=never", "-fno-lto"});
+    command.insert(command.end(), {"-Wall", "-Wextra", "-fdiagnostics-color=never", "-fno-lto"});
     return command;
 }
 
@@ -151,21 +171,25 @@ Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const 
     for (const fs::path& folder : readable) command.insert(command.end(), {"-I", folder.string()});
     command.insert(command.end(), {"-c", source.string(), "-o", compiled.string()});
 
-    const Ending compiler = run(sandbox, tool(command, work, readable));
+    Ending compiler = run(sandbox, tool(command, work, readable));
     if (!compiler.good()) {
-        check_compiler(chain, sandbox, work);  // else no fault of the submission
+        check_compiler(chain, sandbox, work);                    // else no fault of the submission
+        if (compiler.err.find("error:") == compiler.err.npos) {  // behind more warnings than are kept
+            command.push_back("-w");
+            compiler = run(sandbox, tool(command, work, readable));
+        }
         const std::string fault = source_fault(text, shown);
-        return {false, {}, fault.empty() ? why_not_built(compiler, source.string(), shown) : fault};
+        return {false, {}, fault.empty() ? why_not_built(compiler, source.string(), shown) : fault, {}};
     }
 
     const auto symbol = chain.symbols.find(fragment);
-    if (symbol == chain.symbols.end()) return {false, {}, "the framework calls no fragment of this name"};
+    if (symbol == chain.symbols.end()) return {false, {}, "the framework calls no fragment of this name", {}};
     const fs::path merged = work / "merged.o", own = work / (fragment + ".o");
     Ending step;
     try {
         const ObjectFile object = object_at(compiled);
         if (std::ranges::count(object.defined, symbol->second) == 0)
-            return {false, {}, wrong_signature(chain, sandbox, object, fragment, shown, work)};
+            return {false, {}, wrong_signature(chain, sandbox, object, fragment, shown, work), {}};
         // groups of sections that other objects hold as well must go before their symbols become private
         step = run(
             sandbox,
@@ -174,16 +198,18 @@ Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const 
             step = run(sandbox, tool({"/usr/bin/objcopy", "--remove-section=.linker-options",
                                       "--keep-global-symbol=" + symbol->second, merged.string(), own.string()},
                                      work));
-        if (step.good()) return object_at(own), Compiled{true, own, {}};
+        if (step.good())
+            return object_at(own), Compiled{true, own, {}, first_warnings(compiler.err, source.string(), shown)};
     } catch (const BadObject& error) {
-        return {false, {}, fmt::format("{}: error: {}", shown, error.what())};
+        return {false, {}, fmt::format("{}: error: {}", shown, error.what()), {}};
     }
     check_compiler(chain, sandbox, work);
     const std::string cut = cut_off(step, "the linker");
     return {false,
             {},
             fmt::format("{}: error: its object cannot be prepared for the link: {}", shown,
-                        cut.empty() ? step.err.substr(0, 300) : cut)};
+                        cut.empty() ? step.err.substr(0, 300) : cut),
+            {}};
 }
 
 std::string link_child(const Toolchain& chain, const Sandbox& sandbox, const std::vector<fs::path>& objects,

@@ -10,8 +10,9 @@ namespace grade {
 /// What became of a fragment's source.
 struct Compiled {
     bool good = false;
-    fs::path object;      // where good; defines nothing but the fragment
-    std::string message;  // else: the first errors, and what to do
+    fs::path object;       // where good; defines nothing but the fragment
+    std::string message;   // else: the first errors, and what to do
+    std::string warnings;  // where good: the compiler's first ones about the source, a line each
 };
 
 /// Compiles one fragment as the project compiles its own. What else the file defines, helpers, overrides of library

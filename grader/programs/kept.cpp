@@ -55,7 +55,9 @@ Json to_json(const StatisticRecord& s) {
             {"exact", s.exact},
             {"replicates", s.replicates},
             {"verdict", int(s.verdict)},
-            {"hint", s.hint}};
+            {"hint", s.hint},
+            {"worth", int(s.worth)},
+            {"without_numbers", s.without_numbers}};
 }
 
 StatisticRecord statistic(const Json& j) {
@@ -70,7 +72,9 @@ StatisticRecord statistic(const Json& j) {
             j.at("exact"),
             j.at("replicates"),
             Verdict(j.at("verdict").get<int>()),
-            j.at("hint")};
+            j.at("hint"),
+            StatisticRecord::Worth(j.at("worth").get<int>()),
+            j.at("without_numbers")};
 }
 
 Json to_json(const CheckRecord& c) {
@@ -86,9 +90,17 @@ Json to_json(const CheckRecord& c) {
             {"share", c.share},
             {"verdict", int(c.verdict)},
             {"message", c.message},
+            {"trouble", int(c.trouble)},
             {"excerpt", Json::binary(excerpt)},
             {"statistics", statistics},
             {"cpu_seconds", c.cpu_seconds},
+            {"tiles",
+             {{"columns", c.tiles.columns},
+              {"rows", c.tiles.rows},
+              {"mine", c.tiles.mine},
+              {"right", c.tiles.right},
+              {"t", c.tiles.t},
+              {"p", c.tiles.p}}},
             {"picture", kept_image(c.picture)},
             {"solution_picture", kept_image(c.solution_picture)}};
 }
@@ -98,15 +110,20 @@ CheckRecord check_record(const Json& j) {
     c.name = j.at("name"), c.fragment = j.at("fragment"), c.scene = j.at("scene"), c.samples = j.at("samples");
     c.sampler = j.at("sampler"), c.share = j.at("share"), c.verdict = Verdict(j.at("verdict").get<int>());
     c.message = j.at("message"), c.cpu_seconds = j.at("cpu_seconds");
+    c.trouble = Trouble(j.at("trouble").get<int>());
     const auto& excerpt = j.at("excerpt").get_binary();
     c.excerpt.assign(excerpt.begin(), excerpt.end());
     for (const Json& s : j.at("statistics")) c.statistics.push_back(statistic(s));
+    const Json& tiles = j.at("tiles");
+    c.tiles = {tiles.at("columns"), tiles.at("rows"), tiles.at("mine"),
+               tiles.at("right"),   tiles.at("t"),    tiles.at("p")};
     c.picture = image_of(j.at("picture")), c.solution_picture = image_of(j.at("solution_picture"));
     return c;
 }
 
 Finding finding_record(const Json& j) {
-    return {j.at("how"), j.at("where"), j.at("arguments"), j.at("answer"), j.at("right"), j.at("sampled")};
+    return {j.at("how"),     j.at("where"), j.at("arguments"), j.at("answer"), j.at("right"),
+            j.at("sampled"), j.at("code"),  j.at("command"),   j.at("fault")};
 }
 
 bool stays(Verdict verdict) {
@@ -140,9 +157,15 @@ void forget(const fs::path& folder, const std::string& name) {
 
 }  // namespace
 
-void Kept::keep_object(const std::string& fragment, const std::string& text, const fs::path& object) const {
+std::string Kept::warnings(const std::string& fragment, const std::string& text) const {
+    return folder_.empty() ? "" : read_text(path(fragment + ".warnings", text)).value_or("");
+}
+
+void Kept::keep_object(const std::string& fragment, const std::string& text, const fs::path& object,
+                       const std::string& warnings) const {
     if (folder_.empty()) return;
-    forget(folder_, fragment + ".o");
+    for (const char* kind : {".o", ".warnings"}) forget(folder_, fragment + kind);
+    write_text(path(fragment + ".warnings", text), warnings);
     if (const auto bytes = read_text(object)) write_text(path(fragment + ".o", text), *bytes);
 }
 
@@ -177,7 +200,10 @@ void Kept::keep_finding(const std::string& key, const std::string& made_from, co
                {"arguments", f.arguments},
                {"answer", f.answer},
                {"right", f.right},
-               {"sampled", f.sampled}});
+               {"sampled", f.sampled},
+               {"code", f.code},
+               {"command", f.command},
+               {"fault", f.fault}});
 }
 
 std::optional<rt::Image> Kept::picture(const std::string& name, const std::string& made_from) const {

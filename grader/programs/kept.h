@@ -21,9 +21,11 @@ public:
     /// Throws std::runtime_error where the folder cannot be made.
     Kept(const fs::path& folder, const Toolchain& chain);
 
-    /// The object that was compiled from this text, and where it goes for the next grading.
+    /// The object that was compiled from this text, what the compiler said, and where it goes for the next grading.
     std::optional<fs::path> object(const std::string& fragment, const std::string& text) const;
-    void keep_object(const std::string& fragment, const std::string& text, const fs::path& object) const;
+    std::string warnings(const std::string& fragment, const std::string& text) const;
+    void keep_object(const std::string& fragment, const std::string& text, const fs::path& object,
+                     const std::string& warnings) const;
 
     /// A check's record. made_from: settings and sources.
     std::optional<CheckRecord> check(const std::string& key, const std::string& made_from) const;

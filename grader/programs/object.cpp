@@ -48,10 +48,11 @@ constexpr std::string_view whole[] = {"",
                                       ".init_array",
                                       ".fini_array",
                                       ".llvm_addrsig",
+                                      "asan_globals",
                                       ".linker-options"};
-constexpr std::string_view begun[] = {".text", ".rodata",           ".data",       ".bss",     ".tdata",
-                                      ".tbss", ".gcc_except_table", ".init_array", ".lrodata", ".ldata",
-                                      ".lbss"};
+constexpr std::string_view begun[] = {
+    ".text",       ".rodata",     ".data",    ".bss",   ".tdata", ".tbss", ".gcc_except_table",
+    ".init_array", ".fini_array", ".lrodata", ".ldata", ".lbss"};
 
 bool is_begun(std::string_view name, std::string_view begin) {
     return name.starts_with(begin) && (name.size() == begin.size() || name[begin.size()] == '.');

@@ -65,7 +65,7 @@ void limit(int resource, rlim_t soft, rlim_t hard) {
 void apply(const Limits& limits) {
     limit(RLIMIT_CPU, rlim_t(std::ceil(limits.cpu_seconds)), rlim_t(std::ceil(limits.most_cpu_seconds)) + 1);
 #ifndef __SANITIZE_ADDRESS__  // it reserves terabytes of addresses
-    limit(RLIMIT_AS, limits.memory, limits.memory);
+    if (limits.memory > 0) limit(RLIMIT_AS, limits.memory, limits.memory);
 #endif
     limit(RLIMIT_FSIZE, limits.file_size, limits.file_size);
     limit(RLIMIT_NPROC, limits.processes, limits.processes);
@@ -120,8 +120,11 @@ Process::Process(const std::vector<std::string>& arguments, const Limits& limits
     for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
     argv.push_back(nullptr);
     char path[] = "PATH=/usr/local/bin:/usr/bin:/bin", language[] = "LANG=C.UTF-8";
+    char address[] = "ASAN_OPTIONS=detect_leaks=0:handle_abort=1:mmap_limit_mb=2048";
+    char undefined[] = "UBSAN_OPTIONS=print_stacktrace=1";
     std::string temporary = "TMPDIR=" + folder;
-    std::array<char*, 4> environment{path, language, walls.itself ? temporary.data() : nullptr, nullptr};
+    std::array<char*, 6> environment{path,   language, address, undefined, walls.itself ? temporary.data() : nullptr,
+                                     nullptr};
 
     Way in, out, err, results, calls;
     const bool hands_over = !walls.itself && !walls.calls.code.empty();

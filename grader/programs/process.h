@@ -16,7 +16,7 @@ struct Limits {
     double cpu_seconds = 10;       // of each process; SIGXCPU when reached
     double most_cpu_seconds = 10;  // how far a process may raise that itself
     double wall_seconds = 30;
-    std::uint64_t memory = 4ull << 30;    // bytes of address space of each process
+    std::uint64_t memory = 4ull << 30;    // bytes of address space of each process; 0: any number
     std::uint64_t file_size = 64u << 20;  // bytes of each file
     std::size_t output = 64u << 10;       // bytes of stdout and of stderr that are kept; the rest is thrown away
     std::uint64_t processes = 8192;       // of the user
@@ -37,8 +37,8 @@ struct Ending {
 using Clock = std::chrono::steady_clock;
 
 /// A running program, with ways to its stdin and from its stdout, stderr, and descriptor 3: sockets, which nobody can
-/// open again by a name. Its environment is empty but for PATH and LANG. When this object goes, so do the program and
-/// everything in its process group. This is the only place where the grader starts a process.
+/// open again by a name. Its environment is empty but for PATH, LANG and options of sanitizers. When this object goes,
+/// so do the program and everything in its process group. This is the only place where the grader starts a process.
 class Process {
 public:
     /// folder  its working directory

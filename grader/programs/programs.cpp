@@ -57,6 +57,12 @@ std::string Programs::complaint(const std::string& fragment) const {
     return (verdict == Verdict::not_started ? "not started: " : "did not build: ") + message;
 }
 
+const std::string& Programs::warnings(const std::string& fragment) const {
+    static const std::string none;
+    const auto found = warnings_.find(fragment);
+    return found == warnings_.end() ? none : found->second;
+}
+
 std::set<std::string> Programs::all() const {
     std::set<std::string> names;
     for (const auto& [name, object] : objects_) names.insert(name);
@@ -94,15 +100,16 @@ void Programs::compile(const std::set<std::string>& fragments) {
         const std::string& name = wanted[std::size_t(i)];
         progress_.tell("compiling " + name);
         if (const auto before = settings_.kept.object(name, text(name))) {
+            const std::string said = settings_.kept.warnings(name, text(name));
             const std::scoped_lock lock(lock_);
-            objects_[name] = *before;
+            objects_[name] = *before, warnings_[name] = said;
         } else {
             const Compiled compiled = compile_fragment(chain_, sandbox_, name, text(name),
                                                        submission_.folder + name + ".cpp", folder("objects/" + name));
             if (compiled.good) {
-                settings_.kept.keep_object(name, text(name), compiled.object);
+                settings_.kept.keep_object(name, text(name), compiled.object, compiled.warnings);
                 const std::scoped_lock lock(lock_);
-                objects_[name] = compiled.object;
+                objects_[name] = compiled.object, warnings_[name] = compiled.warnings;
             } else {
                 fails(name, compiled.message);
             }
@@ -139,6 +146,20 @@ const Programs::Linked& Programs::with(const std::set<std::string>& fragments, O
             throw std::runtime_error(fmt::format("the {} cannot be linked: {}", kind, entry->linked.errors));
     });
     return entry->linked;
+}
+
+std::optional<fs::path> Programs::checked(const std::string& fragment) const {
+    // a step of another user cannot see its own /proc
+    if (sandbox_.kind == Sandbox::Kind::container) return std::nullopt;
+    const Toolchain chain = with_sanitizers(chain_);
+    const Compiled compiled =
+        compile_fragment(chain, sandbox_, fragment, text(fragment), fragment + ".cpp", folder("checked/" + fragment));
+    if (!compiled.good) return std::nullopt;
+    std::vector<fs::path> list;
+    for (const auto& [name, object] : chain_.solution_objects)
+        list.push_back(name == fragment ? compiled.object : object);
+    const fs::path program = folder("programs/" + fragment + "-checked") / "child";
+    return link_child(chain, sandbox_, list, program).empty() ? std::optional(program) : std::nullopt;
 }
 
 fs::path Programs::must_link(const std::set<std::string>& fragments, Others others) {

@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -60,12 +61,17 @@ public:
     const std::map<std::string, Problem>& problems() const { return problems_; }
     std::string complaint(const std::string& fragment) const;  // of its problem; empty: none
     bool has(const std::string& fragment) const { return objects_.contains(fragment); }
-    std::set<std::string> all() const;    // those that are compiled
-    std::set<std::string> names() const;  // of all fragments that there can be
+    std::set<std::string> all() const;                               // those that are compiled
+    std::set<std::string> names() const;                             // of all fragments that there can be
+    const std::string& warnings(const std::string& fragment) const;  // of the compiler, a line each
     const std::string& text(const std::string& fragment) const { return submission_.texts.at(fragment); }
 
     /// The program with these fragments of the submission; made once. With none of them: the solution's.
     const Linked& with(const std::set<std::string>& fragments, Others others = Others::solution);
+
+    /// The program with this fragment of the submission, compiled with sanitizers. None: there are none here, or it
+    /// does not link.
+    std::optional<fs::path> checked(const std::string& fragment) const;
 
     /// The program with these. Throws SubmissionError with the first errors where they do not go together.
     fs::path must_link(const std::set<std::string>& fragments, Others others = Others::solution);
@@ -98,6 +104,7 @@ private:
     Sandbox sandbox_;
     std::map<std::string, Problem> problems_;
     std::map<std::string, fs::path> objects_;  // by fragment
+    std::map<std::string, std::string> warnings_;
     std::map<std::pair<Others, std::set<std::string>>, std::unique_ptr<Entry>> linked_;
     mutable std::mutex lock_;
 };

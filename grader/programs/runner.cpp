@@ -25,6 +25,7 @@ namespace {
 constexpr std::size_t most_error_bytes = 4096;
 constexpr std::size_t most_shown =
     200;  // of what a program says: enough for a sentence, too little to carry others' code out
+constexpr std::size_t most_checked = 16384;  // of what sanitizers say, which is read and not shown
 constexpr std::uint64_t most_memory = 2ull << 30;
 
 std::string too_much_memory() { return fmt::format("uses more than {} GB of memory", most_memory >> 30); }
@@ -43,8 +44,8 @@ int sampler_of(const std::string& name) {
 
 }  // namespace
 
-Runner::Runner(const fs::path& program, const Sandbox& sandbox, const fs::path& meshes, double seconds)
-    : meshes_(meshes), limit_(seconds) {
+Runner::Runner(const fs::path& program, const Sandbox& sandbox, const fs::path& meshes, double seconds, bool checked)
+    : meshes_(meshes), limit_(seconds), most_shown_(checked ? most_checked : most_shown) {
     Step step{{program.string(), fmt::format("{}", seconds), (meshes / "check.toml").string()},
               {},
               program.parent_path(),
@@ -52,7 +53,8 @@ Runner::Runner(const fs::path& program, const Sandbox& sandbox, const fs::path& 
               false};
     step.limits.cpu_seconds = seconds;
     step.limits.most_cpu_seconds = 600;
-    step.limits.memory = most_memory;
+    step.limits.memory = checked ? 0 : most_memory;
+    step.sees_itself = checked;
     step.limits.file_size = 1u << 20;
     if (access(program.c_str(), X_OK) != 0)  // before any fragment has run: the machine's doing
         throw std::runtime_error(
@@ -64,7 +66,7 @@ Runner::Runner(const fs::path& program, const Sandbox& sandbox, const fs::path& 
 
 Fault Runner::broken() {
     const Ending ending = process_->finish(in_seconds(0.2));
-    const std::string excerpt = (ending.err.empty() ? ending.out : ending.err).substr(0, most_shown);
+    const std::string excerpt = (ending.err.empty() ? ending.out : ending.err).substr(0, most_shown_);
     if (ending.how == Ending::How::timed_out) {
         if (ending.waited)
             return {Verdict::timed_out, fmt::format("waits for something: no answer came within {:g} s", patience()),

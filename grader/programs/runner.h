@@ -20,6 +20,7 @@ struct Fault {
     Verdict verdict;      // crashed, timed_out, not_finite or failed
     std::string message;  // what happened, and what to do
     std::string excerpt;  // of what the program printed; untrusted
+    Trouble trouble = Trouble::none;
 };
 
 template <class Value>
@@ -31,7 +32,9 @@ public:
     /// program  linked by link_child
     /// meshes   where scenes look for meshes
     /// seconds  CPU time for one answer
-    Runner(const fs::path& program, const Sandbox& sandbox, const fs::path& meshes, double seconds);
+    /// checked  by sanitizers, which need any number of addresses, and have more to say
+    Runner(const fs::path& program, const Sandbox& sandbox, const fs::path& meshes, double seconds,
+           bool checked = false);
 
     /// one_of_many  a replicate: one sample a pixel is random then, too
     /// Throws rt::InputError for a scene that is none.
@@ -63,6 +66,7 @@ private:
 
     fs::path meshes_;
     double limit_;
+    std::size_t most_shown_;
     std::unique_ptr<Process> process_;
     std::string scene_, fragment_;  // what the child was told last
     rt::ivec2 size_{0};             // of that scene's image

@@ -18,6 +18,7 @@ constexpr const char* of_the_system[] = {"/usr", "/bin", "/lib", "/lib64", "/etc
 std::vector<std::string> in_bubblewrap(const Sandbox& sandbox, const Step& step) {
     std::vector<std::string> words{bubblewrap, "--unshare-all", "--die-with-parent", "--cap-drop", "ALL", "--seccomp",
                                    "4",        "--dev-bind",    "/dev/null",         "/dev/null"};
+    if (step.sees_itself) words.insert(words.end(), {"--proc", "/proc"});
     if (step.is_tool) words.insert(words.end(), {"--size", fmt::to_string(256u << 20), "--tmpfs", "/tmp"});
     for (const char* path : of_the_system) words.insert(words.end(), {"--ro-bind-try", path, path});
     for (const auto* list : {&sandbox.readable, &step.readable})

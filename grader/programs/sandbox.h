@@ -28,6 +28,7 @@ struct Step {
     fs::path folder;
     Limits limits;
     bool is_tool = true;  // may write into its folder and start other programs: a compiler; else a student's program
+    bool sees_itself = false;  // has a /proc of its own, as sanitizers need
 };
 
 /// What this machine offers: bubblewrap, else Landlock and seccomp. Throws std::runtime_error where it offers neither.

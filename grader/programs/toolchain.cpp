@@ -98,6 +98,16 @@ std::string first_line(const fs::path& compiler) {
 
 }  // namespace
 
+Toolchain with_sanitizers(const Toolchain& chain) {
+    Toolchain checked = chain;
+    checked.checked = true;
+    checked.compile.insert(checked.compile.end(),
+                           {"-g1", "-O1", "-fno-omit-frame-pointer", "-fsanitize=address,undefined",
+                            "-fno-sanitize-recover=all", "-D_GLIBCXX_ASSERTIONS", "-ftrivial-auto-var-init=pattern"});
+    checked.link.emplace_back("-fsanitize=address,undefined");
+    return checked;
+}
+
 Toolchain read_toolchain(const fs::path& path) try {
     const toml::table file = toml::parse_file(path.string());
     const fs::path folder = fs::absolute(path).parent_path();

@@ -28,7 +28,11 @@ struct Toolchain {
     std::map<std::string, fs::path> blank_objects;     // by fragment
     std::map<std::string, fs::path> solution_objects;  // by fragment
     std::map<std::string, std::string> symbols;        // by fragment: its name for the linker
+    bool checked = false;                              // by sanitizers
 };
+
+/// The same compiler, with sanitizers that end a program at the first undefined behaviour and say where it is.
+Toolchain with_sanitizers(const Toolchain& chain);
 
 /// Paths in the file are relative to its folder. Throws std::runtime_error where the file or what it names is missing,
 /// or made for another processor than this one.

@@ -7,6 +7,7 @@
 
 #include "assignment/assignment.h"
 #include "rt/files/image.h"
+#include "statistics/tiles.h"
 #include "statistics/verdict.h"
 
 /// The record of a grading: the one source of every report.
@@ -20,6 +21,11 @@ struct StatisticRecord {
     int replicates = 0;
     Verdict verdict = Verdict::inconclusive;
     std::string hint;  // where it failed: what the deviation usually means
+
+    /// How much the hint is worth.
+    enum class Worth { guess, fact, cause };
+    Worth worth = Worth::guess;
+    std::string without_numbers{};  // the hint, where a call shows the numbers
 };
 
 /// What one picture costs, and how far it is from the truth.
@@ -41,10 +47,13 @@ struct CheckRecord {
     double points = 0, max_points = 0;
     Verdict verdict = Verdict::inconclusive;
     std::string message;  // where there is nothing to measure: what happened, and what to do
+    Trouble trouble = Trouble::none;
     std::string excerpt;  // of what the program printed; untrusted
     std::vector<StatisticRecord> statistics;
     double cpu_seconds = 0;
     std::optional<PictureCost> cost, solution_cost;  // of a check that renders
+
+    Tiles tiles;  // of a picture that is shown and fails: where it is wrong
 
     // for the page only
     rt::Image picture, solution_picture;
@@ -55,8 +64,11 @@ struct Finding {
     std::string how;        // "the answers are exactly what the right fragment answers with `u.x` in place of `u.y`"
     std::string where;      // "31 of 96 calls are wrong, those where `dot(n, to_light) < 0`"
     std::string arguments;  // of the simplest call that goes wrong: "camera.size = (2, 2), film = (0, 0)"
-    std::string answer, right;
-    bool sampled = false;  // other random numbers give answers that are as good
+    std::string answer, right;  // right: empty where there is more than one
+    bool sampled = false;       // other random numbers give answers that are as good
+    std::string code;           // the same call in C++; empty: it is too long
+    std::string command;        // for a shell: "./grade call moved 'time = -1'"; empty: it cannot be written there
+    std::string fault;          // "phong.cpp:24: no value is returned": what sanitizers say of a call; untrusted text
 };
 
 struct FragmentRecord {
@@ -71,6 +83,7 @@ struct FragmentRecord {
     double cpu_seconds = 0;
     bool finished = false;
     Finding finding;
+    std::string warnings;  // of the compiler, a line each; untrusted text
 };
 
 /// What a grading was made with. Hashes are SHA-256.

@@ -45,6 +45,7 @@ Json check_json(const CheckRecord& check) {
     json["max_points"] = check.max_points;
     json["verdict"] = name(check.verdict);
     add_texts(json, {{"message", check.message}});
+    if (check.trouble != Trouble::none) json["trouble"] = name(check.trouble);
     if (check.statistics.empty() && check.verdict != Verdict::passed)
         add_texts(json, {{"read", reading(section_of(check, nullptr))}});
     json["cpu_seconds"] = check.cpu_seconds;
@@ -79,9 +80,13 @@ Json fragment_json(const FragmentRecord& fragment) {
                                     {"where", finding.where},
                                     {"arguments", finding.arguments},
                                     {"answer", finding.answer},
-                                    {"right", finding.right}});
+                                    {"right", finding.right},
+                                    {"code", finding.code},
+                                    {"command", finding.command},
+                                    {"fault", finding.fault}});
         json["finding"]["sampled"] = finding.sampled;
     }
+    if (!fragment.warnings.empty()) json["warnings"] = fragment.warnings;
     json["cpu_seconds"] = fragment.cpu_seconds;
     json["checks"] = Json::array();
     for (const CheckRecord& check : fragment.checks) json["checks"].push_back(check_json(check));

@@ -49,12 +49,27 @@ std::string three_pictures(const rt::Image& mine, const rt::Image& right, double
     return text + "</div>\n";
 }
 
+/// Where a picture differs beyond noise.
+std::string tile_map(const CheckRecord& check) {
+    if (check.tiles.empty()) return {};
+    const Difference map = significance(check.tiles, check.picture.width, check.picture.height);
+    const std::size_t clearest = check.tiles.clearest();
+    return "<div class=\"pictures\">\n" +
+           figure(data_uri(map.image, 1),
+                  "how sure each tile of the picture for " + check.name + " is darker or brighter",
+                  fmt::format("how sure that is, by tiles of {0} x {0} pixels: full colour where Welch's t is beyond "
+                              "±{1:g}; the clearest has t = {2:.3g}, p = {3:.2g}: {4}",
+                              Tiles::side, map.full, check.tiles.t[clearest], check.tiles.p[clearest],
+                              html(tile_in_words(check.tiles, clearest)))) +
+           "</div>\n";
+}
+
 std::string pictures(const CheckRecord& check) {
     if (check.picture.pixels.empty()) return {};
     // both alike, so that most of what is right can be seen
     const double exposure =
         preview_exposure(check.solution_picture.pixels.empty() ? check.picture : check.solution_picture);
-    return three_pictures(check.picture, check.solution_picture, exposure, "for " + check.name);
+    return three_pictures(check.picture, check.solution_picture, exposure, "for " + check.name) + tile_map(check);
 }
 
 std::string statistics(const CheckRecord& check) {
@@ -121,8 +136,16 @@ std::string fragment_section(const FragmentRecord& fragment, const std::string& 
         text += fmt::format("<pre tabindex=\"0\">{}</pre>\n", html(fragment.message));
     else if (!fragment.message.empty())
         text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(fragment.verdict), html(fragment.message));
-    else if (!fragment.finding.arguments.empty())
+    else if (const Finding& f = fragment.finding; !f.how.empty() || !f.arguments.empty() || !f.fault.empty())
         text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(fragment.verdict), html(diagnose(fragment).words));
+    if (!fragment.finding.code.empty())
+        text += fmt::format(
+            "<details><summary class=\"soft\">this call as C++, and in a shell</summary><pre "
+            "tabindex=\"0\">{}\n{}</pre></details>\n",
+            html(fragment.finding.code), html(fragment.finding.command));
+    if (!fragment.warnings.empty())
+        text += fmt::format("<p class=\"soft\">The compiler warns:</p><pre tabindex=\"0\">{}</pre>\n",
+                            html(fragment.warnings));
     if (const std::string link = read_link(diagnose(fragment).section, handout); !link.empty())
         text += fmt::format("<p class=\"soft\">{}</p>\n", link);
     if (fragment.verdict != Verdict::did_not_build && fragment.verdict != Verdict::not_started)

@@ -70,14 +70,31 @@ rt::Image side_by_side(const std::vector<rt::Image>& pictures) {
     return row;
 }
 
-Difference difference(const rt::Image& picture, const rt::Image& truth) {
+namespace {
+
+/// From blue, -1, over white to orange, 1.
+rt::Color on_scale(double x) {
     const rt::Color blue = linear(0, 90, 181), white(1), orange = linear(220, 95, 0);
+    x = std::clamp(x, -1.0, 1.0);
+    return white + std::abs(x) * ((x < 0 ? blue : orange) - white);
+}
+
+}  // namespace
+
+Difference significance(const Tiles& tiles, int width, int height) {
+    Difference map{rt::Image(width, height), 10};
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            map.image.at(x, y) =
+                on_scale(tiles.t[std::size_t(y / Tiles::side * tiles.columns + x / Tiles::side)] / map.full);
+    return map;
+}
+
+Difference difference(const rt::Image& picture, const rt::Image& truth) {
     const double level = std::max(bright(truth), bright(picture) / 16);
     Difference map{rt::Image(picture.width, picture.height), level > 0 ? level / 4 : 1};
-    for (std::size_t k = 0; k < picture.pixels.size(); ++k) {
-        const double x = std::clamp((luminance(picture.pixels[k]) - luminance(truth.pixels[k])) / map.full, -1.0, 1.0);
-        map.image.pixels[k] = white + std::abs(x) * ((x < 0 ? blue : orange) - white);
-    }
+    for (std::size_t k = 0; k < picture.pixels.size(); ++k)
+        map.image.pixels[k] = on_scale((luminance(picture.pixels[k]) - luminance(truth.pixels[k])) / map.full);
     return map;
 }
 

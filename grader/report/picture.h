@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "rt/files/image.h"
+#include "statistics/tiles.h"
 
 namespace grade {
 
@@ -25,6 +26,10 @@ struct Difference {
     rt::Image image;  // already as the colours are to be seen: exposure 1
     double full;      // luminance difference that has the full colour
 };
+
+/// How sure it is that a picture is brighter (orange) or darker (blue), tile by tile, in those colours: full where
+/// Welch's t is beyond `full`. As large as the picture.
+Difference significance(const Tiles& tiles, int width, int height);
 
 /// Of two pictures of one size.
 Difference difference(const rt::Image& picture, const rt::Image& truth);

@@ -71,6 +71,7 @@ std::string fragment_rows(const Record& record, bool color) {
         rows += fmt::format("  {:<24}{} {:>6} of {}\n", fragment.name,
                             paint(fragment.verdict, fmt::format("{:<16}", in_words(fragment.verdict))),
                             points_in_line(fragment.points), points_in_line(fragment.max_points));
+        rows += wrapped(printable(fragment.warnings), "      ", 8);
         if (fragment.verdict == Verdict::passed) continue;
         const Diagnosis diagnosis = diagnose(fragment);
         const bool errors = fragment.verdict == Verdict::did_not_build;

@@ -10,7 +10,9 @@
 namespace grade {
 
 std::optional<ImageFault> image_fault(const rt::Image& image, int width, int height) {
-    const auto failed = [](std::string words) { return ImageFault{Verdict::failed, std::move(words)}; };
+    const auto failed = [](std::string words) {
+        return ImageFault{Verdict::failed, std::move(words), Trouble::no_radiance};
+    };
     if (image.width != width || image.height != height)
         return failed(
             fmt::format("the image has {} x {} pixels; expected {} x {}", image.width, image.height, width, height));
@@ -25,7 +27,8 @@ std::optional<ImageFault> image_fault(const rt::Image& image, int width, int hei
                 const char* fault = std::isnan(value) ? "not a number" : std::isinf(value) ? "infinite" : "negative";
                 return ImageFault{
                     std::isfinite(value) ? Verdict::failed : Verdict::not_finite,
-                    fmt::format("pixel ({}, {}), channel {}, is {} ({})", x, y, "RGB"[channel], fault, value)};
+                    fmt::format("pixel ({}, {}), channel {}, is {} ({})", x, y, "RGB"[channel], fault, value),
+                    std::isnan(value) ? Trouble::not_a_number : Trouble::no_radiance};
             }
     return std::nullopt;
 }

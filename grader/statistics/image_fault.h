@@ -11,6 +11,7 @@ namespace grade {
 struct ImageFault {
     Verdict verdict;    // not_finite, or failed
     std::string words;  // with the first such pixel
+    Trouble trouble = Trouble::no_radiance;
 };
 
 /// What makes data no picture of radiance, before any statistic: wrong size, a number that is not finite, a negative

@@ -17,10 +17,21 @@ enum class Verdict {
     inconclusive,  // neither right nor wrong within the budget: for the instructor to look at
 };
 
+/// What is behind a verdict that no statistic gives.
+enum class Trouble {
+    none,
+    keeps_state,  // the same arguments give another answer
+    not_a_number,
+    no_radiance,  // numbers, but no picture of light
+};
+
 constexpr std::array<std::string_view, 8> verdict_names = {"passed",  "failed",    "not_started", "did_not_build",
                                                            "crashed", "timed_out", "not_finite",  "inconclusive"};
 
-/// The verdict as the record spells it.
+constexpr std::array<std::string_view, 4> trouble_names = {"none", "keeps_state", "not_a_number", "no_radiance"};
+
+/// As the record spells them.
 constexpr std::string_view name(Verdict verdict) { return verdict_names[static_cast<std::size_t>(verdict)]; }
+constexpr std::string_view name(Trouble trouble) { return trouble_names[static_cast<std::size_t>(trouble)]; }
 
 }  // namespace grade

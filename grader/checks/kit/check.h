@@ -68,7 +68,17 @@ struct Render {
 using Hint = std::function<std::string(double value, double truth)>;
 
 /// What one failing observation shows; empty: nothing in particular.
-using Cause = std::function<std::string(const Observation&)>;
+struct Shown {
+    Shown(std::string cause = {}) : words(std::move(cause)) {}
+    Shown(const char* cause) : words(cause) {}
+    Shown(std::string circumstance, std::string worst_call)
+        : words(std::move(circumstance)), numbers(std::move(worst_call)) {}
+
+    std::string words, numbers;  // numbers: of a call that is wrong, where nothing tells why
+
+    bool empty() const { return words.empty() && numbers.empty(); }
+};
+using Cause = std::function<Shown(const Observation&)>;
 
 /// One number measured in an observation, and what it must be.
 struct Statistic {
@@ -80,7 +90,8 @@ struct Statistic {
     double delta = 0;                                   // deviation that must be found
     bool exact = false;                                 // without noise: one replicate decides, |deviation| <= delta
     Hint hint;
-    Cause cause{};  // what it tells comes before the hint
+    Cause cause{};              // what it tells comes before the hint
+    bool hint_is_fact = false;  // true of what was measured, whatever the mistake is
 };
 
 struct Check {

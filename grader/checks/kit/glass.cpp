@@ -11,9 +11,10 @@ using rt::Quad, rt::vec2, rt::vec3;
 
 Check slab(Generator& random, const std::string& name) {
     const Place place = any_place(random);
-    const double ior = between(random, 1.3, 1.9), thickness = between(random, 0.6, 0.9), bottom = 0.3;
+    // steep enough that what is nearly Fresnel's formula is off by more than the tolerance, whatever the index is
+    const double ior = between(random, 1.5, 1.9), thickness = between(random, 0.6, 0.9), bottom = 0.3;
     const Quad q = any_quad(random, place, 0, 0.7);
-    const View view{place({-3.5, 0, 3.5}), place({0.2, 0, 0}), place.axes.z, 28, figure_size};
+    const View view{place({-4.3, 0, 2.5}), place({0.2, 0, 0}), place.axes.z, 28, figure_size};
     const std::string scene = toml(view) + bright_lamp() + material("glass", {{"transmittance", 1}, {"ior", ior}}) +
                               quad("lamp", q) + place.floor("glass", 6, bottom + thickness) +
                               quad("glass", place({0, 0, bottom}), 6.0 * place.axes.x, -6.0 * place.axes.y);

@@ -129,8 +129,8 @@ Statistic right_density(Density density, double tolerance, std::vector<KnownRati
             const double right = density(sample);
             if (right > 1e-6) ratio += sample.density / right, ++count;
         }
-        return by_ratio("the density that is returned", known, "it is not the density of the returned direction")(
-            ratio / count, 1);
+        return Shown("", by_ratio("the density that is returned", known,
+                                  "it is not the density of the returned direction")(ratio / count, 1));
     };
     return s;
 }

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+
+#include "diagnosis/calls.h"
+
+namespace grade {
+
+/// What holds for all right answers, whatever random numbers they were made with, and not for mine.
+struct Broken {
+    std::string words;  // "`direction` must have length 1"
+    std::size_t call;   // where it is broken most
+};
+
+std::optional<Broken> broken_bound(const Calls& calls);
+
+}  // namespace grade

@@ -1,0 +1,173 @@
+#include "diagnosis/products.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "diagnosis/constants.h"
+#include "diagnosis/quantities.h"
+#include "rt/math.h"
+
+namespace grade {
+
+namespace {
+
+/// Columns of logarithms, of quantities that a factor may hold.
+struct Column {
+    std::string words;
+    std::vector<double> log;
+};
+
+std::vector<Column> columns_of(const PartOfCalls& of) {
+    std::vector<Column> list;
+    const auto add = [&](const std::string& words, auto value) {
+        std::vector<double> log;
+        double least = rt::inf, most = -rt::inf;
+        for (const std::size_t k : of.scope) {
+            log.push_back(value(k));
+            least = std::min(least, log.back()), most = std::max(most, log.back());
+        }
+        if (std::isfinite(least) && std::isfinite(most) && most - least > 1e-3) list.push_back({words, std::move(log)});
+    };
+    const auto quantities = quantities_of(of.calls.layouts.front(), of.calls.told, &of.calls.result);
+    const auto at = [&](const Quantity& q, std::size_t k) {
+        return q.value(of.calls.rows[k], of.calls.layouts[k], of.calls.mine[k]);
+    };
+    for (const Quantity& q : quantities)
+        if (q.words != "the answer's " + of.part.name)
+            add(q.words, [&](std::size_t k) { return std::log(std::abs(at(q, k))); });
+    for (const Quantity& q : quantities) {
+        const bool is_plain = q.words.find('|') == q.words.npos && q.words.find('(') == q.words.npos &&
+                              q.words.find('\'') == q.words.npos;
+        if (!is_plain) continue;
+        for (const int more : {1, 2, -1})
+            add(fmt::format("({} {} {})", q.words, more > 0 ? "+" : "-", std::abs(more)),
+                [&](std::size_t k) { return std::log(std::abs(at(q, k) + more)); });
+        add(fmt::format("sqrt(1 - {0} * {0})", q.words),
+            [&](std::size_t k) { return std::log(1 - at(q, k) * at(q, k)) / 2; });
+        for (const Quantity& base : quantities)
+            if (base.words.starts_with("dot") || base.words.ends_with(".z"))
+                add(fmt::format("pow({}, {})", base.words, q.words),
+                    [&](std::size_t k) { return at(q, k) * std::log(at(base, k)); });
+    }
+    return list;
+}
+
+/// The logarithm of mine over right in each call of the scope, the same in all components.
+std::optional<std::vector<double>> log_ratio(const PartOfCalls& of) {
+    std::vector<double> log;
+    for (const std::size_t k : of.scope) {
+        std::size_t most = 0;
+        for (std::size_t c = 1; c < of.size(); ++c)
+            if (std::abs(of.right(k, c)) > std::abs(of.right(k, most))) most = c;
+        const double ratio = of.mine(k, most) / of.right(k, most);
+        if (!(std::abs(ratio) > 0) || !std::isfinite(ratio)) return std::nullopt;
+        for (std::size_t c = 0; c < of.size(); ++c)
+            if (!is_close(of.mine(k, c), ratio * of.right(k, c), std::abs(of.mine(k, most)))) return std::nullopt;
+        log.push_back(std::log(std::abs(ratio)));
+    }
+    return log;
+}
+
+std::optional<double> nice_power(double p) {
+    for (const double nice : {1.0, 2.0, 0.5, 3.0, 4.0, 1.5})
+        if (std::abs(std::abs(p) - nice) < 1e-3) return std::copysign(nice, p);
+    return std::nullopt;
+}
+
+std::string power(const std::string& words, double p) { return p == 1 ? words : fmt::format("{}^{:g}", words, p); }
+
+std::string times(double c, const std::string& words) {
+    return std::abs(c - 1) < 1e-4 ? words : constant(c) + " * " + words;
+}
+
+struct Fit {
+    double constant;
+    std::array<double, 2> powers;
+};
+
+/// log = constant + powers . columns, exactly.
+std::optional<Fit> fitted(const std::vector<double>& log, std::vector<const Column*> columns) {
+    const std::size_t n = log.size(), m = columns.size();
+    if (n < 5 + m) return std::nullopt;
+    const auto mean = [n](const std::vector<double>& v) {
+        double sum = 0;
+        for (const double x : v) sum += x;
+        return sum / double(n);
+    };
+    const double y = mean(log);
+    if (!std::isfinite(y)) return std::nullopt;
+    std::array<double, 2> x{};
+    for (std::size_t a = 0; a < m; ++a) x[a] = mean(columns[a]->log);
+    double xx = 0, xz = 0, zz = 0, xy = 0, zy = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+        const double dx = columns[0]->log[k] - x[0], dz = m > 1 ? columns[1]->log[k] - x[1] : 0, dy = log[k] - y;
+        xx += dx * dx, xz += dx * dz, zz += dz * dz, xy += dx * dy, zy += dz * dy;
+    }
+    Fit fit{0, {}};
+    if (m == 1)
+        fit.powers[0] = xy / xx;
+    else {
+        const double determinant = xx * zz - xz * xz;
+        if (!(determinant > 1e-6 * xx * zz)) return std::nullopt;
+        fit.powers = {(xy * zz - zy * xz) / determinant, (zy * xx - xy * xz) / determinant};
+    }
+    fit.constant = y - fit.powers[0] * x[0] - fit.powers[1] * x[1];
+    for (std::size_t k = 0; k < n; ++k) {
+        double value = fit.constant;
+        for (std::size_t a = 0; a < m; ++a) value += fit.powers[a] * columns[a]->log[k];
+        if (!(std::abs(value - log[k]) < equal_within)) return std::nullopt;
+    }
+    return fit;
+}
+
+}  // namespace
+
+std::optional<Form> quantity_of(const PartOfCalls& of) {
+    if (of.size() != 1 || of.part.kind != Kind::number) return std::nullopt;
+    std::vector<double> log;
+    for (const std::size_t k : of.scope) log.push_back(std::log(std::abs(of.mine(k, 0))));
+    const auto all = columns_of(of);
+    for (const Column& q : all)
+        if (const auto fit = fitted(log, {&q}); fit && nice_power(fit->powers[0]))
+            if (is_named(std::exp(fit->constant)))
+                return Form{
+                    fmt::format("is `{}`", times(std::exp(fit->constant), power(q.words, *nice_power(fit->powers[0])))),
+                    2.4};
+    for (std::size_t a = 0; a < all.size(); ++a)
+        for (std::size_t b = a + 1; b < all.size(); ++b)
+            if (const auto fit = fitted(log, {&all[a], &all[b]}); fit && is_named(std::exp(fit->constant))) {
+                const auto p = nice_power(fit->powers[0]), q = nice_power(fit->powers[1]);
+                if (p && q)
+                    return Form{fmt::format("is `{}`", times(std::exp(fit->constant), power(all[a].words, *p) + " * " +
+                                                                                          power(all[b].words, *q))),
+                                3.4};
+            }
+    return std::nullopt;
+}
+
+std::optional<Form> product_of(const PartOfCalls& of) {
+    const auto log = log_ratio(of);
+    if (!log) return std::nullopt;
+    const auto all = columns_of(of);
+    const auto form = [](double c, const std::string& words, double cost) {
+        return Form{fmt::format("is `{}` times what it must be", times(c, words)), cost};
+    };
+    for (const Column& q : all)
+        if (const auto fit = fitted(*log, {&q}))
+            if (const auto p = nice_power(fit->powers[0]))
+                return form(std::exp(fit->constant), power(q.words, *p), 2.5);
+    for (std::size_t a = 0; a < all.size(); ++a)
+        for (std::size_t b = a + 1; b < all.size(); ++b)
+            if (const auto fit = fitted(*log, {&all[a], &all[b]})) {
+                const auto p = nice_power(fit->powers[0]), q = nice_power(fit->powers[1]);
+                if (p && q && is_named(std::exp(fit->constant)))
+                    return form(std::exp(fit->constant), power(all[a].words, *p) + " * " + power(all[b].words, *q),
+                                3.5);
+            }
+    return std::nullopt;
+}
+
+}  // namespace grade

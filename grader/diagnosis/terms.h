@@ -1,0 +1,11 @@
+#pragma once
+
+#include "diagnosis/forms.h"
+
+namespace grade {
+
+/// Mine is a sum of one or two vectors of the arguments, times constants, numbers or dot products; the right one may be
+/// such a sum as well: "is `d + 2 * dot(d, n) * n`, must be `d - 2 * dot(d, n) * n`".
+std::optional<Form> terms_of(const PartOfCalls& of);
+
+}  // namespace grade
