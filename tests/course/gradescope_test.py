@@ -65,14 +65,15 @@ def check_gradescope(work, zip_file):
     expect(tests["moved"]["score"] == 2 == tests["moved"]["max_score"] and tests["moved"]["status"] == "passed", "a right fragment")
     expect(tests["mirror_direction"]["status"] == "failed" and tests["mirror_direction"]["output"], "a wrong fragment")
     expect(result["score"] == sum(t["score"] for t in result["tests"]), "the sum of the scores")
-    expect(not start or "container" in said, f"the sandbox is not the container's: {said[-300:]}")
+    expect(not start or "a user of its own for each step" in said, f"the sandbox is not the container's: {said[-300:]}")
     expect("seed 11" in said, "another seed than that of the archive")
     result, _ = graded({'odd "name".txt': "x"})
     expect(result["score"] == 0 and "holds no fragment" in result["output"], "a submission without a fragment")
+    # neither a broken kit nor one that is not there is the student's fault
     (root / "source/kit/assignment.toml").write_text("broken")
+    expect(graded({"moved.cpp": "x"}, 3)[0] is None, "a score where the assignment cannot be read")
     shutil.move(root / "source/kit/grader", root / "source/kit/away")
-    result, _ = graded({"moved.cpp": "x"}, 3)
-    expect(result is None, "a score where the machine fails")
+    expect(graded({"moved.cpp": "x"}, 3)[0] is None, "a score where the machine fails")
 
 
 def steps_of(workflow):
