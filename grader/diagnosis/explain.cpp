@@ -184,9 +184,12 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_min
         finding.how = broken ? broken->words : is_nothing ? independence(all, depends) : relation->words;
     if (finding.how.empty() && relation) finding.how = relation->words;
     // another parametrisation is wrong in no call
-    if (sampled && !relation) return of_samples(finding, all, broken, ask_mine, ask_right);
+    // but where many are the solution's, the random numbers are used as the solution does
+    constexpr double many = 0.2;
+    const bool is_comparable = !sampled || double(all.size() - wrong) >= many * double(all.size());
+    if (!is_comparable && !relation) return of_samples(finding, all, broken, ask_mine, ask_right);
 
-    if (wrong < all.size() && !sampled) {
+    if (wrong < all.size() && is_comparable) {
         const std::string where = where_wrong(all);
         finding.where = fmt::format("{} of {} calls are wrong", wrong, all.size());
         if (!where.empty()) finding.where += ", those " + where;
