@@ -1,8 +1,11 @@
 #include <CLI/CLI.hpp>
 
 #include "calibration/command.h"
+#include "class/again_command.h"
+#include "class/command.h"
 #include "commands/exit_code.h"
 #include "convergence/command.h"
+#include "convert/command.h"
 #include "lesson/command.h"
 #include "programs/toolchain.h"
 #include "rt/processor.h"
@@ -27,6 +30,18 @@ int main(int argc, char** argv) {
     calibration::CalibrateArguments calibrate_arguments;
     calibration::add_calibrate_command(app, calibrate_arguments);
 
+    ConvertArguments convert_arguments;
+    CLI::App* convert = add_convert_command(app, convert_arguments);
+    course::ClassArguments class_arguments;
+    CLI::App* whole_class = course::add_class_command(app, class_arguments);
+    course::MergeArguments merge_arguments;
+    CLI::App* merge = course::add_merge_command(app, merge_arguments);
+    course::AgainArguments again_arguments;
+    CLI::App* replay = course::add_replay_command(app, again_arguments);
+    CLI::App* verify = course::add_verify_command(app, again_arguments);
+    course::CompareArguments compare_arguments;
+    course::add_compare_command(app, compare_arguments);
+
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -34,7 +49,14 @@ int main(int argc, char** argv) {
     }
     const std::string command = command_of(argc, argv);
     return exit_code_of([&] {
+        // what only reads records needs no compiler
+        if (convert->parsed()) return run_convert(convert_arguments), int(graded);
+        if (merge->parsed()) return course::run_merge(merge_arguments);
+        if (app.got_subcommand("compare")) return course::run_compare(compare_arguments);
         if (toolchain.empty()) toolchain = own_toolchain().string();
+        if (whole_class->parsed()) return course::run_class(class_arguments, toolchain);
+        if (replay->parsed()) return course::run_replay(again_arguments, toolchain, command);
+        if (verify->parsed()) return course::run_verify(again_arguments, toolchain, command);
         if (extremes->parsed()) return stress::run_stress(stress_arguments, toolchain, command);
         if (errors->parsed()) return convergence::converge(converge_arguments, toolchain, command);
         if (part_one->parsed()) return lesson::run_lesson(lesson_arguments, toolchain), 0;

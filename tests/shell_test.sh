@@ -1,4 +1,4 @@
 #!/bin/sh
 # Every script passes shellcheck.
 command -v shellcheck >/dev/null || exit 77
-exec shellcheck -x grade check .ci/run grader/kit/grade starter/cmake/inline_or_link scenes/render_pictures tests/*.sh tests/platforms/debian tests/platforms/kit
+exec shellcheck -x grade check .ci/run grader/kit/grade grader/kit/gradescope/setup.sh grader/kit/gradescope/run_autograder starter/cmake/inline_or_link tests/*.sh tests/platforms/debian tests/platforms/kit tests/platforms/clang

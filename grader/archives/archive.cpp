@@ -17,8 +17,8 @@ namespace grade {
 
 namespace {
 
-constexpr int most_entries = 20'000;
-constexpr std::int64_t most_unpacked = 256ll << 20, most_taken = 32ll << 20;
+constexpr int most_entries = 20'000, most_depth = 2;
+constexpr std::int64_t most_unpacked = 256ll << 20, most_taken = 32ll << 20, most_inner = 64ll << 20;
 
 /// While it lives, this thread's names are UTF-8, without which the library gives up on all that are not ASCII.
 class NamesInUtf8 {
@@ -46,47 +46,124 @@ std::string plain_path(std::string raw) {
     return fs::path(raw).lexically_normal().generic_string();
 }
 
-/// At most `most` bytes of an entry, and one more where there are more; none where it is broken.
-std::optional<std::string> text_of_entry(archive* in, std::size_t most) {
-    std::string text(most + 1, '\0');
-    std::size_t have = 0;
-    for (la_ssize_t got;
-         have < text.size() && (got = archive_read_data(in, text.data() + have, text.size() - have)) != 0;) {
-        if (got < 0) return std::nullopt;
-        have += std::size_t(got);
+bool is_zip_or_tar(const std::string& name) {
+    return name.ends_with(".zip") || name.ends_with(".tar") || name.ends_with(".tar.gz") || name.ends_with(".tgz");
+}
+
+/// Looks through an archive and, within bounds for all of them together, through those in it.
+class Look {
+public:
+    Look(std::string shown, const std::vector<std::string>& fragments, const fs::path& framework)
+        : shown_(std::move(shown)), fragments_(fragments), handed_out_(framework) {
+        for (const std::string& fragment : fragments) names_.insert(fragment + ".cpp");
     }
-    text.resize(have);
+
+    /// prefix  what stands before the names of what is in it: "inner.zip/"
+    /// bytes   of an archive within the first one; none: that is a file, `shown`
+    void into(const std::string& prefix, const std::string* bytes, int depth);
+
+    Found found;
+
+private:
+    using Archive = std::unique_ptr<archive, int (*)(archive*)>;
+
+    [[noreturn]] void fail(archive* in) const {
+        const char* why = archive_error_string(in);
+        throw SubmissionError(
+            fmt::format("{}: cannot be unpacked: {}; expected a .zip or a .tar.gz", shown_, why ? why : "broken"));
+    }
+    void look_at(archive* in, archive_entry* entry, const std::string& name, int depth);
+    void take(archive* in, const std::string& name);
+    std::optional<std::string> read(archive* in, std::size_t most) const;
+
+    std::string shown_;
+    const std::vector<std::string>& fragments_;
+    const FrameworkFiles handed_out_;
+    std::set<std::string> names_;
+    std::int64_t unpacked_ = 0, taken_ = 0;
+    int entries_ = 0;
+};
+
+/// The whole entry; none: it is larger.
+std::optional<std::string> Look::read(archive* in, std::size_t most) const {
+    std::string text;
+    for (std::size_t have = 0;;) {
+        text.resize(std::min(most + 1, have + (256u << 10)));
+        const la_ssize_t got = archive_read_data(in, text.data() + have, text.size() - have);
+        if (got < 0) fail(in);
+        have += std::size_t(got);
+        if (got == 0 || have > most) {
+            text.resize(have);
+            break;
+        }
+    }
+    if (text.size() > most) return std::nullopt;
     text.shrink_to_fit();
     return text;
 }
 
-}  // namespace
+void Look::take(archive* in, const std::string& name) {
+    std::optional<std::string> text = read(in, most_source_bytes);
+    if (!text) {
+        found.complaints[name] = too_large();
+        return;
+    }
+    if ((taken_ += std::int64_t(text->size())) > most_taken)
+        throw SubmissionError(
+            fmt::format("{}: holds more than {} MiB in files that are named like fragments", shown_, most_taken >> 20));
+    const auto [place, fresh] = found.texts.try_emplace(name, *text);
+    if (!fresh && place->second != *text) found.doubled.insert(name);
+    place->second = std::move(*text);
+}
 
-Found look_into_archive(const fs::path& path, const std::vector<std::string>& fragments, const fs::path& framework) {
-    const FrameworkFiles handed_out(framework);
-    const NamesInUtf8 names_in_utf8;
-    const std::unique_ptr<archive, int (*)(archive*)> in(archive_read_new(), archive_read_free);
+void Look::look_at(archive* in, archive_entry* entry, const std::string& name, int depth) {
+    const bool is_file = archive_entry_filetype(entry) == AE_IFREG && !archive_entry_hardlink(entry);
+    if (names_.contains(fs::path(name).filename().string())) {
+        if (is_file)
+            take(in, name);
+        else
+            found.complaints[name] = "not a regular file; links and devices are not followed";
+        return;
+    }
+    if (is_file) found.look_at_name(name, fragments_);
+    if (is_file && handed_out_.has(name)) {
+        const auto text = read(in, most_source_bytes);
+        if (!archive_entry_size_is_set(entry)) unpacked_ += std::int64_t(text ? text->size() : most_source_bytes);
+        if (!text || handed_out_.differs(name, *text)) found.edited.insert(name);
+    }
+    // what is skipped is unpacked all the same
+    if (archive_entry_size_is_set(entry)) unpacked_ += archive_entry_size(entry);
+    if (unpacked_ > most_unpacked)
+        throw SubmissionError(fmt::format("{}: unpacks to more than {} MiB", shown_, most_unpacked >> 20));
+    if (!is_file || depth >= most_depth || !is_zip_or_tar(name) || name.starts_with("__MACOSX")) return;
+    const std::optional<std::string> bytes = read(in, std::size_t(most_inner));
+    if (!bytes) return;
+    if (!archive_entry_size_is_set(entry)) unpacked_ += std::int64_t(bytes->size());
+    try {
+        into(name + "/", &*bytes, depth + 1);
+        // it has been looked into
+        std::erase(found.archives, name);
+    } catch (const SubmissionError&) {
+        // a broken one within is as good as none, where there are others
+        if (unpacked_ > most_unpacked || taken_ > most_taken || entries_ >= most_entries) throw;
+    }
+}
+
+void Look::into(const std::string& prefix, const std::string* bytes, int depth) {
+    const Archive in(archive_read_new(), archive_read_free);
     archive_read_support_format_zip(in.get());
     archive_read_support_format_tar(in.get());
     archive_read_support_filter_gzip(in.get());
-    const auto fail = [&] {
-        const char* why = archive_error_string(in.get());
-        throw SubmissionError(fmt::format("{}: cannot be unpacked: {}; expected a .zip or a .tar.gz", path.string(),
-                                          why ? why : "broken"));
-    };
-    if (archive_read_open_filename(in.get(), path.c_str(), 1 << 16) != ARCHIVE_OK) fail();
-
-    std::set<std::string> names;
-    for (const std::string& fragment : fragments) names.insert(fragment + ".cpp");
-    Found found;
-    std::int64_t unpacked = 0, taken = 0;
-    for (int entries = 0;; ++entries) {
+    const int opened = bytes ? archive_read_open_memory(in.get(), bytes->data(), bytes->size())
+                             : archive_read_open_filename(in.get(), shown_.c_str(), 1 << 16);
+    if (opened != ARCHIVE_OK) fail(in.get());
+    for (;; ++entries_) {
         archive_entry* entry = nullptr;
         const int status = archive_read_next_header(in.get(), &entry);
-        if (status == ARCHIVE_EOF) break;
-        if (status < ARCHIVE_WARN) fail();
-        if (entries >= most_entries)
-            throw SubmissionError(fmt::format("{}: holds more than {} files", path.string(), most_entries));
+        if (status == ARCHIVE_EOF) return;
+        if (status < ARCHIVE_WARN) fail(in.get());
+        if (entries_ >= most_entries)
+            throw SubmissionError(fmt::format("{}: holds more than {} files", shown_, most_entries));
         const char* raw = archive_entry_pathname(entry);
         if (!raw) {
             ++found.unnamed;
@@ -94,41 +171,17 @@ Found look_into_archive(const fs::path& path, const std::vector<std::string>& fr
         }
         // the path is a name and nothing else: nothing is written to it
         const std::string name = plain_path(raw);
-        if (name.starts_with("/") || name.starts_with("..")) continue;
-        if (!names.contains(fs::path(name).filename().string())) {
-            if (archive_entry_filetype(entry) == AE_IFREG) found.look_at_name(name, fragments);
-            if (archive_entry_filetype(entry) == AE_IFREG && handed_out.has(name)) {
-                const auto text = text_of_entry(in.get(), most_source_bytes);
-                if (!text) fail();
-                if (!archive_entry_size_is_set(entry)) unpacked += std::int64_t(text->size());
-                if (handed_out.differs(name, *text)) found.edited.insert(name);
-            }
-            // what is skipped is unpacked all the same
-            if (archive_entry_size_is_set(entry)) unpacked += archive_entry_size(entry);
-            if (unpacked > most_unpacked)
-                throw SubmissionError(
-                    fmt::format("{}: unpacks to more than {} MiB", path.string(), most_unpacked >> 20));
-            continue;
-        }
-        if (archive_entry_filetype(entry) != AE_IFREG || archive_entry_hardlink(entry)) {
-            found.complaints[name] = "not a regular file; links and devices are not followed";
-            continue;
-        }
-        const auto read = text_of_entry(in.get(), most_source_bytes);
-        if (!read) fail();
-        std::string text = *read;
-        if (text.size() > most_source_bytes) {
-            found.complaints[name] = too_large();
-            continue;
-        }
-        if ((taken += std::int64_t(text.size())) > most_taken)
-            throw SubmissionError(fmt::format("{}: holds more than {} MiB in files that are named like fragments",
-                                              path.string(), most_taken >> 20));
-        const auto [place, fresh] = found.texts.try_emplace(name, text);
-        if (!fresh && place->second != text) found.doubled.insert(name);
-        place->second = std::move(text);
+        if (!name.starts_with("/") && !name.starts_with("..")) look_at(in.get(), entry, prefix + name, depth);
     }
-    return found;
+}
+
+}  // namespace
+
+Found look_into_archive(const fs::path& path, const std::vector<std::string>& fragments, const fs::path& framework) {
+    const NamesInUtf8 names_in_utf8;
+    Look look(path.string(), fragments, framework);
+    look.into("", nullptr, 0);
+    return std::move(look.found);
 }
 
 }  // namespace grade

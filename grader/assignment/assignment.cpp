@@ -26,16 +26,24 @@ Assignment read_assignment(const std::string& path) {
     const std::optional<std::string> text = read_text(fs::canonical(path, error));
     if (!text) throw rt::InputError(path + ":1:1: cannot be read; expected the assignment's parts and fragments");
     const rt::Table file = rt::Table::parse(*text, path);
-    file.only({"title", "part"});
+    file.only({"title", "part", "theory"});
 
     Assignment assignment;
     assignment.title = file.text("title");
+    if (file.has("theory")) {
+        const rt::Table theory = file.table("theory");
+        theory.only({"points"});
+        assignment.theory_points = theory.number("points", rt::not_negative);
+    }
     for (const rt::Table& part : file.tables("part")) {
-        part.only({"name", "title", "fragments"});
+        part.only({"name", "title", "fragments", "visibility"});
+        const int visibility = part.choice("visibility", visibilities, 0);
         assignment.parts.push_back({part.text("name"), part.text("title")});
         for (const rt::Table& entry : part.tables("fragments")) {
-            entry.only({"name", "points", "given"});
-            Fragment fragment{entry.text("name"), part.text("name"), 0, entry.flag("given", false)};
+            entry.only({"name", "points", "given", "visibility"});
+            Fragment fragment{
+                entry.text("name"), part.text("name"), 0, entry.flag("given", false),
+                std::string(visibilities[std::size_t(entry.choice("visibility", visibilities, visibility))])};
             if (std::ranges::count(assignment.fragments, fragment.name, &Fragment::name) > 0)
                 entry.fail("name", "a second fragment \"" + fragment.name + "\"", "each name once");
             fragment.points =

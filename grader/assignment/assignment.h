@@ -1,9 +1,16 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace grade {
+
+/// When students see a result in a course's system. Gradescope's words: where one test is hidden, it hides the total
+/// too.
+constexpr std::array<std::string_view, 4> visibilities = {"visible", "after_due_date", "after_published", "hidden"};
 
 struct Part {
     std::string name, title;
@@ -11,15 +18,17 @@ struct Part {
 
 struct Fragment {
     std::string name, part;
-    double points = 0;   // 0 where it is given
-    bool given = false;  // handed out filled in
+    double points = 0;                   // 0 where it is given
+    bool given = false;                  // handed out filled in
+    std::string visibility = "visible";  // of its result, to students; one of visibilities
 };
 
 /// The list of assignment.toml.
 struct Assignment {
     std::string title;
     std::vector<Part> parts;
-    std::vector<Fragment> fragments;  // in the order of the parts
+    std::vector<Fragment> fragments;      // in the order of the parts
+    std::optional<double> theory_points;  // none: the course has no theory part
 
     /// Its place in the list. Throws std::out_of_range for a name that is none.
     std::size_t place(const std::string& fragment) const;

@@ -23,16 +23,7 @@ std::string lower(std::string text) {
 
 /// Of the record without what depends on time and load.
 std::string timeless_hash(const Record& record) {
-    auto json = nlohmann::json::parse(to_json(record));
-    const std::function<void(nlohmann::json&)> strip = [&](nlohmann::json& value) {
-        if (value.is_object())
-            for (auto at = value.begin(); at != value.end();)
-                at = at.key().ends_with("_seconds") ? value.erase(at) : std::next(at);
-        for (auto& [key, child] : value.items())
-            if (child.is_structured()) strip(child);
-    };
-    strip(json);
-    return fmt::format("{:016x}", std::hash<std::string>{}(json.dump()));
+    return fmt::format("{:016x}", std::hash<std::string>{}(timeless_json(record)));
 }
 
 }  // namespace

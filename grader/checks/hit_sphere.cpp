@@ -49,8 +49,8 @@ Row ordinary_sphere(Generator& random, bool clipped) {
     if (std::isfinite(t0)) {
         const double margin = 0.02 * (t1 - t0);
         if (std::abs(t0) < margin || std::abs(t1) < margin) return ordinary_sphere(random, clipped);
-        if (clipped && chance(random, 0.5))
-            ray.near = std::max(0.0, chance(random, 0.5) ? (t0 + t1) / 2 : t1 + (t1 - t0));
+        const double nears[] = {between(random, 0.6, 0.9) * t0, (t0 + t1) / 2, t1 + (t1 - t0)};
+        if (clipped && chance(random, 0.6)) ray.near = std::max(0.0, nears[whole_between(random, 0, 2)]);
         if (clipped && chance(random, 0.5)) ray.far = std::max(ray.near, 0.0) + std::abs(t1) * between(random, 0.1, 2);
         for (const double t : {t0, t1})
             if (std::abs(t - ray.near) < margin || std::abs(t - ray.far) < margin)

@@ -69,6 +69,10 @@ Check any_exponent() {
         Rows rows = rows_of_decades(0, 4, 128, [](Generator& draw, double n) { return row(n, square(draw)); })(random);
         for (int k = 0; k < 128; ++k)
             rows.push_back(row(chance(random, 0.2) ? 0 : between(random, 0, 1), square(random)));
+        // along the surface, where a density is 0 but for an exponent of 0
+        for (int k = 0; k < 8; ++k)
+            for (const double n : {0.0, between(random, 0.5, 1), log_between(random, 1, 1e4)})
+                rows.push_back(row(n, rt::vec2(0, between(random, 0, 1))));
         return rows;
     };
     return probe_check(
@@ -85,8 +89,8 @@ Check any_exponent() {
                        "from 0 to 10,000"}),
          mean_of({.id = "P1",
                   .what = "(n + 1) mean of -log cos(alpha), for exponents from 0 to 10,000",
-                  .number = of_call<rt::phong_lobe>([](const DirectionSample& s, double n, rt::vec2) {
-                      return -(n + 1) * std::log(std::max(s.direction.z, 1e-30));
+                  .number = of_call<rt::phong_lobe>([](const DirectionSample& s, double n, rt::vec2 u) {
+                      return u.x > 0 ? -(n + 1) * std::log(std::max(s.direction.z, 1e-30)) : 1;
                   }),
                   .delta0 = 0.01,
                   .delta = 0.2,

@@ -4,13 +4,17 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <optional>
+#include <random>
 
 #include "commands/call.h"
 #include "commands/exit_code.h"
 #include "commands/grading.h"
 #include "commands/picture.h"
+#include "commands/theory.h"
 #include "commands/words.h"
 #include "files/files.h"
+#include "hand_out/gradescope.h"
 #include "hand_out/hand_out.h"
 #include "report/describe.h"
 #include "rt/files/scene_reader.h"
@@ -34,15 +38,44 @@ int describe(const std::string& handout, const std::string& toolchain) {
     return graded;
 }
 
-int run_hand_out(const std::string& folder, const std::vector<std::string>& others, const std::string& toolchain) {
+struct HandOutArguments {
+    std::string folder, gradescope;
+    std::vector<std::string> others;
+    std::optional<std::uint64_t> seed;
+};
+
+CLI::App* add_hand_out_command(CLI::App& app, HandOutArguments& arguments) {
+    CLI::App* command = app.add_subcommand("hand-out", "write what students get into a new folder: a kit");
+    command->add_option("FOLDER", arguments.folder, "is not there yet, or empty")->required();
+    command
+        ->add_option("--add", arguments.others,
+                     "another hand-out, made on another kind of processor, whose grader comes along")
+        ->type_name("KIT");
+    CLI::Option* zip =
+        command->add_option("--gradescope", arguments.gradescope, "and the autograder that Gradescope takes")
+            ->type_name("ZIP");
+    command->add_option("--seed", arguments.seed, "of all gradings there; default: a fresh one")
+        ->type_name("N")
+        ->needs(zip);
+    return command;
+}
+
+int run_hand_out(const HandOutArguments& arguments, const std::string& toolchain) {
+    require_folder_of(arguments.gradescope, "--gradescope");
     const Toolchain chain = read_toolchain(toolchain);
     if (chain.is_kit)
         throw rt::InputError(
             "a kit is handed out by the project that it comes from: it has no sources of the solution");
     const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
-    hand_out(chain.source, assignment, fs::path(toolchain).parent_path() / "kit.toml", folder,
-             {others.begin(), others.end()});
-    fmt::print("{}\n", folder);
+    hand_out(chain.source, assignment, fs::path(toolchain).parent_path() / "kit.toml", arguments.folder,
+             {arguments.others.begin(), arguments.others.end()});
+    fmt::print("{}\n", arguments.folder);
+    if (!arguments.gradescope.empty()) {
+        std::random_device device;
+        write_gradescope(chain.source, arguments.folder, arguments.seed ? *arguments.seed : device() % 1'000'000 + 1,
+                         arguments.gradescope);
+        fmt::print("{}\n", arguments.gradescope);
+    }
     return graded;
 }
 
@@ -66,8 +99,7 @@ int start_study(const Study& study, char** argv) {
 
 int run_command_line(int argc, char** argv) {
     CLI::App app("Grades a submission: renders with its fragments, and measures what comes out", "grade");
-    std::string toolchain, handout, folder;
-    std::vector<std::string> others;
+    std::string toolchain, handout;
     app.add_option("--toolchain", toolchain, "what the build wrote about itself")->group("");
     app.set_version_flag("--version", fmt::format("grade {}", PENUMBRA_VERSION));
 
@@ -77,12 +109,11 @@ int run_command_line(int argc, char** argv) {
     CLI::App* picture = add_picture_command(app, picture_arguments);
     CallArguments call_arguments;
     CLI::App* call = add_call_command(app, call_arguments);
+    TheoryArguments theory_arguments;
+    CLI::App* theory = add_theory_command(app, theory_arguments);
     for (const Study& study : studies) app.add_subcommand(study.name, study.purpose)->prefix_command()->set_help_flag();
-    CLI::App* starter = app.add_subcommand("hand-out", "write what students get into a new folder: a kit");
-    starter->add_option("FOLDER", folder, "is not there yet, or empty")->required();
-    starter
-        ->add_option("--add", others, "another hand-out, made on another kind of processor, whose grader comes along")
-        ->type_name("KIT");
+    HandOutArguments hand_out_arguments;
+    CLI::App* starter = add_hand_out_command(app, hand_out_arguments);
     CLI::App* tables = app.add_subcommand("describe", "print the handout's tables of points and checks");
     tables->add_option("--update", handout, "make them anew in this file")->type_name("FILE");
 
@@ -97,9 +128,10 @@ int run_command_line(int argc, char** argv) {
             if (app.got_subcommand(study.name)) return start_study(study, argv);
         if (toolchain.empty()) toolchain = own_toolchain().string();
         if (tables->parsed()) return describe(handout, toolchain);
-        if (starter->parsed()) return run_hand_out(folder, others, toolchain);
+        if (starter->parsed()) return run_hand_out(hand_out_arguments, toolchain);
         if (picture->parsed()) return run_picture(picture_arguments, toolchain);
         if (call->parsed()) return run_call(call_arguments, toolchain);
+        if (theory->parsed()) return run_theory(theory_arguments, toolchain);
         return run_grade(grading, toolchain, command);
     });
 }

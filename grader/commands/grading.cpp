@@ -14,6 +14,7 @@
 #include "files/interrupt.h"
 #include "judging/grading.h"
 #include "judging/own_picture.h"
+#include "judging/provenance.h"
 #include "programs/cache.h"
 #include "programs/process.h"
 #include "report/json.h"
@@ -51,6 +52,7 @@ public:
         set_up();
         // their closed forms take a while: meanwhile the fragments are compiled
         checks_ = std::async(std::launch::async, all_checks, settings_.seed).share();
+        provenance_ = std::async(std::launch::async, find_provenance, std::cref(chain_)).share();
     }
 
     const Chosen& chosen() const { return chosen_; }
@@ -71,6 +73,7 @@ public:
             [&](int done, int all, const std::string& doing) { line.show(done, all, doing); });
         const Submission submission =
             read_submission(chosen_.submission, assignment_.names(), chain_.source / "starter");
+        settings_.provenance = provenance_.get();
         programs_ = std::make_unique<Programs>(submission, chain_, settings_.build, *progress_);
         Record record = grade_programs(*programs_, assignment_, chain_, checks_, settings_, *progress_);
         record.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
@@ -82,7 +85,7 @@ public:
 
     /// The table; the exit code.
     int tell(const Record& record) const {
-        fmt::print("{}\nseed {}; {}\n", table(record, assignment_, isatty(STDOUT_FILENO)), record.seed, record.sandbox);
+        fmt::print("{}\nseed {}; {}\n", table(record, isatty(STDOUT_FILENO)), record.seed, record.sandbox);
         if (record.reused > 0)
             fmt::print("{} checks as before: nothing that they depend on has changed (--fresh runs them again)\n",
                        record.reused);
@@ -104,7 +107,7 @@ public:
                 record.own_picture_fault = error.what();
             }
         const fs::path handout = fs::relative(chain_.source / "handout.md", html_);
-        write_text(html_ / "index.html", page(record, assignment_, handout.generic_string()));
+        write_text(html_ / "index.html", page(record, handout.generic_string()));
         line.clear();
         fmt::print("page: {}\n", (html_ / "index.html").string());
     }
@@ -139,6 +142,7 @@ private:
     Assignment assignment_;
     Chosen chosen_;
     std::string command_;
+    std::shared_future<Provenance> provenance_;
     std::optional<fs::path> cache_;
     fs::path html_;
     GradingSettings settings_;

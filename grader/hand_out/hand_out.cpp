@@ -168,14 +168,14 @@ void write_toolchain(const Toolchain& built, const fs::path& machine) {
     std::ranges::sort(libraries);
     for (const std::string& library : built.libraries)
         if (!library.starts_with("/")) plain.push_back(library);
-    write_text(
-        machine / "toolchain.toml",
-        fmt::format("# How this kit's grader compiles and links.\nkit = true\nprocessor = \"{}\"\nsource = \"../..\"\n"
-                    "cache = \"../../build\"\ncompile = {}\nincludes = [\"../../starter\", \"../include\"]\n"
-                    "link = {}\narchives = [\"libchild.a\", \"librt.a\"]\nlibraries = {}\nkit_libraries = {}\n"
-                    "blanks = \"../blanks\"\nblank_objects = {}\nsolution_objects = {}\n",
-                    built.processor, quoted(built.compile), quoted(built.link), quoted(plain), quoted(libraries),
-                    quoted(blanks), quoted(reference)));
+    write_text(machine / "toolchain.toml",
+               fmt::format("# How this kit's grader compiles and links.\nkit = true\nprocessor = \"{}\"\ncommit = "
+                           "\"{}\"\nsource = \"../..\"\n"
+                           "cache = \"../../build\"\ncompile = {}\nincludes = [\"../../starter\", \"../include\"]\n"
+                           "link = {}\narchives = [\"libchild.a\", \"librt.a\"]\nlibraries = {}\nkit_libraries = {}\n"
+                           "blanks = \"../blanks\"\nblank_objects = {}\nsolution_objects = {}\n",
+                           built.processor, built.commit, quoted(built.compile), quoted(built.link), quoted(plain),
+                           quoted(libraries), quoted(blanks), quoted(reference)));
 }
 
 /// The folder that holds glm/, as the compiler finds it.
@@ -248,6 +248,8 @@ void hand_out(const fs::path& project, const Assignment& assignment, const fs::p
             fs::copy_file(from, to);
     }
     fs::copy_file(project / "grader/kit/grade", folder / "grade");
+    fs::create_directories(folder / ".github/workflows");
+    fs::copy_file(project / "grader/kit/github/grade.yml", folder / ".github/workflows/grade.yml");
     write_text(folder / ".gitignore", "build*/\n");
     write_text(folder / ".gitattributes", "* text=auto eol=lf\n");  // a shell reads no CRLF
     write_starter(blanks, (folder / "starter/fragments").string());

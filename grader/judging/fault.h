@@ -8,8 +8,9 @@
 
 namespace grade {
 
-/// Runs what crashed, gave no number, or answered differently when asked twice once more, with sanitizers: "phong.cpp:24:
-/// a way through this function ends without a return". Empty where they find nothing, or where there are none.
+/// Runs what crashed, gave no number, or answered differently when asked twice once more, with sanitizers:
+/// "phong.cpp:24: a way through this function ends without a return". Empty where they find nothing, or where there are
+/// none.
 ///
 /// checks  all checks of the grading with this seed
 std::string find_fault(const Programs& programs, const Programs::Linked& plain, const Toolchain& chain,

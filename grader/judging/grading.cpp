@@ -7,9 +7,11 @@
 #include <mutex>
 
 #include "files/files.h"
+#include "files/sha256.h"
 #include "judging/fault.h"
 #include "judging/finding.h"
 #include "judging/judge_check.h"
+#include "judging/provenance.h"
 #include "programs/parallel.h"
 
 namespace grade {
@@ -74,16 +76,23 @@ Grading::Grading(Programs& programs, const Assignment& assignment, const Toolcha
     record_.title = assignment.title;
     record_.seed = settings.seed;
     record_.sandbox = programs.sandbox().description;
-    record_.toolchain = chain.description;
-    record_.version = PENUMBRA_VERSION;
     record_.command = settings.command;
+    record_.date = now();
+    record_.provenance = settings.provenance;
+    record_.limits.time = settings.time_limit;
+    record_.parts = assignment.parts;
 
     for (const Fragment& fragment : assignment.fragments) {
         if (fragment.given || (!settings.only.empty() && !settings.only.contains(fragment.name))) continue;
         FragmentRecord record;
         record.name = fragment.name, record.part = fragment.part, record.max_points = fragment.points;
+        record.visibility = fragment.visibility;
+        if (const auto text = programs.texts().find(fragment.name); text != programs.texts().end())
+            record.file = programs.file_of(fragment.name), record.sha256 = sha256(text->second);
+        if (!settings.only.empty()) record_.selection.push_back(fragment.name);
         record_.fragments.push_back(std::move(record));
     }
+    record_.sha256 = hash_of(programs.texts(), assignment);
 }
 
 void Grading::add_checks() {
@@ -92,6 +101,9 @@ void Grading::add_checks() {
     check_settings_.pictures = settings_.pictures;
     check_settings_.statistics.statistics = settings_.statistics > 0 ? settings_.statistics : noisy_statistics(checks);
     check_settings_.statistics.cap = settings_.replicates;
+    record_.limits.replicates = settings_.replicates;
+    record_.limits.statistics = check_settings_.statistics.statistics;
+    record_.provenance.checks = hash_of(checks);
     for (FragmentRecord& fragment : record_.fragments) {
         std::vector<const Check*> own;
         for (const Check& check : checks)
@@ -105,6 +117,7 @@ void Grading::finish(FragmentRecord& fragment) {
         fragment.verdict = problem->second.verdict;
         fragment.message = problem->second.message;
         for (CheckRecord& check : fragment.checks) check.verdict = fragment.verdict;
+        give_points(fragment);
     } else if (!fragment.checks.empty()) {
         fragment.verdict = Verdict::passed;
         // those too that ran at the same time: a record does not tell how many processors there are
@@ -114,7 +127,7 @@ void Grading::finish(FragmentRecord& fragment) {
             fragment.verdict = worse(fragment.verdict, check.verdict);
             fragment.cpu_seconds += check.cpu_seconds;
         }
-        fragment.points = points_of(fragment);
+        give_points(fragment);
     } else {
         fragment.message = "no check looks at this fragment";
     }

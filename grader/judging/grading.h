@@ -20,6 +20,7 @@ struct GradingSettings {
     int replicates = 256;    // of a statistic, after which it is inconclusive
     int statistics = 0;      // that share alpha; 0: those of these checks
     std::string command;     // that it was asked for with
+    Provenance provenance;   // but for its checks; empty where no record is kept
     BuildSettings build;
 
     std::function<void(int done, int all, const std::string& doing)> progress;  // never called twice at a time

@@ -37,8 +37,8 @@ struct Ending {
 using Clock = std::chrono::steady_clock;
 
 /// A running program, with ways to its stdin and from its stdout, stderr, and descriptor 3: sockets, which nobody can
-/// open again by a name. Its environment is empty but for PATH, LANG and options of sanitizers. When this object goes, so do the program and
-/// everything in its process group. This is the only place where the grader starts a process.
+/// open again by a name. Its environment is empty but for PATH, LANG and options of sanitizers. When this object goes,
+/// so do the program and everything in its process group. This is the only place where the grader starts a process.
 class Process {
 public:
     /// folder  its working directory

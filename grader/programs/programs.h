@@ -54,6 +54,8 @@ public:
     void compile(const std::set<std::string>& fragments);
 
     const std::string& submission() const { return submission_.name; }
+    const std::map<std::string, std::string>& texts() const { return submission_.texts; }  // by fragment
+    std::string file_of(const std::string& fragment) const { return submission_.folder + fragment + ".cpp"; }
     const Sandbox& sandbox() const { return sandbox_; }
     const Kept& kept() const { return settings_.kept; }
     const std::map<std::string, Problem>& problems() const { return problems_; }
@@ -67,8 +69,8 @@ public:
     /// The program with these fragments of the submission; made once. With none of them: the solution's.
     const Linked& with(const std::set<std::string>& fragments, Others others = Others::solution);
 
-    /// The program with this fragment of the submission, compiled with sanitizers. None: there are none here, or it does
-    /// not link.
+    /// The program with this fragment of the submission, compiled with sanitizers. None: there are none here, or it
+    /// does not link.
     std::optional<fs::path> checked(const std::string& fragment) const;
 
     /// The program with these. Throws SubmissionError with the first errors where they do not go together.

@@ -126,6 +126,7 @@ Toolchain read_toolchain(const fs::path& path) try {
     chain.is_kit = file["kit"].value_or(false);
     chain.compiler = text("compiler").empty() ? find_compiler() : fs::path(text("compiler"));
     chain.description = text("description").empty() ? first_line(chain.compiler) : text("description");
+    chain.commit = text("commit");
     chain.compile = list(file, "compile");
     for (const std::string& option : list(file, "options")) chain.compile.push_back(option);
     chain.includes = places("includes");

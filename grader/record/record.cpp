@@ -43,6 +43,10 @@ double Record::max_score() const {
     return rounded(sum);
 }
 
+bool Record::is_complete() const {
+    return !fragments.empty() && std::ranges::all_of(fragments, &FragmentRecord::finished);
+}
+
 Verdict worse(Verdict a, Verdict b) {
     constexpr std::array order{Verdict::did_not_build, Verdict::not_started, Verdict::crashed,      Verdict::timed_out,
                                Verdict::not_finite,    Verdict::failed,      Verdict::inconclusive, Verdict::passed};
@@ -56,6 +60,16 @@ double points_of(const FragmentRecord& fragment) {
         if (check.verdict == Verdict::passed) passed += check.share;
     }
     return all > 0 ? rounded(fragment.max_points * passed / all) : 0;
+}
+
+void give_points(FragmentRecord& fragment) {
+    double all = 0;
+    for (const CheckRecord& check : fragment.checks) all += check.share;
+    for (CheckRecord& check : fragment.checks) {
+        check.max_points = all > 0 ? fragment.max_points * check.share / all : 0;
+        check.points = check.verdict == Verdict::passed ? check.max_points : 0;
+    }
+    fragment.points = points_of(fragment);
 }
 
 }  // namespace grade

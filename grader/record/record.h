@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "assignment/assignment.h"
 #include "rt/files/image.h"
 #include "statistics/tiles.h"
 #include "statistics/verdict.h"
@@ -43,6 +44,7 @@ struct CheckRecord {
     int samples = 0;    // a pixel
     std::string sampler;
     int share = 1;  // of the fragment's points
+    double points = 0, max_points = 0;
     Verdict verdict = Verdict::inconclusive;
     std::string message;  // where there is nothing to measure: what happened, and what to do
     Trouble trouble = Trouble::none;
@@ -72,8 +74,11 @@ struct Finding {
 struct FragmentRecord {
     std::string name, part;
     double points = 0, max_points = 0;
+    std::string visibility = "visible";  // to students; one of the assignment's visibilities
     Verdict verdict = Verdict::inconclusive;
     std::string message;  // what to know about it as a whole; compiler errors are untrusted text
+    std::string file;     // its path within the submission; empty: there is none
+    std::string sha256;   // of its text; likewise
     std::vector<CheckRecord> checks;
     double cpu_seconds = 0;
     bool finished = false;
@@ -81,10 +86,34 @@ struct FragmentRecord {
     std::string warnings;  // of the compiler, a line each; untrusted text
 };
 
+/// What a grading was made with. Hashes are SHA-256.
+struct Provenance {
+    std::string version, commit;  // of the grader; commit: what was checked out at its build, if anybody knows
+    std::string program,
+        reference;  // hashes: the grader itself; what fragments are linked with, its fragments included
+    std::string assignment, checks;    // hashes: assignment.toml; what is asked with this seed
+    std::string toolchain;             // "GNU 12.2.0, Release"
+    std::vector<std::string> flags;    // of the compiler
+    std::string built_for, processor;  // the least kind that can run it, empty: any; the one it ran on
+};
+
+/// What bounds a grading.
+struct GradingLimits {
+    double time = 10;    // CPU time of one answer [s]
+    int replicates = 0;  // of a statistic, after which it is inconclusive
+    int statistics = 0;  // that share the rate of false failures
+};
+
 struct Record {
     std::string submission, title;
+    std::string sha256;  // of the lines "HASH  NAME.cpp" of its fragments
     std::uint64_t seed = 0;
-    std::string sandbox, toolchain, version, command;
+    std::string date;  // when it began, UTC: "2026-01-31T12:00:00Z"
+    std::string sandbox, command;
+    Provenance provenance;
+    GradingLimits limits;
+    std::vector<std::string> selection;  // fragments that were asked for; empty: all
+    std::vector<Part> parts;
     std::vector<FragmentRecord> fragments;  // in the order of the assignment
     double wall_seconds = 0;
     int reused = 0;  // checks whose records are those of an earlier grading
@@ -100,6 +129,7 @@ struct Record {
 
     double score() const;
     double max_score() const;
+    bool is_complete() const;
 
     /// The submission's efficiency over the solution's, the median of all pictures with noise; none: there are none.
     std::optional<double> efficiency_ratio() const;
@@ -110,5 +140,8 @@ Verdict worse(Verdict a, Verdict b);
 
 /// Points of a fragment: its share of passed checks, rounded to 2 decimals.
 double points_of(const FragmentRecord& fragment);
+
+/// Shares the fragment's points among its checks, and gives it those of the checks that passed.
+void give_points(FragmentRecord& fragment);
 
 }  // namespace grade

@@ -121,6 +121,7 @@ std::string first_line(const std::string& words) { return words.substr(0, words.
 /// Where to read about what is wrong.
 std::string read_link(const std::string& section, const std::string& handout) {
     if (section.empty()) return {};
+    if (handout.empty()) return "See " + html(reading(section));
     return fmt::format("See <a href=\"{}#{}\">{}</a>", html(handout), html(anchor(section)), html(reading(section)));
 }
 
@@ -165,7 +166,7 @@ std::string overview_row(const FragmentRecord& fragment, const std::string& hand
         fragment.max_points - fragment.points);
 }
 
-std::string overview(const Record& record, const Assignment& assignment, const std::string& handout) {
+std::string overview(const Record& record, const std::string& handout) {
     std::string text =
         "<section class=\"card\" id=\"overview\"><div class=\"tools\">"
         "<button data-toggle=\"only\" aria-pressed=\"false\">only what is not passed</button>"
@@ -173,7 +174,7 @@ std::string overview(const Record& record, const Assignment& assignment, const s
         "<button data-toggle=\"open\" aria-pressed=\"false\">all details</button>"
         "<span class=\"soft\"><kbd>n</kbd> <kbd>p</kbd> next and previous that is not passed</span></div>\n"
         "<table class=\"overview\">\n";
-    for (const Part& part : assignment.parts) {
+    for (const Part& part : record.parts) {
         double have = 0, most = 0;
         std::string rows;
         for (const FragmentRecord& fragment : record.fragments) {
@@ -232,9 +233,15 @@ std::string changes(const Record& record) {
     return fmt::format("<section class=\"card\"><p>Since the last run:</p><ul>{}</ul></section>\n", items);
 }
 
+/// "0.1.0, commit 1a2b3c4d5e6f"
+std::string version_of(const Record& record) {
+    const Provenance& made = record.provenance;
+    return made.version + (made.commit.empty() ? "" : ", commit " + made.commit.substr(0, 12));
+}
+
 }  // namespace
 
-std::string page(const Record& record, const Assignment& assignment, const std::string& handout) {
+std::string page(const Record& record, const std::string& handout) {
     const double share = record.max_score() > 0 ? record.score() / record.max_score() : 0;
     std::string text = fmt::format(
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
@@ -249,8 +256,8 @@ std::string page(const Record& record, const Assignment& assignment, const std::
         "style=\"width:{:.1f}%\"></i></div></div></header>\n",
         html(record.title), html(record.submission), next_step(record), record.seed, record.score(), record.max_score(),
         100 * share, 100 * share);
-    text += notes(record) + changes(record) + overview(record, assignment, handout) + own_picture(record);
-    for (const Part& part : assignment.parts) {
+    text += notes(record) + changes(record) + overview(record, handout) + own_picture(record);
+    for (const Part& part : record.parts) {
         std::string sections;
         for (const FragmentRecord& fragment : record.fragments)
             if (fragment.part == part.name) sections += fragment_section(fragment, handout);
@@ -262,7 +269,8 @@ std::string page(const Record& record, const Assignment& assignment, const std::
         "{}. Sandbox: {}.</p>"
         "<p>The bar through a measured value is its 99.8 % "
         "interval.</p></section>\n</main><script>{}</script></body></html>\n",
-        html(record.command), html(record.toolchain), html(record.version), html(record.sandbox), page_script);
+        html(record.command), html(record.provenance.toolchain), html(version_of(record)), html(record.sandbox),
+        page_script);
     return text;
 }
 

@@ -83,9 +83,9 @@ std::string fragment_rows(const Record& record, bool color) {
     return rows;
 }
 
-std::string table(const Record& record, const Assignment& assignment, bool color) {
+std::string table(const Record& record, bool color) {
     std::string text;
-    for (const Part& part : assignment.parts) {
+    for (const Part& part : record.parts) {
         Record of_part;
         std::ranges::copy_if(record.fragments, std::back_inserter(of_part.fragments),
                              [&](const FragmentRecord& fragment) { return fragment.part == part.name; });

@@ -3,13 +3,12 @@
 #include <chrono>
 #include <string>
 
-#include "assignment/assignment.h"
 #include "record/record.h"
 
 namespace grade {
 
 /// The result as a table: part, fragment, verdict, points, and what to do about each fragment that does not pass.
-std::string table(const Record& record, const Assignment& assignment, bool color);
+std::string table(const Record& record, bool color);
 
 /// Its middle: a row for each fragment, and below it what to do about it.
 std::string fragment_rows(const Record& record, bool color);

@@ -28,7 +28,10 @@ enum class Trouble {
 constexpr std::array<std::string_view, 8> verdict_names = {"passed",  "failed",    "not_started", "did_not_build",
                                                            "crashed", "timed_out", "not_finite",  "inconclusive"};
 
-/// The verdict as the record spells it.
+constexpr std::array<std::string_view, 4> trouble_names = {"none", "keeps_state", "not_a_number", "no_radiance"};
+
+/// As the record spells them.
 constexpr std::string_view name(Verdict verdict) { return verdict_names[static_cast<std::size_t>(verdict)]; }
+constexpr std::string_view name(Trouble trouble) { return trouble_names[static_cast<std::size_t>(trouble)]; }
 
 }  // namespace grade

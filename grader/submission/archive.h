@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "submission/submission.h"
@@ -25,6 +26,10 @@ struct Found {
 /// Looks into a .zip or a .tar.gz; nothing is unpacked to the disk. framework: what FrameworkFiles compares with.
 /// Throws SubmissionError. A kit has no library for archives, and says so.
 Found look_into_archive(const fs::path& path, const std::vector<std::string>& fragments, const fs::path& framework);
+
+/// Writes a .zip of files and folders under these names, with their right to be run. Throws std::runtime_error; in a
+/// kit always.
+void write_zip(const fs::path& zip, const std::vector<std::pair<std::string, fs::path>>& entries);
 
 /// The complaint about a file above most_source_bytes.
 std::string too_large();

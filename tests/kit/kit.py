@@ -25,10 +25,13 @@ def variant(patch):
 
 
 def without_times(value):
-    """A record without what depends on time, load and place."""
+    """A record without what depends on time, load, place and build."""
     if isinstance(value, dict):
-        own = ("command", "submission", "sandbox", "toolchain", "efficiency_over_solution_by_cpu_seconds")
-        return {k: without_times(v) for k, v in value.items() if not k.endswith("_seconds") and k not in own}
+        own = ("command", "date", "sandbox", "toolchain", "program_sha256", "reference_sha256", "flags", "built_for")
+        timeless = {k: without_times(v) for k, v in value.items() if not k.endswith("_seconds") and k not in own}
+        if "schema" in timeless:
+            del timeless["submission"]["name"]
+        return timeless
     return [without_times(v) for v in value] if isinstance(value, list) else value
 
 

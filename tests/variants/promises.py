@@ -41,6 +41,7 @@ promises = [
     ("stratified_2d", "n that is no square has n cells, not columns x ceil(n / columns)", Body(
         "const int m = int(std::sqrt(double(n))); return {(i % m + u.x) / m, (i / m + u.y) / ((n + m - 1) / m)};")),
     ("stratified_2d", "n from 2 to 5", ("    const Real columns", "    if (n > 1 && n < 6) return u;\n    const Real columns")),
+    ("stratified_2d", "below 1 in each coordinate", ("std::min(x, below_one), std::min(y, below_one)", "x, y")),
     ("film_sample", "both numbers of u are used", ("stratified_2d(i, n, u)", "stratified_2d(i, n, vec2(u.x))")),
     ("pixel_mean", "no upper bound of radiance", ("        red.add", "        if (radiance[i].x > 1e4) continue;\n        red.add")),
     ("moved", "times before 0", ("time * velocity", "std::abs(time) * velocity")),
@@ -49,7 +50,10 @@ promises = [
     ("uniform_disk", "both numbers of u are used", ("unit_circle(u.y)", "unit_circle(u.x)")),
     ("cosine_hemisphere", "u.x = 0", ("std::sqrt(u.x) * unit_circle(u.y)", "u.x / std::sqrt(u.x) * unit_circle(u.y)")),
     ("phong_lobe", "u.x = 0", ("u.x > 0 ? u.x / cosine : exponent > 0 ? 0 : 1", "u.x / cosine")),
+    ("phong_lobe", "the density of a direction along the surface", ("exponent > 0 ? 0 : 1", "1")),
+    ("phong_lobe", "the density of a direction along the surface, exponent 0", ("exponent > 0 ? 0 : 1", "0")),
     ("hit_sphere", "sizes from a millimetre, no least distance", ("first > ray.near", "first > std::max(ray.near, 0.001)")),
+    ("hit_sphere", "the interval begins at near", ("first > ray.near", "first > 2 * ray.near")),
     ("hit_quad", "sizes from a millimetre, no least distance", ("t > ray.near", "t > std::max(ray.near, 0.001)")),
     ("hit_quad", "no least determinant", ("    const Real t = dot",
                                           "    if (std::abs(dot(ray.direction, n)) < 1e-6) return inf;\n    const Real t = dot")),

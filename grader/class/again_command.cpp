@@ -1,0 +1,191 @@
+#include "class/again_command.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "class/compare.h"
+#include "class/results.h"
+#include "convert/read_record.h"
+#include "convert/tables.h"
+#include "convert/words.h"
+#include "files/files.h"
+#include "files/interrupt.h"
+#include "judging/grading.h"
+#include "judging/provenance.h"
+#include "report/json.h"
+#include "report/terminal.h"
+#include "rt/files/scene_reader.h"
+#include "studies/studies.h"
+
+namespace grade::course {
+
+namespace {
+
+CLI::App* add_again_command(CLI::App& app, const char* name, AgainArguments& arguments) {
+    CLI::App* command = app.add_subcommand(name, purpose_of(name));
+    command->add_option("RECORD", arguments.record, "as grade --json FILE writes it")->required();
+    command->add_option("SUBMISSION", arguments.submission, "a folder, a .zip or a .tar.gz")->required();
+    command->add_flag("--trusted", arguments.trusted, "no sandbox: for code that is your own");
+    return command;
+}
+
+/// Grades with the seed, the selection and the limits of a record.
+Record grade_as(const Record& before, const AgainArguments& arguments, const std::string& toolchain,
+                const std::string& command) {
+    stop_at_interrupt();
+    const Toolchain chain = read_toolchain(toolchain);
+    const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
+    const auto names = assignment.names();
+    for (const std::string& name : before.selection)
+        if (std::ranges::count(names, name) == 0)
+            throw rt::InputError(fmt::format("{}: the record is of a fragment {}, which the assignment does not have",
+                                             arguments.record, name));
+    const Submission submission = read_submission(arguments.submission, names, chain.source / "starter");
+    GradingSettings settings;
+    settings.only = {before.selection.begin(), before.selection.end()};
+    settings.seed = before.seed, settings.time_limit = before.limits.time;
+    settings.provenance = find_provenance(chain), settings.command = command;
+    settings.build.trusted = arguments.trusted;
+    ProgressLine line;
+    settings.progress = [&](int done, int all, const std::string& doing) { line.show(done, all, doing); };
+    Record after = grade_submission(submission, assignment, chain, ready(all_checks(before.seed)), settings);
+    after.notes = submission.notes;
+    return after;
+}
+
+void tell_differences(const Record& before, const Record& after) {
+    for (const std::string& line : made_differently(before, after)) fmt::print("{}\n", line);
+}
+
+/// The better of both, by student: those of `after`, and of `before` whom it lacks.
+std::vector<TableRow> better_of(const std::vector<Result>& before, const std::vector<Result>& after) {
+    std::vector<TableRow> rows;
+    const auto row = [](const Result& r) { return TableRow{r.student, r.record ? &*r.record : nullptr, r.fault}; };
+    for (const Result& b : after) {
+        const auto a = std::ranges::find(before, b.student.key(), [](const Result& r) { return r.student.key(); });
+        const bool keep = a != before.end() && a->record && (!b.record || a->record->score() > b.record->score());
+        rows.push_back(row(keep ? *a : b));
+    }
+    for (const Result& a : before)
+        if (std::ranges::find(after, a.student.key(), [](const Result& r) { return r.student.key(); }) == after.end())
+            rows.push_back(row(a));
+    return rows;
+}
+
+std::string score_or_none(const std::optional<Record>& record) {
+    return record ? short_number(record->score()) : "none";
+}
+
+/// Whether any points differ.
+bool compare_classes(const std::vector<Result>& before, const std::vector<Result>& after) {
+    int rise = 0, fall = 0, same = 0;
+    for (const Result& b : after) {
+        const auto a = std::ranges::find(before, b.student.key(), [](const Result& r) { return r.student.key(); });
+        if (a == before.end()) {
+            fmt::print("{}: new, {}\n", b.student.name, score_or_none(b.record));
+            continue;
+        }
+        const double gained = (b.record ? b.record->score() : 0) - (a->record ? a->record->score() : 0);
+        const auto changes = a->record && b.record ? changes_between(*a->record, *b.record) : std::vector<Change>{};
+        rise += gained > 0, fall += gained < 0, same += gained == 0;
+        if (gained == 0 && changes.empty()) continue;
+        fmt::print("{}: {}, was {} ({:+g})\n{}", b.student.name, score_or_none(b.record), score_or_none(a->record),
+                   gained, lines_of(changes));
+    }
+    for (const Result& a : before)
+        if (std::ranges::find(after, a.student.key(), [](const Result& r) { return r.student.key(); }) == after.end())
+            fmt::print("{}: gone, was {}\n", a.student.name, score_or_none(a.record));
+    const auto graded = [](const Result& r) { return r.record.has_value(); };
+    const auto a = std::ranges::find_if(before, graded), b = std::ranges::find_if(after, graded);
+    if (a != before.end() && b != after.end())
+        for (const std::string& line : made_differently(*a->record, *b->record))
+            if (!line.starts_with("the submission")) fmt::print("{}\n", line);
+    fmt::print("{} rise, {} fall, {} as before\n", rise, fall, same);
+    return rise + fall > 0;
+}
+
+}  // namespace
+
+CLI::App* add_replay_command(CLI::App& app, AgainArguments& arguments) {
+    CLI::App* command = add_again_command(app, "replay", arguments);
+    command->add_option("-o,--out", arguments.out, "the new record; default: RECORD with .replay before its ending")
+        ->type_name("FILE");
+    return command;
+}
+
+CLI::App* add_verify_command(CLI::App& app, AgainArguments& arguments) {
+    return add_again_command(app, "verify", arguments);
+}
+
+int run_replay(const AgainArguments& arguments, const std::string& toolchain, const std::string& command) {
+    const Record before = read_record(arguments.record);
+    fs::path out = arguments.out;
+    if (out.empty()) {
+        out = arguments.record;
+        out.replace_extension(".replay.json");
+    }
+    std::error_code error;
+    if (fs::exists(out, error))
+        throw rt::InputError(
+            fmt::format("{}: is there already; expected a new file: no record is overwritten", out.string()));
+    const Record after = grade_as(before, arguments, toolchain, command);
+    write_text(out, to_json(after));
+    fmt::print("{}\n", table(after, isatty(STDOUT_FILENO)));
+    tell_differences(before, after);
+    fmt::print("{}{}\n", lines_of(changes_between(before, after)), out.string());
+    return 0;
+}
+
+int run_verify(const AgainArguments& arguments, const std::string& toolchain, const std::string& command) {
+    const Record before = read_record(arguments.record);
+    if (!before.is_complete())
+        throw rt::InputError(
+            fmt::format("{}: this grading is not complete; expected one that ran to its end", arguments.record));
+    const Record after = grade_as(before, arguments, toolchain, command);
+    if (before.sha256 != after.sha256)
+        throw rt::InputError(fmt::format("{}: holds other texts than {} is of; expected what was graded",
+                                         arguments.submission, arguments.record));
+    tell_differences(before, after);
+    const auto changes = changes_between(before, after);
+    if (changes.empty()) {
+        fmt::print("the same points and verdicts: {}\n", score_in_words(after));
+        return 0;
+    }
+    fmt::print("{}, was {}\n{}", score_in_words(after), score_in_words(before), lines_of(changes));
+    return 1;
+}
+
+CLI::App* add_compare_command(CLI::App& app, CompareArguments& arguments) {
+    CLI::App* command = app.add_subcommand("compare", purpose_of("compare"));
+    command->add_option("BEFORE", arguments.before, "a record, or what grade class has written")->required();
+    command->add_option("AFTER", arguments.after, "likewise")->required();
+    command->add_option("--better", arguments.better, "write the better of both for each student, of classes")
+        ->type_name("CSV");
+    return command;
+}
+
+int run_compare(const CompareArguments& arguments) {
+    std::error_code error;
+    const bool classes = fs::is_directory(arguments.before, error);
+    if (classes != fs::is_directory(arguments.after, error))
+        throw rt::InputError(fmt::format("{} and {}: one is a record, one a class; expected two of a kind",
+                                         arguments.before, arguments.after));
+    if (classes) {
+        const std::vector<Result> before = read_list(arguments.before), after = read_list(arguments.after);
+        if (!arguments.better.empty()) write_text(arguments.better, csv_table(better_of(before, after)));
+        return compare_classes(before, after) ? 1 : 0;
+    }
+    if (!arguments.better.empty()) throw rt::InputError("--better is for two classes; expected their folders");
+    const Record before = read_record(arguments.before), after = read_record(arguments.after);
+    tell_differences(before, after);
+    const auto changes = changes_between(before, after);
+    fmt::print("{}, was {}\n{}", score_in_words(after), score_in_words(before), lines_of(changes));
+    return changes.empty() ? 0 : 1;
+}
+
+}  // namespace grade::course

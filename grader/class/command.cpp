@@ -1,0 +1,127 @@
+#include "class/command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <random>
+#include <set>
+
+#include "class/entries.h"
+#include "class/grading.h"
+#include "class/report.h"
+#include "class/results.h"
+#include "files/files.h"
+#include "files/interrupt.h"
+#include "judging/provenance.h"
+#include "programs/toolchain.h"
+#include "rt/files/scene_reader.h"
+#include "studies/studies.h"
+
+namespace grade::course {
+
+namespace {
+
+/// "2/4": the second of four; from 0.
+Shard shard_of(const std::string& text) {
+    if (text.empty()) return {};
+    int which = 0, all = 0, length = 0;
+    if (std::sscanf(text.c_str(), "%d/%d%n", &which, &all, &length) != 2 || length != int(text.size()) || which < 1 ||
+        which > all)
+        throw rt::InputError(fmt::format("--shard {}: not a part of a whole; expected one like 2/4", text));
+    return {which - 1, all};
+}
+
+/// That of the first call, which later ones go on with: OUT/seed.
+std::uint64_t seed_of(const ClassArguments& arguments, const fs::path& out) {
+    const fs::path file = out / "seed";
+    if (!arguments.seed) {
+        if (const auto text = read_text(file, 100)) return std::strtoull(text->c_str(), nullptr, 10);
+        if (!arguments.shard.empty())
+            throw rt::InputError(
+                "--shard needs --seed N: parts that are graded with seeds of their own are not one class");
+    }
+    std::random_device device;
+    const std::uint64_t seed = arguments.seed ? *arguments.seed : device() % 1'000'000 + 1;
+    write_text(file, fmt::format("{}\n", seed));
+    return seed;
+}
+
+}  // namespace
+
+CLI::App* add_class_command(CLI::App& app, ClassArguments& arguments) {
+    CLI::App* command = app.add_subcommand("class", purpose_of("class"));
+    command->add_option("SUBMISSIONS", arguments.submissions, "a folder of folders, archives, or files")->required();
+    command->add_option("-o,--out", arguments.out, "where records, tables and pages go; default: SUBMISSIONS-graded")
+        ->type_name("OUT");
+    command->add_option("--seed", arguments.seed, "default: that of the call before, else a fresh one")
+        ->check(CLI::NonNegativeNumber);
+    command->add_option("--jobs", arguments.jobs, "submissions at a time; default: one for each core")
+        ->check(CLI::Range(1, 1024));
+    command->add_option("--shard", arguments.shard, "grade the second of four parts: 2/4")->type_name("PART/PARTS");
+    command->add_option("--time-limit", arguments.time_limit, "CPU seconds for one answer of a fragment")
+        ->capture_default_str()
+        ->check(CLI::Range(1.0, 600.0));
+    command->add_flag("--trusted", arguments.trusted, "no sandbox: for code that is your own");
+    return command;
+}
+
+int run_class(const ClassArguments& arguments, const std::string& toolchain) {
+    stop_at_interrupt();
+    const Toolchain chain = read_toolchain(toolchain);
+    const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
+    const Shard shard = shard_of(arguments.shard);
+    const fs::path folder = fs::path(arguments.submissions) / "";
+    const fs::path out =
+        arguments.out.empty() ? fs::path(folder.parent_path().string() + "-graded") : fs::path(arguments.out);
+    std::vector<Entry> entries = read_export(arguments.submissions, assignment, chain.source / "starter");
+    fs::create_directories(out / "records");
+    const Setup setup{seed_of(arguments, out), find_provenance(chain), arguments.time_limit};
+    std::vector<Result> results = results_of(entries, assignment, chain, setup);
+    const Outcome outcome = grade_all(entries, results, assignment, chain, setup, shard, arguments, out);
+    for (Result& result : results) result.record = find_record(out, result);
+    write_class(out, results, assignment.title);
+    fmt::print("{}", class_table(results));
+    fmt::print("{} graded now, {} as before; seed {}; {}\n", outcome.graded, outcome.before, setup.seed,
+               (out / "index.html").string());
+    for (const std::string& trouble : outcome.troubles) fmt::print(stderr, "not graded: {}\n", trouble);
+    return outcome.troubles.empty() ? 0 : 3;
+}
+
+CLI::App* add_merge_command(CLI::App& app, MergeArguments& arguments) {
+    CLI::App* command = app.add_subcommand("merge", purpose_of("merge"));
+    command->add_option("OUT", arguments.out, "where the whole goes")->required();
+    command->add_option("PART", arguments.parts, "what grade class --shard has written")->required();
+    return command;
+}
+
+int run_merge(const MergeArguments& arguments) {
+    const fs::path out = arguments.out;
+    fs::create_directories(out / "records");
+    std::vector<Result> results;
+    std::set<std::string> seen;
+    std::string title;
+    for (const std::string& part : arguments.parts) {
+        for (Result& result : read_list(part)) {
+            if (result.record) {
+                if (title.empty()) title = result.record->title;
+                if (const auto text = read_text(record_file(part, result.key), 256u << 20))
+                    write_text(record_file(out, result.key), *text);
+            }
+            if (seen.insert(result.path).second) results.push_back(std::move(result));
+        }
+    }
+    std::ranges::sort(results, {}, &Result::path);
+    std::size_t missing = 0;
+    for (Result& result : results) {
+        result.record = find_record(out, result);
+        missing += !result.record && result.fault.empty();
+    }
+    write_class(out, results, title);
+    fmt::print("{}", class_table(results));
+    if (missing > 0) fmt::print(stderr, "{} submissions are in no part; expected all parts\n", missing);
+    return missing > 0 ? 3 : 0;
+}
+
+}  // namespace grade::course

@@ -1,0 +1,110 @@
+#include "class/grading.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <mutex>
+
+#include "files/files.h"
+#include "files/interrupt.h"
+#include "judging/grading.h"
+#include "programs/parallel.h"
+#include "report/json.h"
+#include "report/terminal.h"
+#include "submission/code_only.h"
+
+namespace grade::course {
+
+namespace {
+
+constexpr int most_troubles = 3;  // in a row
+
+/// Drafts of records that a killed call has left.
+void sweep(const fs::path& records) {
+    std::error_code error;
+    const auto old = fs::file_time_type::clock::now() - std::chrono::minutes(10);
+    for (fs::directory_iterator at(records, error), end; !error && at != end; at.increment(error))
+        if (at->path().extension() == ".tmp" && fs::last_write_time(at->path(), error) < old)
+            fs::remove(at->path(), error);
+}
+
+/// By record: the first entry that it is for, of those that are this shard's and not graded yet.
+std::map<std::string, const Entry*> open_ones(const std::vector<Entry>& entries, const std::vector<Result>& results,
+                                              const Shard& shard, const fs::path& out, int& before) {
+    std::map<std::string, const Entry*> all, open;
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        if (!results[i].key.empty()) all.try_emplace(results[i].key, &entries[i]);
+    int place = 0;
+    for (const auto& [key, entry] : all) {
+        if (place++ % shard.all != shard.which) continue;
+        if (find_record(out, {.path = entry->path, .key = key}))
+            ++before;
+        else
+            open.emplace(key, entry);
+    }
+    return open;
+}
+
+}  // namespace
+
+std::vector<Result> results_of(const std::vector<Entry>& entries, const Assignment& assignment, const Toolchain& chain,
+                               const Setup& setup) {
+    std::vector<Result> results;
+    for (const Entry& entry : entries) {
+        Result result{entry.student, entry.path, entry.fault, entry.notes, "", {}, {}};
+        result.notes.insert(result.notes.end(), entry.submission.notes.begin(), entry.submission.notes.end());
+        if (entry.fault.empty()) result.key = key_of(entry.submission, assignment, setup);
+        for (const auto& [fragment, text] : entry.submission.texts)
+            if (!is_blank(text, chain.blanks / (fragment + ".cpp"))) result.prints[fragment] = fingerprint(text);
+        results.push_back(std::move(result));
+    }
+    return results;
+}
+
+Outcome grade_all(const std::vector<Entry>& entries, const std::vector<Result>& results, const Assignment& assignment,
+                  const Toolchain& chain, const Setup& setup, const Shard& shard, const ClassArguments& arguments,
+                  const fs::path& out) {
+    sweep(out / "records");
+    Outcome outcome;
+    const auto open = open_ones(entries, results, shard, out, outcome.before);
+    if (open.empty()) return outcome;
+    const std::vector<std::pair<std::string, const Entry*>> list(open.begin(), open.end());
+    const FutureChecks checks = ready(all_checks(setup.seed));
+    ProgressLine line;
+    std::mutex lock;
+    int in_a_row = 0;
+    line.show(0, int(list.size()), fmt::format("{} submissions", list.size()));
+    in_parallel(int(list.size()), arguments.jobs, [&](int i) {
+        const auto& [key, entry] = list[std::size_t(i)];
+        {
+            const std::scoped_lock guard(lock);
+            if (in_a_row >= most_troubles) return;
+        }
+        GradingSettings settings;
+        settings.seed = setup.seed, settings.time_limit = setup.time_limit, settings.provenance = setup.provenance;
+        settings.build.jobs = 1, settings.build.trusted = arguments.trusted;
+        settings.command = fmt::format("grade SUBMISSION --seed {}", setup.seed);
+        try {
+            Submission submission = entry->submission;
+            submission.name.clear();  // the record is one of texts, whosever they are
+            Record record = grade_submission(submission, assignment, chain, checks, settings);
+            write_text(record_file(out, key), to_json(record));
+            const std::scoped_lock guard(lock);
+            ++outcome.graded, in_a_row = 0;
+        } catch (const Interrupted&) {
+            throw;
+        } catch (const std::runtime_error& error) {
+            const std::scoped_lock guard(lock);
+            ++in_a_row, outcome.troubles.push_back(fmt::format("{}: {}", entry->path, error.what()));
+        }
+        const std::scoped_lock guard(lock);
+        line.show(outcome.graded + int(outcome.troubles.size()), int(list.size()), entry->path);
+    });
+    if (const int left = int(list.size()) - outcome.graded - int(outcome.troubles.size()); left > 0)
+        outcome.troubles.push_back(fmt::format("{} more, since nothing went well any more", left));
+    return outcome;
+}
+
+}  // namespace grade::course

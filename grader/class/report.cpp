@@ -1,0 +1,97 @@
+#include "class/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+#include "convert/tables.h"
+#include "convert/words.h"
+#include "files/files.h"
+#include "report/escape.h"
+#include "report/json.h"
+#include "report/page.h"
+#include "report/terminal.h"
+
+namespace grade::course {
+
+namespace {
+
+/// A name that any file system takes, and any address.
+std::string safe_name(const std::string& name) {
+    std::string safe;
+    for (const char c : name.substr(0, 100)) {
+        const bool plain = std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '.';
+        safe += plain ? c : '_';
+    }
+    return safe.empty() || safe.front() == '.' ? "_" + safe : safe;
+}
+
+std::vector<TableRow> rows_of(const std::vector<Result>& results) {
+    std::vector<TableRow> rows;
+    for (const Result& result : results)
+        rows.push_back({result.student, result.record ? &*result.record : nullptr,
+                        result.fault.empty() ? "not graded yet" : result.fault});
+    return rows;
+}
+
+/// Only what has changed: thousands of pages are not written again for one.
+void write_changed(const fs::path& file, const std::string& text) {
+    if (read_text(file, 256u << 20) != text) write_text(file, text);
+}
+
+}  // namespace
+
+std::vector<std::string> places_of(const std::vector<Result>& results) {
+    std::vector<std::string> places;
+    std::set<std::string> taken;
+    for (const Result& result : results) {
+        const std::string name = "submissions/" + safe_name(result.path);
+        std::string place = name;
+        for (int copy = 2; !taken.insert(place).second; ++copy) place = fmt::format("{}-{}", name, copy);
+        places.push_back(place);
+    }
+    return places;
+}
+
+void write_class(const fs::path& out, const std::vector<Result>& results, const std::string& title) {
+    fs::create_directories(out / "submissions");
+    const std::vector<std::string> places = places_of(results);
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        if (!results[i].record) continue;
+        write_changed(out / (places[i] + ".json"), to_json(*results[i].record));
+        write_changed(out / (places[i] + ".html"), page(*results[i].record, ""));
+    }
+    const std::vector<TableRow> rows = rows_of(results);
+    write_changed(out / "class.csv", csv_table(rows));
+    write_changed(out / "canvas.csv", canvas_table(rows));
+    write_changed(out / "moodle.csv", moodle_table(rows));
+    write_changed(out / "index.html", class_page(results, title));
+    write_list(out, results, title);
+}
+
+std::string class_table(const std::vector<Result>& results) {
+    std::string text;
+    double sum = 0, most = 0;
+    int count = 0;
+    for (const Result& result : results) {
+        std::string name = printable(result.student.name, 40);
+        if (result.student.is_late) name += " (late)";
+        if (result.record) {
+            text += fmt::format("{:>7} of {:<5} {}\n", short_number(result.record->score()),
+                                short_number(result.record->max_score()), name);
+            sum += result.record->score(), most = result.record->max_score(), ++count;
+        } else {
+            text += fmt::format("{:>16} {}{}\n", result.fault.empty() ? "not graded yet" : "no points", name,
+                                result.fault.empty() ? "" : ": " + printable(result.fault, 200));
+        }
+        for (const std::string& note : result.notes) text += fmt::format("{:17}note: {}\n", "", printable(note, 300));
+    }
+    if (count > 0)
+        text += fmt::format("{} submissions, {} graded; mean {} of {}\n", results.size(), count,
+                            short_number(sum / count), short_number(most));
+    return text;
+}
+
+}  // namespace grade::course

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "class/entries.h"
+#include "class/fingerprint.h"
+#include "record/record.h"
+
+namespace grade::course {
+
+/// One row of a class: a student, and the record of the texts, which students with the same texts share.
+struct Result {
+    Student student;
+    std::string path, fault;                    // as an entry has them
+    std::vector<std::string> notes;             // on the submission
+    std::string key;                            // names the record; empty: there is none
+    std::map<std::string, Fingerprint> prints;  // by fragment: of those that are no blanks
+    std::optional<Record> record;               // none: not graded, or not yet
+};
+
+/// What a class is graded with: the name of a record is a hash of all of it and of the texts.
+struct Setup {
+    std::uint64_t seed = 0;
+    Provenance provenance;
+    double time_limit = 10;
+};
+
+/// The name of a submission's record.
+std::string key_of(const Submission& submission, const Assignment& assignment, const Setup& setup);
+
+/// OUT/records/KEY.json
+fs::path record_file(const fs::path& out, const std::string& key);
+
+/// Writes the list of results: OUT/class.json.
+void write_list(const fs::path& out, const std::vector<Result>& results, const std::string& title);
+
+/// The list of a graded class with its records, as far as they are there. Throws rt::InputError where it is none.
+std::vector<Result> read_list(const fs::path& out);
+
+/// Reads the record under its key, if it is there and whole.
+std::optional<Record> find_record(const fs::path& out, const Result& result);
+
+}  // namespace grade::course

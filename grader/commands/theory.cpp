@@ -1,0 +1,54 @@
+#include "commands/theory.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "assignment/assignment.h"
+#include "files/files.h"
+#include "programs/toolchain.h"
+#include "rt/files/scene_reader.h"
+#include "theory/theory.h"
+
+namespace grade {
+
+namespace {
+
+int write_new(const std::string& file, const std::string& name) {
+    std::error_code error;
+    if (fs::exists(file, error))
+        throw rt::InputError(file + ":1:1: is there already; expected none, where a new one is to be written");
+    write_text(file, empty_theory(name));
+    fmt::print("{}: answer the questions there, then ./grade theory\n", file);
+    return 0;
+}
+
+}  // namespace
+
+CLI::App* add_theory_command(CLI::App& app, TheoryArguments& arguments) {
+    CLI::App* theory = app.add_subcommand("theory", "check the answers of theory.toml, in the folder of a submission");
+    theory->add_option("SUBMISSION", arguments.submission, "a folder; default: starter");
+    theory->add_option("--name", arguments.name, "write a new theory.toml, with the questions for this name")
+        ->type_name("NAME");
+    return theory;
+}
+
+int run_theory(const TheoryArguments& arguments, const std::string& toolchain) {
+    const fs::path source = read_toolchain(toolchain).source;
+    const Assignment assignment = read_assignment((source / "assignment.toml").string());
+    if (!assignment.theory_points)
+        throw rt::InputError((source / "assignment.toml").string() +
+                             ":1:1: has no theory part; expected [theory] with points = a number");
+    const fs::path folder = arguments.submission.empty() ? source / "starter" : fs::path(arguments.submission);
+    const std::string file = (folder / "theory.toml").string();
+    if (!arguments.name.empty()) return write_new(file, arguments.name);
+    const std::optional<std::string> text = read_text(file);
+    if (!text)
+        throw rt::InputError(file +
+                             ":1:1: cannot be read; expected the file that ./grade theory --name \"Your Name\" writes");
+    const Theory theory = read_theory(*text, file);
+    fmt::print("{}", told(theory, *assignment.theory_points));
+    return theory.right() == int(theory.answers.size()) ? 0 : 1;
+}
+
+}  // namespace grade

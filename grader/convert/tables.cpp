@@ -1,0 +1,109 @@
+#include "convert/tables.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+
+#include "convert/formats.h"
+#include "convert/words.h"
+#include "report/escape.h"
+
+namespace grade {
+
+namespace {
+
+std::string line_of_csv(const std::vector<std::string>& cells) {
+    std::string line;
+    for (std::size_t i = 0; i < cells.size(); ++i) line += (i ? "," : "") + cell_of_csv(cells[i]);
+    return line + "\r\n";
+}
+
+/// The first record: all of a class have the same fragments.
+const Record* first_of(const std::vector<TableRow>& rows) {
+    for (const TableRow& row : rows)
+        if (row.record) return row.record;
+    return nullptr;
+}
+
+std::string points_or_none(const TableRow& row) { return row.record ? short_number(row.record->score()) : ""; }
+
+std::string feedback(const Record& record) {
+    std::string text = score_in_words(record);
+    for (const FragmentRecord& fragment : record.fragments)
+        if (fragment.verdict != Verdict::passed && fragment.visibility == "visible")
+            text += fmt::format("\n{} {} of {}: {}", fragment.name, short_number(fragment.points),
+                                short_number(fragment.max_points), words_on(fragment));
+    return text;
+}
+
+TableRow row_of(const Record& record) {
+    return {student_of(std::filesystem::path(record.submission).filename().string()), &record, ""};
+}
+
+}  // namespace
+
+std::string cell_of_csv(const std::string& text) {
+    std::string clean = printable(text, 20'000);
+    if (clean.size() > 1 && std::string_view("=+-@\t\r\n|%").find(clean.front()) != std::string_view::npos)
+        clean.insert(0, "'");
+    if (clean.find_first_of(",\"\r\n;") == clean.npos) return clean;
+    std::string quoted = "\"";
+    for (const char c : clean) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + "\"";
+}
+
+std::string csv_table(const std::vector<TableRow>& rows) {
+    std::vector<std::string> head{"student", "id", "late", "points", "of"};
+    const Record* first = first_of(rows);
+    if (first)
+        for (const FragmentRecord& fragment : first->fragments) head.push_back(fragment.name);
+    head.insert(head.end(), {"seed", "sha256", "notes", "submission"});
+    std::string text = line_of_csv(head);
+    for (const TableRow& row : rows) {
+        std::vector<std::string> cells{row.student.name, row.student.id, row.student.is_late ? "late" : "",
+                                       points_or_none(row), row.record ? short_number(row.record->max_score()) : ""};
+        if (first)
+            for (const FragmentRecord& wanted : first->fragments) {
+                cells.emplace_back();
+                if (row.record)
+                    for (const FragmentRecord& fragment : row.record->fragments)
+                        if (fragment.name == wanted.name) cells.back() = short_number(fragment.points);
+            }
+        cells.push_back(row.record ? fmt::format("{}", row.record->seed) : "");
+        cells.push_back(row.record ? row.record->sha256 : "");
+        cells.push_back(row.record ? fmt::format("{}", fmt::join(row.record->notes, "; ")) : row.fault);
+        cells.push_back(row.record ? row.record->submission : "");
+        text += line_of_csv(cells);
+    }
+    return text;
+}
+
+std::string canvas_table(const std::vector<TableRow>& rows) {
+    const Record* first = first_of(rows);
+    std::string text =
+        line_of_csv({"Student", "ID", "SIS User ID", "SIS Login ID", "Section", first ? first->title : "points"});
+    if (first) text += line_of_csv({"    Points Possible", "", "", "", "", short_number(first->max_score())});
+    for (const TableRow& row : rows)
+        text += line_of_csv({row.student.name, row.student.id, "", "", "", points_or_none(row)});
+    return text;
+}
+
+std::string moodle_table(const std::vector<TableRow>& rows) {
+    std::string text =
+        line_of_csv({"Identifier", "Full name", "Status", "Grade", "Maximum Grade", "Grade can be changed",
+                     "Last modified (submission)", "Last modified (grade)", "Feedback comments"});
+    for (const TableRow& row : rows)
+        text += line_of_csv({"Participant " + row.student.id, row.student.name, "Submitted for grading",
+                             points_or_none(row), row.record ? short_number(row.record->max_score()) : "", "Yes", "-",
+                             "-", row.record ? feedback(*row.record) : row.fault});
+    return text;
+}
+
+std::string csv(const Record& record) { return csv_table({row_of(record)}); }
+
+std::string canvas(const Record& record) { return canvas_table({row_of(record)}); }
+
+std::string moodle(const Record& record) { return moodle_table({row_of(record)}); }
+
+}  // namespace grade

@@ -1,0 +1,230 @@
+#!/usr/bin/env python3
+"""A class: class_test.py [--all] [--size N] [--kills N] [--keep DIR] GRADE
+
+Fast: submissions as Canvas, Moodle, Blackboard, Gradescope and repositories have them, of few fragments each: who they are of,
+which of several is taken, what is wrong with those that cannot be graded; the same records whatever the number of jobs and shards,
+and after SIGKILL; tables, pages, twins, comparison.
+
+--all: a class of 60 (--size) whole submissions, made of the project's variants (tests/variants); killed at 5 (--kills) random
+moments and gone on with, it gives the records of an undisturbed run.
+"""
+
+import argparse
+import csv
+import io
+import pathlib
+import random
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tarfile
+import tempfile
+import time
+import zipfile
+
+from course import BLANKS, ROOT, SOLUTION, end, expect, record_at, run, timeless, variant
+
+WRONG_MIRROR = ('#include "rt/fragments.h"\nnamespace rt { vec3 mirror_direction(vec3 d, vec3 n) { return d - dot(d, n) * n; } }\n')
+
+
+def text(name):
+    return (SOLUTION / f"{name}.cpp").read_text()
+
+
+def archive(path, files):
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as out:
+        for name, content in files.items():
+            out.writestr(name, content)
+    return path.read_bytes()
+
+
+def folder(path, files):
+    for name, content in files.items():
+        (path / name).parent.mkdir(parents=True, exist_ok=True)
+        (path / name).write_text(content)
+
+
+def small_class(at):
+    """An export of every kind in one folder."""
+    at.mkdir()
+    right, mirror = {"moved.cpp": text("moved")}, {"fragments/mirror_direction.cpp": WRONG_MIRROR}
+    inner = archive(at / "inner.zip", right)
+    (at / "inner.zip").unlink()
+    archive(at / "doejane_12345_678_work.zip", mirror)
+    archive(at / "doejane_12345_701_work-1.zip", {"my work/inner.zip": inner})
+    with tarfile.open(at / "roejim_LATE_222_702_work.tar.gz", "w:gz") as out:
+        out.add(SOLUTION / "shutter_time.cpp", "HW Grüße/shutter_time.cpp")
+    folder(at / "Zoë Müller_77_assignsubmission_file_", {"fragments/moved.cpp": text("moved")} | mirror)
+    for when, content in [("30", WRONG_MIRROR), ("31", text("mirror_direction"))]:
+        (at / f"Assignment 1_jsmith_attempt_2026-01-{when}-12-00-00_mirror_direction.cpp").write_text(content)
+    (at / "Assignment 1_jsmith_attempt_2026-01-31-12-00-00.txt").write_text("Name: J. Smith\n")
+    folder(at / "submission_9", {"Moved.cpp": text("moved")})
+    (at / "submission_metadata.yml").write_text(
+        "---\nsubmission_9:\n  :submitters:\n  - :name: '=Eve \"E\" <b>'\n    :sid: '4711'\n    :email: e@x\n  :created_at: 2026\n")
+    renamed = text("phong").replace("mirrored", "bounced").replace("highlight", "shine") + "// mine\n"
+    for name, phong in [("alice", text("phong")), ("bob", renamed), ("carol", None)]:
+        folder(at / f"hw1-{name}", {"starter/fragments/phong.cpp": phong} if phong else {"readme.md": "x"})
+    (at / "hw1-broken.zip").write_bytes(b"PK\x03\x04 no archive")
+
+
+def big_class(at, size):
+    """Whole submissions: the solution with some fragments of right and wrong variants, as Canvas names them."""
+    at.mkdir()
+    draw = random.Random(1)
+    variants = {}
+    for kind in ("right", "wrong"):
+        for patch in sorted((ROOT / "tests/variants" / kind).glob("*.patch")):
+            fragment, content = variant(patch)
+            variants.setdefault(fragment, []).append(content)
+    names = sorted(path.stem for path in SOLUTION.glob("*.cpp"))
+    for student in range(size):
+        files = {f"starter/fragments/{name}.cpp": text(name) for name in names}
+        for fragment in draw.sample(sorted(variants), draw.randint(0, 12)):
+            files[f"starter/fragments/{fragment}.cpp"] = draw.choice(variants[fragment])
+        for name in draw.sample(names, draw.choice([0, 0, 2, 8, 16])):
+            files[f"starter/fragments/{name}.cpp"] = (BLANKS / f"{name}.cpp").read_text()
+        late = "LATE_" if student % 9 == 0 else ""
+        archive(at / f"student{student:03}_{late}{1000 + student}_{2000 + student}_work.zip", files)
+
+
+def rows(path):
+    return list(csv.DictReader(io.StringIO(pathlib.Path(path).read_bytes().decode(), newline="")))
+
+
+def outcome(out):
+    """What must be the same of two gradings of one class."""
+    records = {path.name: timeless(record_at(path)) for path in sorted((out / "records").glob("*.json"))}
+    return records, (out / "class.csv").read_bytes(), (out / "canvas.csv").read_bytes(), (out / "moodle.csv").read_bytes()
+
+
+def grade_killed(command, out, kills, longest):
+    """Kills the grading at random moments, then lets it end."""
+    draw = random.Random(2)
+    killed = 0
+    for _ in range(kills):
+        before = len(list((out / "records").glob("*.json")))
+        started = subprocess.Popen([str(word) for word in command], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        # once the first record is there, and a while after: before that nothing can be lost
+        while started.poll() is None and len(list((out / "records").glob("*.json"))) == before:
+            time.sleep(0.02)
+        try:
+            started.wait(timeout=draw.uniform(0, longest))
+        except subprocess.TimeoutExpired:
+            started.send_signal(signal.SIGKILL)
+            started.wait()
+            killed += 1
+        after = len(list((out / "records").glob("*.json")))
+        expect(after >= before, "a record is lost")
+        for path in (out / "records").glob("*.json"):
+            expect(record_at(path)["complete"], "a record is not whole")
+    expect(killed > 0, "it was never killed")
+    print(f"killed {killed} times", flush=True)
+    return run(command)
+
+
+def check_small(grade, work):
+    export, out = work / "export", work / "out"
+    small_class(export)
+    said = run([grade, "class", export, "-o", out, "--seed", "5", "--jobs", "2"])
+    table = {row["student"]: row for row in rows(out / "class.csv")}
+    points = {name: row["points"] for name, row in table.items()}
+    expected = {"doejane": "2", "roejim": "2", "Zoë Müller": "2", "jsmith": "2", "'=Eve \"E\" <b>": "0", "alice": "3", "bob": "3",
+                "carol": "", "broken": ""}
+    expect(points == expected, f"points are {points}, expected {expected}")
+    expect(table["doejane"]["id"] == "12345" and "work-1.zip was taken" in table["doejane"]["notes"], "the later of two")
+    expect(table["roejim"]["late"] == "late" and not table["doejane"]["late"], "who is late")
+    expect(table["'=Eve \"E\" <b>"]["id"] == "4711", "Gradescope's number of a student")
+    expect("cannot be unpacked" in table["broken"]["notes"] and "holds no fragment" in table["carol"]["notes"], "what is wrong")
+    expect(str(work) not in (out / "class.csv").read_text(), "a path of this machine in the table")
+    expect("about" in said or "9 submissions, 7 graded" in said, f"the table on the terminal: {said}")
+    eve = record_at(out / "submissions/submission_9.json")
+    moved = next(f for f in eve["fragments"] if f["name"] == "moved")
+    expect("there is Moved.cpp: rename it" in moved["message"], f"a name that is nearly right: {moved['message']}")
+    possible, *canvas = rows(out / "canvas.csv")
+    expect({row["ID"] for row in canvas} >= {"12345", "222"} and "Points Possible" in possible["Student"], "Canvas's table")
+    expect("Participant 77" in {row["Identifier"] for row in rows(out / "moodle.csv")}, "Moodle's table")
+    page = (out / "index.html").read_text()
+    expect("<b>" not in re.sub(r"<b>[\d.]+</b>", "", page) and "&lt;b&gt;" in page, "a name's markup in the page")
+    twins = page[page.index("<h2>Twins"):page.index("<h2>Submissions")]
+    expect("alice" in twins and "bob" in twins and "jsmith" not in twins, "twins: the same but for names and comments")
+    expect("mirror_direction" in page[page.index("<h2>Frequent"):page.index("<h2>Twins")], "a mistake")
+    for link in re.findall(r'href="([^"#:]+)"', page):
+        expect((out / link).is_file(), f"the page links {link}, which is not there")
+
+    # again: nothing is graded; one at a time, in parts, and killed: the same
+    expect("0 graded now, 7 as before" in (said := run([grade, "class", export, "-o", out])), f"graded again: {said}")
+    one = work / "one"
+    run([grade, "class", export, "-o", one, "--seed", "5", "--jobs", "1"])
+    expect(outcome(one) == outcome(out), "another outcome with one job")
+    for part in ("1/2", "2/2"):
+        run([grade, "class", export, "-o", work / f"part{part[0]}", "--seed", "5", "--shard", part])
+    expect("not graded yet" in (work / "part1/class.csv").read_text(), "a part of the class is all of it")
+    run([grade, "merge", work / "half", work / "part1"], 3)
+    run([grade, "merge", work / "whole", work / "part1", work / "part2"])
+    expect(outcome(work / "whole") == outcome(out), "another outcome in two parts")
+    (work / "killed/records").mkdir(parents=True)
+    grade_killed([grade, "class", export, "-o", work / "killed", "--seed", "5", "--jobs", "1"], work / "killed", 2, 0.2)
+    expect(outcome(work / "killed") == outcome(out), "another outcome after SIGKILL")
+
+    # a record that a full disk has cut off is graded again
+    first = sorted((one / "records").glob("*.json"))[0]
+    first.write_text(first.read_text()[:500])
+    expect("1 graded now, 6 as before" in run([grade, "class", export, "-o", one]), "a broken record is taken")
+    expect(outcome(one) == outcome(out), "another outcome after a broken record")
+
+    # a regrade
+    (export / "hw1-alice/starter/fragments/phong.cpp").write_text((BLANKS / "phong.cpp").read_text())
+    folder(export / "hw1-carol", {"moved.cpp": text("moved")})
+    after = work / "after"
+    run([grade, "class", export, "-o", after, "--seed", "5"])
+    said = run([grade, "compare", out, after, "--better", work / "better.csv"], 1)
+    expect("alice: 0, was 3 (-3)" in said and "phong: not started, was passed" in said, f"compare: {said}")
+    expect("carol: 2, was none (+2)" in said and "1 rise, 1 fall, 7 as before" in said, f"compare: {said}")
+    better = {row["student"]: row["points"] for row in rows(work / "better.csv")}
+    expect(better["alice"] == "3" and better["carol"] == "2", f"the better of both: {better}")
+    run([grade, "compare", out, out])
+    file = next(path for path in (out / "submissions").glob("hw1-bob*.json"))
+    run([grade, "verify", file, export / "hw1-bob"])
+
+    run([grade, "class", work / "none"], 2)
+    run([grade, "class", export, "-o", work / "x", "--shard", "3/2"], 2)
+    expect("--shard needs --seed" in run([grade, "class", export, "-o", work / "x", "--shard", "1/2"], 2), "a part without a seed")
+    run([grade, "compare", out, file], 2)
+    run([grade, "merge", work / "x", export], 2)
+
+
+def check_big(grade, work, size, kills):
+    export = work / "class"
+    big_class(export, size)
+    start = time.monotonic()
+    said = run([grade, "class", export, "-o", work / "graded", "--seed", "5"])
+    print(said.splitlines()[-2], f"{time.monotonic() - start:.0f} s", flush=True)
+    (work / "killed/records").mkdir(parents=True)
+    grade_killed([grade, "class", export, "-o", work / "killed", "--seed", "5", "--jobs", "1"], work / "killed", kills, 20)
+    expect(outcome(work / "killed") == outcome(work / "graded"), "another outcome after SIGKILL, with one job")
+    for path in sorted((work / "graded/submissions").glob("*.json"))[:3]:
+        for kind in "gradescope prairielearn junit actions annotations classroom50 csv canvas moodle html terminal".split():
+            run([grade, "convert", path, "--to", kind])
+
+
+def main():
+    words = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    words.add_argument("grade", type=pathlib.Path)
+    words.add_argument("--all", action="store_true")
+    words.add_argument("--size", type=int, default=60)
+    words.add_argument("--kills", type=int, default=5)
+    words.add_argument("--keep", type=pathlib.Path, help="leave everything in this new folder")
+    asked = words.parse_args()
+    with tempfile.TemporaryDirectory() as work:
+        work = asked.keep or pathlib.Path(work)
+        work.mkdir(exist_ok=True)
+        if asked.all:
+            check_big(asked.grade.absolute(), work, asked.size, asked.kills)
+        else:
+            check_small(asked.grade.absolute(), work)
+    end("a class is graded, in parts, again, and after SIGKILL, to the same records")
+
+
+main()
