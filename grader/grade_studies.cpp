@@ -1,4 +1,7 @@
 #include <CLI/CLI.hpp>
+#include <functional>
+#include <utility>
+#include <vector>
 
 #include "calibration/command.h"
 #include "class/again_command.h"
@@ -13,53 +16,64 @@
 
 using namespace grade;
 
+namespace {
+
+/// Of all commands: the command line fills in those of the one that it names.
+struct Arguments {
+    std::string toolchain, command;
+    stress::StressArguments stress;
+    convergence::ConvergeArguments converge;
+    lesson::LessonArguments lesson;
+    calibration::CalibrateArguments calibrate;
+    ConvertArguments convert;
+    course::ClassArguments whole_class;
+    course::MergeArguments merge;
+    course::AgainArguments again;
+    course::CompareArguments compare;
+
+    /// That of this program, where none is named.
+    const std::string& chain() { return toolchain.empty() ? toolchain = own_toolchain().string() : toolchain; }
+};
+
+using Commands = std::vector<std::pair<CLI::App*, std::function<int()>>>;
+
+Commands add_commands(CLI::App& app, Arguments& a) {
+    return {
+        {stress::add_stress_command(app, a.stress), [&] { return stress::run_stress(a.stress, a.chain(), a.command); }},
+        {convergence::add_converge_command(app, a.converge),
+         [&] { return convergence::converge(a.converge, a.chain(), a.command); }},
+        {lesson::add_lesson_command(app, a.lesson), [&] { return lesson::run_lesson(a.lesson, a.chain()), 0; }},
+        {calibration::add_calibrate_command(app, a.calibrate),
+         [&] { return calibration::calibrate(a.calibrate, a.chain(), a.command) ? 0 : int(below_required); }},
+        // what only reads records needs no compiler
+        {add_convert_command(app, a.convert), [&] { return run_convert(a.convert), 0; }},
+        {course::add_merge_command(app, a.merge), [&] { return course::run_merge(a.merge); }},
+        {course::add_compare_command(app, a.compare), [&] { return course::run_compare(a.compare); }},
+        {course::add_class_command(app, a.whole_class), [&] { return course::run_class(a.whole_class, a.chain()); }},
+        {course::add_replay_command(app, a.again), [&] { return course::run_replay(a.again, a.chain(), a.command); }},
+        {course::add_verify_command(app, a.again), [&] { return course::run_verify(a.again, a.chain(), a.command); }},
+    };
+}
+
+}  // namespace
+
 /// The command line of the studies: studies/studies.h.
 int main(int argc, char** argv) {
     rt::require_processor();
     CLI::App app("Studies of a submission, and of the grader", "grade");
-    std::string toolchain;
-    app.add_option("--toolchain", toolchain, "what the build wrote about itself")->group("");
+    Arguments arguments;
+    app.add_option("--toolchain", arguments.toolchain, "what the build wrote about itself")->group("");
     app.require_subcommand(1);
-
-    stress::StressArguments stress_arguments;
-    CLI::App* extremes = stress::add_stress_command(app, stress_arguments);
-    convergence::ConvergeArguments converge_arguments;
-    CLI::App* errors = convergence::add_converge_command(app, converge_arguments);
-    lesson::LessonArguments lesson_arguments;
-    CLI::App* part_one = lesson::add_lesson_command(app, lesson_arguments);
-    calibration::CalibrateArguments calibrate_arguments;
-    calibration::add_calibrate_command(app, calibrate_arguments);
-
-    ConvertArguments convert_arguments;
-    CLI::App* convert = add_convert_command(app, convert_arguments);
-    course::ClassArguments class_arguments;
-    CLI::App* whole_class = course::add_class_command(app, class_arguments);
-    course::MergeArguments merge_arguments;
-    CLI::App* merge = course::add_merge_command(app, merge_arguments);
-    course::AgainArguments again_arguments;
-    CLI::App* replay = course::add_replay_command(app, again_arguments);
-    CLI::App* verify = course::add_verify_command(app, again_arguments);
-    course::CompareArguments compare_arguments;
-    course::add_compare_command(app, compare_arguments);
-
+    const Commands commands = add_commands(app, arguments);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : usage;
     }
-    const std::string command = command_of(argc, argv);
+    arguments.command = command_of(argc, argv);
     return exit_code_of([&] {
-        // what only reads records needs no compiler
-        if (convert->parsed()) return run_convert(convert_arguments), int(graded);
-        if (merge->parsed()) return course::run_merge(merge_arguments);
-        if (app.got_subcommand("compare")) return course::run_compare(compare_arguments);
-        if (toolchain.empty()) toolchain = own_toolchain().string();
-        if (whole_class->parsed()) return course::run_class(class_arguments, toolchain);
-        if (replay->parsed()) return course::run_replay(again_arguments, toolchain, command);
-        if (verify->parsed()) return course::run_verify(again_arguments, toolchain, command);
-        if (extremes->parsed()) return stress::run_stress(stress_arguments, toolchain, command);
-        if (errors->parsed()) return convergence::converge(converge_arguments, toolchain, command);
-        if (part_one->parsed()) return lesson::run_lesson(lesson_arguments, toolchain), 0;
-        return calibration::calibrate(calibrate_arguments, toolchain, command) ? 0 : int(below_required);
+        for (const auto& [command, run] : commands)
+            if (command->parsed()) return run();
+        return int(usage);
     });
 }

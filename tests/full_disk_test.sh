@@ -26,6 +26,13 @@ rm -f "$disk/a.json"
 expect 3 "index.html: cannot be written" "$grade" solution moved --html "$disk/page"
 if [ -e "$disk/page/index.html" ]; then expect 0 "This grading is not complete" cat "$disk/page/index.html"; fi  # the page of before all work
 rm -f "$disk/page/index.html"
+# a class goes on where there is room again
+mkdir -p "$work/class/alice" && cp solution/moved.cpp "$work/class/alice"
+expect 3 "cannot be written" "$grade" class "$work/class" -o "$disk/out" --seed 1
+mount -o remount,size=8m "$disk"
+expect 0 "1 submissions, 1 graded" "$grade" class "$work/class" -o "$disk/out" --seed 1
+rm -rf "$disk/out"
+mount -o remount,size=64k "$disk"
 expect 3 "s.json: cannot be written" "$grade" stress solution --only hit_sphere --trusted --json "$disk/s.json"
 expect 3 "cannot be written" "$grade" converge solution scenes/whitted.toml --samples 1,4 --replicates 2 --folder "$disk/kept"
 expect 3 "the grader failed: $disk/grade-" env TMPDIR="$disk" "$grade" solution moved

@@ -20,8 +20,8 @@ constexpr std::size_t most_mistakes = 40, most_names = 12, most_twins = 50;
 
 constexpr const char* class_style = R"css(
 .wide { overflow-x: auto; } .wide table { min-width: 520px; }
-.share { display: flex; height: 12px; min-width: 160px; border-radius: 3px; overflow: hidden; background: var(--track); }
-.share i { display: block; height: 100%; } .share .ok { background: var(--good); } .share .no { background: var(--bad); } .share .idle { background: var(--idle); }
+.share { display: flex; height: 12px; min-width: 60px; border-radius: 3px; overflow: hidden; background: var(--track); }
+.share i { display: block; height: 100%; } .share .ok { background: var(--good); } .share .no { background: var(--bad); }
 .columns { display: flex; align-items: flex-end; gap: 4px; height: 130px; } .columns div { flex: 1; display: flex; flex-direction: column; justify-content: flex-end; text-align: center; height: 100%; font-size: 12px; color: var(--soft); }
 .columns i { display: block; background: var(--good); border-radius: 3px 3px 0 0; } .class td { overflow-wrap: anywhere; } .class td.number { overflow-wrap: normal; }
 )css";
