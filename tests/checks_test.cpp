@@ -95,7 +95,7 @@ TEST_CASE("a formula is measured by its worst row, and its cause is the suspect 
     CHECK(s.cause(observe([](double) { return double(NAN); })).words == "the result is nan");
     CHECK(s.cause(observe([](double x) { return x < 0 ? 5 : 2 * x; })).words.find("negative numbers alone are wrong") ==
           0);
-    CHECK(s.cause(observe([](double x) { return x * x + 2; })).words.find("40 of 40 calls are wrong") == 0);
+    CHECK(s.cause(observe([](double x) { return x * x + 2; })).numbers.find("40 of 40 calls are wrong") == 0);
 }
 
 TEST_CASE("a hint names the nearest known cause, and those that nothing tells apart from it") {

@@ -50,8 +50,9 @@ Calls picked(const Calls& all, std::size_t most) {
     return some;
 }
 
+/// In what share of the calls an answer changes with a part.
 struct Dependence {
-    bool mine = false, right = false;
+    double mine = 0, right = 0;
 };
 
 /// On which parts the answers depend: each is taken from another call.
@@ -69,9 +70,9 @@ std::vector<Dependence> dependences(const Calls& calls, const Ask& mine, const A
             rows.push_back(std::move(row));
         }
         const auto differs = [&](const Rows& answers, const Rows& before) {
-            int count_ = 0;
-            for (std::size_t k = 0; k < answers.size(); ++k) count_ += !is_equal(calls.result, answers[k], before[k]);
-            return answers.empty() || count_ > 0;
+            double changed = 0;
+            for (std::size_t k = 0; k < answers.size(); ++k) changed += !is_equal(calls.result, answers[k], before[k]);
+            return answers.empty() ? 1 : changed / double(answers.size());
         };
         all[i] = {differs(mine(rows), calls.mine), differs(right(rows), calls.right)};
     }
@@ -120,18 +121,29 @@ Calls crossed(const Calls& calls, const Ask& mine, const Ask& right) {
 }
 
 std::string independence(const Calls& calls, const std::vector<Dependence>& all) {
+    constexpr double often = 0.2;  // what changes a few answers may be chance
     std::string lost, added;
     const auto& parts = calls.layouts.front().parts;
     const auto tell = [](std::string& list, const std::string& name) {
         list += (list.empty() ? "`" : ", `") + name + "`";
     };
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (all[i].right && !all[i].mine) tell(lost, parts[i].name);
-        if (all[i].mine && !all[i].right) tell(added, parts[i].name);
+        if (all[i].right > often && all[i].mine == 0) tell(lost, parts[i].name);
+        if (all[i].mine > often && all[i].right == 0) tell(added, parts[i].name);
     }
     if (!lost.empty()) return fmt::format("the answer is the same whatever {} is", lost);
     if (!added.empty()) return fmt::format("the answer depends on {}, which must not matter", added);
     return {};
+}
+
+Calls only_wrong(const Calls& all) {
+    Calls some{all.signature, {}, {}, {}, {}, all.result, all.told};
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        if (is_equal(all.result, all.mine[k], all.right[k])) continue;
+        some.rows.push_back(all.rows[k]), some.layouts.push_back(all.layouts[k]);
+        some.mine.push_back(all.mine[k]), some.right.push_back(all.right[k]);
+    }
+    return some;
 }
 
 /// The call of a finding, as it can be pasted into a program and into a shell.
@@ -166,7 +178,7 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_min
     for (std::size_t k = 0; k < all.size(); ++k) wrong += !is_equal(all.result, all.mine[k], all.right[k]);
     if (wrong == 0) return {};
     const auto depends = dependences(all, mine, right);
-    for (const Dependence& d : depends) all.told.push_back(d.mine || d.right);
+    for (const Dependence& d : depends) all.told.push_back(d.mine > 0 || d.right > 0);
 
     const auto& arguments = signature.arguments;
     const bool sampled = std::ranges::any_of(arguments, [](const auto& argument) { return argument.name == "u"; });
@@ -184,9 +196,13 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_min
         finding.how = broken ? broken->words : is_nothing ? independence(all, depends) : relation->words;
     if (finding.how.empty() && relation) finding.how = relation->words;
     // another parametrisation is wrong in no call
-    if (sampled && !relation) return of_samples(finding, all, broken, ask_mine, ask_right);
+    // but where many are the solution's, the random numbers are used as the solution does
+    constexpr double many = 0.2;
+    const bool is_comparable = !sampled || double(all.size() - wrong) >= many * double(all.size());
+    if (!is_comparable && !relation) return of_samples(finding, all, broken, ask_mine, ask_right);
+    if (sampled && finding.how.empty()) finding.how = spread_of(only_wrong(all), mine, right).value_or("");
 
-    if (wrong < all.size() && !sampled) {
+    if (wrong < all.size() && is_comparable) {
         const std::string where = where_wrong(all);
         finding.where = fmt::format("{} of {} calls are wrong", wrong, all.size());
         if (!where.empty()) finding.where += ", those " + where;

@@ -72,7 +72,10 @@ public:
         try_one(moved, spot, steps, some_);
         try_one(lowered, spot, steps, some_);
         if (low >= 0) try_one(raised, spot, spaced(0.1, 8, 40, true), some_);
-        const auto c = found(fixed, spot, spaced(low, high, 60, false), {some_.front()});
+        std::vector<double> values = spaced(low, high, 60, false);
+        if (high > 0)
+            for (const double x : spaced(std::max(low, 1e-4 * high), high, 60, true)) values.push_back(x);
+        const auto c = found(fixed, spot, std::move(values), {some_.front()});
         if (!c) return;
         for (const Family& family : {fixed, from_above, from_below}) add(family, spot, *c);
     }

@@ -239,8 +239,11 @@ private:
                 if (is_equal(calls_.result, (*right)[k], calls_.right[k])) continue;
                 const bool equal = is_equal(calls_.result, (*right)[k], calls_.mine[k]);
                 ++changed, same += equal;
-                telling +=
-                    equal && std::ranges::any_of(calls_.mine[k], [](double x) { return std::isfinite(x) && x != 0; });
+                // nothing, or something, may be right for many reasons
+                const auto is_something = [](const Row& answer) {
+                    return std::ranges::any_of(answer, [](double x) { return std::isfinite(x) && x != 0; });
+                };
+                telling += equal && is_something(calls_.mine[k]) && is_something(calls_.right[k]);
             }
             const bool explains = double(same) >= share_of_wrong * double(wrong_.size()) &&
                                   double(same) >= share_of_changed * double(changed);

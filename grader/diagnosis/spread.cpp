@@ -130,7 +130,7 @@ std::optional<std::string> spread_of(const Calls& calls, const Ask& mine, const 
     for (std::size_t i = 0; i < own.size(); ++i)
         if (apart(own[i], due[i]) > apart(own[worst], due[worst])) worst = i;
     if (own[worst].back() == 1e300) return std::nullopt;
-    return fmt::format("over all random numbers `{}` is {}; it must be {}", list[worst % list.size()].words,
+    return fmt::format("over all random numbers {} is {}; it must be {}", list[worst % list.size()].words,
                        mean_and_range(own[worst]), mean_and_range(due[worst]));
 }
 

@@ -31,7 +31,9 @@ void tell(const Shown& shown, StatisticRecord& record) {
     record.without_numbers = shown.words;
     record.hint =
         shown.words.empty() || shown.numbers.empty() ? shown.words + shown.numbers : shown.words + ": " + shown.numbers;
-    record.worth = shown.numbers.empty() && record.exact ? StatisticRecord::Worth::cause : StatisticRecord::Worth::fact;
+    record.worth = !shown.numbers.empty() ? StatisticRecord::Worth::guess
+                   : record.exact         ? StatisticRecord::Worth::cause
+                                          : StatisticRecord::Worth::fact;
 }
 
 /// The record of a statistic; `first` is the first replicate's observation.

@@ -70,7 +70,7 @@ def main():
             texts = dict(map(variant, bundle))
             kit.write(texts)
             home = without_times(kit.grade(*texts, "--seed", str(seed)))
-            office = without_times(graded_by_instructor(grade, mine, seed, list(texts)))
+            office = without_times(graded_by_instructor(grade, mine.parent, seed, list(texts)))
             expect(home == office, f"seed {seed}, {[p.stem for p in bundle]}: {difference(home, office)}" if home != office else "")
             count += len(bundle)
 

@@ -27,7 +27,7 @@ COMPILER = os.environ.get("CXX", "c++")
 
 
 def reasons():
-    """Of mistakes that are none: fragment, what their lines look like, why."""
+    """Of mistakes that are none: fragment or "any", what their lines look like, why."""
     found = []
     for number, line in enumerate((HERE / "equivalents.txt").read_text().splitlines(), 1):
         if not line or line.startswith("#"):
@@ -114,7 +114,7 @@ def judged(asked, fragment, mutant, known):
     if machine_code(mutant.text) == machine_code(mutant.right):
         return "equivalent", "the same machine code"
     for of, pattern, why, _ in known:
-        if of == fragment and pattern.fullmatch(mutant.line):
+        if of in (fragment, "any") and pattern.fullmatch(mutant.line):
             return "equivalent", why
     return "alive", "passes"
 
