@@ -108,7 +108,7 @@ Check any_surface() {
     const auto inputs = rows_of(128, [](Generator& random) {
         const vec3 n = chance(random, 0.1) ? vec3(0, 0, -1) : direction(random);
         const Color albedo = any_albedo(random);
-        return row(n, albedo, square(random));
+        return row(n, albedo, chance(random, 0.25) ? end_of_square(random) : square(random));
     });
     const Statistic below =
         property({.id = "V3",

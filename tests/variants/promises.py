@@ -77,6 +77,8 @@ promises = [
                                                             f"({own_frame})(unit(to_center), cone.direction)")),
     ("color_bleeding", "any normal, straight up as well", ("frame_about(n).to_world(cosine_hemisphere(u).direction)",
                                                            f"({own_frame})(n, cosine_hemisphere(u).direction)")),
+    ("color_bleeding", "a number for every u below 1", ("cosine_hemisphere(u).direction",
+                                                        "cosine_hemisphere(u.x < 1 - 1e-7 ? u : vec2(NAN)).direction")),
     ("glossy_reflection", "any direction, straight up as well", ("frame_about(mirror_direction(d, n)).to_world(lobe.direction)",
                                                                  f"({own_frame})(mirror_direction(d, n), lobe.direction)")),
     ("scatter_direction", "any direction, straight up as well", ("frame_about(d).to_world({sine * circle.x, sine * circle.y, cosine})",

@@ -124,7 +124,7 @@ struct Table::Inside {
     bool repeated = false;  // [[key]]
 
     std::string name() const {
-        return key.empty() ? "the scene" : repeated ? fmt::format("[[{}]]", key) : fmt::format("[{}]", key);
+        return key.empty() ? "the file" : repeated ? fmt::format("[[{}]]", key) : fmt::format("[{}]", key);
     }
     const toml::node* find(std::string_view key, bool required) const;
     Real checked(const toml::node& node, std::string_view key, Limits limits, const std::string& expected) const;
