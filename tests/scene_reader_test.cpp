@@ -57,7 +57,7 @@ const std::map<std::string, std::string> complaints = {
     {"unknown_key.toml", "unknown_key.toml:3:1: unknown key 'targt' in [camera]; expected "},
     {"unknown_sampler.toml", "unknown_sampler.toml:2:11: 'sampler' is 'halton'; expected "},
     {"unknown_shape.toml", "unknown_shape.toml:14:8: 'type' is 'spere'; expected "},
-    {"unknown_table.toml", "unknown_table.toml:8:3: unknown key 'lights' in the scene; expected "},
+    {"unknown_table.toml", "unknown_table.toml:8:3: unknown key 'lights' in the file; expected "},
     {"up_along_sight.toml", "up_along_sight.toml:3:10: the camera looks along 'up'; expected "},
     {"vfov_half_turn.toml", "vfov_half_turn.toml:4:8: 'vfov' is 180; expected "},
     {"vfov_zero.toml", "vfov_zero.toml:4:8: 'vfov' is 0; expected "},
