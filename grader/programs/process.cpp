@@ -130,10 +130,12 @@ Process::Process(const std::vector<std::string>& arguments, const Limits& limits
     const bool hands_over = !walls.itself && !walls.calls.code.empty();
     if (hands_over && ::write(calls.here, walls.calls.code.data(), walls.calls.code.size() * sizeof(sock_filter)) < 0)
         throw std::runtime_error(fmt::format("no filter of system calls: {}", std::strerror(errno)));
+    const pid_t grader = getpid();
     pid_ = fork();
     if (pid_ == 0) {
         setsid();
-        prctl(PR_SET_PDEATHSIG, SIGKILL);  // nothing outlives the grader
+        prctl(PR_SET_PDEATHSIG, SIGKILL);     // nothing outlives the grader
+        if (getppid() != grader) _exit(127);  // it has died already
         // the ends may sit on each other's places: lift them first
         std::array<int, 5> ends{in.there, out.there, err.there, results.there, calls.there};
         for (int& end : ends) end = fcntl(end, F_DUPFD, 16);
