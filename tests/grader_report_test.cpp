@@ -207,6 +207,12 @@ TEST_CASE("the simplest call that goes wrong is on the page and in the record as
     CHECK(table(record, false).find("./grade call") == std::string::npos);
 }
 
+TEST_CASE("what stands between backquotes is code, and as harmless as the rest") {
+    CHECK(html_with_code("`a < b` and `c`") == "<code>a &lt; b</code> and <code>c</code>");
+    CHECK(html_with_code("one ` alone") == "one ` alone");
+    CHECK(html_with_code("`<b>") == "`&lt;b&gt;");
+}
+
 TEST_CASE("a value far off stays inside its drawing, as an arrow") {
     StatisticRecord statistic;
     statistic.value = 1e6, statistic.truth = 1, statistic.low = 1e6, statistic.high = 1e6, statistic.tolerance = 0.1,

@@ -74,4 +74,17 @@ std::string html(std::string_view text) {
     return safe;
 }
 
+std::string html_with_code(std::string_view text) {
+    const std::string safe = html(text);
+    std::string marked;
+    std::size_t at = 0;
+    for (std::size_t open = 0; (open = safe.find('`', at)) != safe.npos;) {
+        const std::size_t close = safe.find('`', open + 1);
+        if (close == safe.npos) break;
+        marked += safe.substr(at, open - at) + "<code>" + safe.substr(open + 1, close - open - 1) + "</code>";
+        at = close + 1;
+    }
+    return marked + safe.substr(at);
+}
+
 }  // namespace grade

@@ -95,7 +95,8 @@ std::string statistics(const CheckRecord& check) {
     }
     text += "</table></div>\n";
     for (const StatisticRecord& s : check.statistics)
-        if (!s.hint.empty()) text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(s.verdict), html(s.hint));
+        if (!s.hint.empty())
+            text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(s.verdict), html_with_code(s.hint));
     return text;
 }
 
@@ -104,7 +105,7 @@ std::string check_section(const CheckRecord& check) {
         fmt::format("<details class=\"check\"{}><summary><h4>{}</h4>{}</summary>\n",
                     check.verdict == Verdict::passed ? "" : " open", html(check.name), badge(check.verdict));
     if (!check.message.empty())
-        text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(check.verdict), html(check.message));
+        text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(check.verdict), html_with_code(check.message));
     if (!check.excerpt.empty())
         text += fmt::format("<p class=\"soft\">It printed:</p><pre tabindex=\"0\">{}</pre>\n", html(check.excerpt));
     text += pictures(check) + cost_line(check) + statistics(check);
@@ -135,9 +136,10 @@ std::string fragment_section(const FragmentRecord& fragment, const std::string& 
     if (fragment.verdict == Verdict::did_not_build)
         text += fmt::format("<pre tabindex=\"0\">{}</pre>\n", html(fragment.message));
     else if (!fragment.message.empty())
-        text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(fragment.verdict), html(fragment.message));
+        text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(fragment.verdict), html_with_code(fragment.message));
     else if (const Finding& f = fragment.finding; !f.how.empty() || !f.arguments.empty() || !f.fault.empty())
-        text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(fragment.verdict), html(diagnose(fragment).words));
+        text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(fragment.verdict),
+                            html_with_code(diagnose(fragment).words));
     if (!fragment.finding.code.empty())
         text += fmt::format(
             "<details><summary class=\"soft\">this call as C++, and in a shell</summary><pre "
@@ -157,13 +159,14 @@ std::string fragment_section(const FragmentRecord& fragment, const std::string& 
 std::string overview_row(const FragmentRecord& fragment, const std::string& handout) {
     const bool passed = fragment.verdict == Verdict::passed;
     const Diagnosis diagnosis = passed ? Diagnosis{} : diagnose(fragment);
+    const std::string link = read_link(diagnosis.section, handout);
     return fmt::format(
         "<tr{6} data-lost=\"{7:g}\"><td><a href=\"#{0}\">{0}</a></td><td>{1}</td><td class=\"number\">{2:g} of "
         "{3:g}</td>"
-        "<td class=\"soft\">{4} {5}</td></tr>\n",
+        "<td class=\"soft\">{4}{5}</td></tr>\n",
         html(fragment.name), badge(fragment.verdict), fragment.points, fragment.max_points,
-        html(first_line(diagnosis.words)), read_link(diagnosis.section, handout), passed ? " class=\"is_passed\"" : "",
-        fragment.max_points - fragment.points);
+        html_with_code(first_line(diagnosis.words)), link.empty() ? "" : ". " + link,
+        passed ? " class=\"is_passed\"" : "", fragment.max_points - fragment.points);
 }
 
 std::string overview(const Record& record, const std::string& handout) {
@@ -195,7 +198,7 @@ std::string next_step(const Record& record) {
     for (const FragmentRecord& fragment : record.fragments)
         if (fragment.verdict != Verdict::passed)
             return fmt::format("<p>Next: <a href=\"#{0}\">{0}</a>, {1}: {2}</p>", html(fragment.name),
-                               in_words(fragment.verdict), html(first_line(diagnose(fragment).words)));
+                               in_words(fragment.verdict), html_with_code(first_line(diagnose(fragment).words)));
     return "<p>All of it passes.</p>";
 }
 
