@@ -93,7 +93,7 @@ def interrupted(raytrace):
     expect(len(picture_lines(after)) > 10, f"Ctrl-C left no picture:\n{after}")
     expect(screen.tmux("display", "-p", "#{cursor_flag}").strip() == "1", "the cursor is gone after Ctrl-C")
     screen.type("echo it's $((6 * 7)) | tr \"'\" _; stty -a | tr ' ' '\\n' | grep -x echo".replace("it's", "it"), "Enter")
-    screen.wait(r"^it 42")
+    screen.wait(r"^(\$ )?it 42")
     screen.wait(r"^echo$")
     screen.close()
 
