@@ -169,12 +169,16 @@ Calls only_nan(Calls calls) {
 }
 
 /// Which calls are wrong, or which are no number.
-Region tell_where(Finding& finding, const Calls& all, const std::string& are) {
-    std::size_t wrong = 0;
-    for (std::size_t k = 0; k < all.size(); ++k) wrong += !is_equal(all.result, all.mine[k], all.right[k]);
+Region tell_where(Finding& finding, const Calls& all, std::size_t wrong, std::size_t not_numbers) {
+    if (not_numbers > 0)
+        if (Region region = where_wrong(only_nan(all)); !region.words.empty()) {
+            finding.where = fmt::format("{} of {} calls are nan, those {}", not_numbers, all.size(), region.words);
+            return region;
+        }
     if (wrong == all.size()) return {};
-    const Region region = where_wrong(all);
-    finding.where = fmt::format("{} of {} calls are {}", wrong, all.size(), are);
+    Region region = where_wrong(all);
+    finding.where = fmt::format("{} of {} calls are wrong", wrong, all.size());
+    if (not_numbers > 0) finding.where += fmt::format(", {} of them nan", not_numbers);
     if (!region.words.empty()) finding.where += ", those " + region.words;
     return region;
 }
@@ -235,11 +239,7 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_min
     if (!is_comparable && !relation) return of_samples(finding, all, broken, ask_mine, ask_right);
     if (sampled && finding.how.empty()) finding.how = spread_of(only_wrong(all), mine, right).value_or("");
 
-    Region region;
-    if (not_numbers > 0)
-        region = tell_where(finding, only_nan(all), "nan");
-    else if (is_comparable)
-        region = tell_where(finding, all, "wrong");
+    const Region region = is_comparable ? tell_where(finding, all, wrong, not_numbers) : Region{};
     std::size_t more = 4000;
     const Ask mine_again = limited(ask_mine, more), right_again = limited(ask_right, more);
     const Example simplest = simplest_wrong(all, region, mine_again, right_again);

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "diagnosis/quantities.h"
+#include "diagnosis/scalars.h"
 
 namespace grade {
 
@@ -81,7 +82,8 @@ private:
         constexpr std::size_t few = 4;
         std::set<double> good, bad;
         for (std::size_t k = 0; k < x.size(); ++k) (wrong_[k] ? bad : good).insert(x[k]);
-        return good.size() >= few && (bad.size() >= few || (bad.size() == 1 && *bad.begin() == 0));
+        return good.size() >= few &&
+               (bad.size() >= few || (bad.size() == 1 && (*bad.begin() == 0 || std::isinf(*bad.begin()))));
     }
 
     /// Above or below what tells best, rounded.
@@ -122,7 +124,8 @@ private:
     }
 
     void quantities() {
-        const auto all = quantities_of(calls_.layouts.front(), calls_.told);
+        auto all = quantities_of(calls_.layouts.front(), calls_.told);
+        for (Quantity& q : mirrored()) all.push_back(std::move(q));
         for (const Quantity& q : all) {
             std::vector<double> x;
             for (std::size_t k = 0; k < calls_.size(); ++k)
@@ -136,6 +139,7 @@ private:
             number("`{} < 0`", [](double y) { return y < 0; });
             number("`{} > 0`", [](double y) { return y > 0; });
             number("`{} = 0`", [](double y) { return y == 0; });
+            number("`{} = inf`", [](double y) { return y == rt::inf; });
             if (q.words.find('|') == 0) number("`{}` is not 1", [](double y) { return std::abs(y - 1) > 1e-6; });
             threshold(q, x);
         }
@@ -147,6 +151,32 @@ private:
                         [f = all[a].value, g = all[b].value](const Row& row, const Layout& l, const Row& right) {
                             return f(row, l, right) < g(row, l, right);
                         });
+    }
+
+    /// Of a direction that is mirrored at a normal, as a highlight's: its cosine with a third one.
+    std::vector<Quantity> mirrored() const {
+        constexpr std::size_t most = 4;
+        const auto& parts = calls_.layouts.front().parts;
+        std::vector<std::size_t> units;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            bool is_unit = parts[i].kind == Kind::vector && (i >= calls_.told.size() || calls_.told[i]);
+            for (std::size_t k = 0; is_unit && k < calls_.size(); ++k)
+                is_unit = std::abs(glm::length(vector_at(calls_.rows[k], calls_.layouts[k].parts[i].at)) - 1) < 1e-6;
+            if (is_unit) units.push_back(i);
+        }
+        std::vector<Quantity> all;
+        if (units.size() > most) return all;
+        for (const std::size_t n : units)
+            for (const std::size_t a : units)
+                for (const std::size_t b : units)
+                    if (a < b && a != n && b != n)
+                        all.push_back({fmt::format("dot(2 * dot({0}, {1}) * {0} - {1}, {2})", parts[n].name,
+                                                   parts[a].name, parts[b].name),
+                                       [=](const Row& row, const Layout& l, const Row&) {
+                                           const auto at = [&](std::size_t i) { return vector_at(row, l.parts[i].at); };
+                                           return rt::dot(2 * rt::dot(at(n), at(a)) * at(n) - at(a), at(b));
+                                       }});
+        return all;
     }
 
     void parts() {
