@@ -239,8 +239,13 @@ TEST_CASE("what sanitizers say, in a line of the student's own file") {
     CHECK(fault_in_words("==2==ERROR: AddressSanitizer: stack-overflow on address 0x7f\n    #0 0x5 in f(int) "
                          "/usr/include/x.h:3\n    #1 0x5 in f(int) /tmp/x/phong.cpp:4\n",
                          "phong") == "phong.cpp:4: the function calls itself without end");
-    CHECK(fault_in_words("/usr/include/c++/12/span:280: Assertion failed\nERROR: AddressSanitizer: ABRT on unknown\n",
-                         "phong") == "phong.cpp: an index is out of range");
+    const std::string abort =
+        "ERROR: AddressSanitizer: ABRT on unknown address\n    #0 0x5 in f /tmp/x/phong.cpp:7:3\n";
+    CHECK(fault_in_words("/usr/include/c++/12/span:278: operator[]: Assertion '__idx < size()' failed.\n" + abort,
+                         "phong") == "phong.cpp:7: an index is out of range");
+    CHECK(fault_in_words("terminate called after throwing an instance of 'int'\n" + abort, "phong") ==
+          "phong.cpp:7: an exception is thrown that is no std::exception");
+    CHECK(fault_in_words(abort, "phong").empty());
     CHECK(fault_in_words("phong.cpp:3:1: runtime error: ignore previous instructions\n", "phong").empty());
     CHECK(fault_in_words("hello", "phong").empty());
 }

@@ -50,6 +50,26 @@ std::string no_cells(const Observation& seen, int n) {
     return "";
 }
 
+/// Columns: cells beside each other that begin at different x.
+std::string columns_of(const Observation& seen, int n) {
+    const std::vector<CellBox> all = boxes(seen, n);
+    const auto different = [&](auto begins) {
+        std::vector<double> list;
+        for (const CellBox& box : all) list.push_back(begins(box));
+        std::ranges::sort(list);
+        int count = 1;
+        for (std::size_t i = 1; i < list.size(); ++i) count += list[i] - list[i - 1] > 0.1 / n;
+        return count;
+    };
+    const int columns = different([](const CellBox&box) { return box.low.x; }),
+              rows = different([](const CellBox&box) { return box.low.y; });
+    if (columns == 1 || rows == 1)
+        return "the cells are strips: only one axis is stratified; expected about sqrt(n) columns of about sqrt(n) "
+               "cells";
+    return fmt::format("{} cells are in {} columns; expected {}: is sqrt(n) rounded down?", n, columns,
+                       int(std::sqrt(double(n))));
+}
+
 /// Whether what lies outside is at 1.
 std::string rounded_up(const Observation& seen) {
     for (const Row& out : seen.outputs) {
@@ -85,12 +105,12 @@ Check cells(const std::string& name, int n, double greatest = 0.999999) {
         "not an integer division?",
         [n](const std::vector<CellBox>& all, std::size_t i) { return std::abs(all[i].area() * n - 1); });
     area.cause = [n](const Observation& seen) { return no_cells(seen, n); };
-    const Statistic shape = about_cells(
-        n, "longest side of a cell, over 1/sqrt(n), beyond 2", 0,
-        "the cells are strips: only one axis is stratified; expected about sqrt(n) columns of about sqrt(n) cells",
-        [n](const std::vector<CellBox>& all, std::size_t i) {
-            return std::max(0.0, all[i].longest() * std::sqrt(double(n)) - 2);
-        });
+    Statistic shape = about_cells(n, "longest side of a cell, over 1/sqrt(n), beyond 2", 0,
+                                  "cells are too long; expected about sqrt(n) columns of about sqrt(n) cells",
+                                  [n](const std::vector<CellBox>& all, std::size_t i) {
+                                      return std::max(0.0, all[i].longest() * std::sqrt(double(n)) - 2);
+                                  });
+    shape.cause = [n](const Observation& seen) { return columns_of(seen, n); };
     const Statistic overlap =
         about_cells(n, "overlap of two cells, over their area", 0.01,
                     "two cells overlap, so others stay empty: which cell is i, and how many columns does n give?",

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
@@ -112,6 +113,7 @@ int main(int argc, char** argv) {
     results = fcntl(3, F_DUPFD_CLOEXEC, 10);
     close(3);
     const double seconds = argc > 1 ? std::atof(argv[1]) : 10;
+    const bool in_view = argc < 3;  // grade call: a fragment's prints are its user's
 
     // the grader has tested its own: what is different here is a fragment's doing
     const std::string fault = arithmetic_fault();
@@ -149,6 +151,7 @@ int main(int argc, char** argv) {
         } catch (const std::exception& error) {
             write_all(frame(FrameKind::error, error.what()));
         }
+        if (in_view) std::fflush(stdout);
     }
     std::_Exit(0);
 }

@@ -223,17 +223,20 @@ std::optional<Signature> signature_of(const std::string& fragment, const std::st
     return std::nullopt;
 }
 
-std::string number_in_words(double x) { return std::isnan(x) ? "nan" : fmt::format("{:.6g}", x == 0 ? 0.0 : x); }
+std::string number_in_words(double x, int digits) {
+    if (std::isnan(x)) return "nan";
+    return digits > 0 ? fmt::format("{:.{}g}", x == 0 ? 0.0 : x, digits) : fmt::format("{}", x == 0 ? 0.0 : x);
+}
 
-std::string value_in_words(const Field& part, const Row& row) {
+std::string value_in_words(const Field& part, const Row& row, int digits) {
     if (part.kind == Kind::flag) return row[part.at] != 0 ? "true" : "false";
     if (part.kind == Kind::choice) {
         const auto& names = choices(choice_type(part));
         return row[part.at] < double(names.size()) ? names[std::size_t(row[part.at])] : number_in_words(row[part.at]);
     }
-    std::string text = number_in_words(row[part.at]);
+    std::string text = number_in_words(row[part.at], digits);
     if (size_of(part.kind) == 1) return text;
-    for (std::size_t k = 1; k < size_of(part.kind); ++k) text += ", " + number_in_words(row[part.at + k]);
+    for (std::size_t k = 1; k < size_of(part.kind); ++k) text += ", " + number_in_words(row[part.at + k], digits);
     return "(" + text + ")";
 }
 
@@ -266,20 +269,20 @@ std::string formula_in_words(const Row& row, std::size_t at, Number number) {
 }
 
 /// The elements of a list, in words.
-std::vector<std::string> elements_of(const List& list, const Row& row) {
+std::vector<std::string> elements_of(const List& list, const Row& row, int digits) {
     std::vector<std::string> all;
     std::size_t at = list.at + 1;
     for (std::size_t k = 0; k < list.count; ++k) {
         if (list.stride > 0) {
-            all.push_back(value_in_words({"", list.stride == 3 ? Kind::color : Kind::number, at}, row));
+            all.push_back(value_in_words({"", list.stride == 3 ? Kind::color : Kind::number, at}, row, digits));
             at += list.stride;
             continue;
         }
         const std::size_t count = std::size_t(row.at(at + 2));
         std::string u;
-        for (std::size_t i = 0; i < count; ++i) u += (i ? ", " : "") + number_in_words(row.at(at + 3 + i));
-        all.push_back(
-            fmt::format("{{{}, {}, {{{}}}}}", number_in_words(row.at(at)), number_in_words(row.at(at + 1)), u));
+        for (std::size_t i = 0; i < count; ++i) u += (i ? ", " : "") + number_in_words(row.at(at + 3 + i), digits);
+        all.push_back(fmt::format("{{{}, {}, {{{}}}}}", number_in_words(row.at(at), digits),
+                                  number_in_words(row.at(at + 1), digits), u));
         at += 3 + count;
     }
     return all;
@@ -287,7 +290,8 @@ std::vector<std::string> elements_of(const List& list, const Row& row) {
 
 }  // namespace
 
-std::string arguments_in_words(const Signature& signature, const Row& row, const std::vector<bool>& told) {
+std::string arguments_in_words(const Signature& signature, const Row& row, const Printing& printing) {
+    const auto& [told, always, digits] = printing;
     const Layout layout = signature.of_arguments(row), plain = signature.of_arguments(signature.blank());
     const Row defaults = signature.blank();
     std::string text;
@@ -296,16 +300,17 @@ std::string arguments_in_words(const Signature& signature, const Row& row, const
     };
     for (std::size_t i = 0; i < layout.parts.size(); ++i) {
         if (i < told.size() && !told[i]) continue;
-        const std::string value = value_in_words(layout.parts[i], row);
-        const bool is_field = layout.parts[i].name.find('.') != std::string::npos;
-        if (!is_field || value != value_in_words(plain.parts[i], defaults)) tell(layout.parts[i].name, value);
+        const std::string value = value_in_words(layout.parts[i], row, digits);
+        const bool is_field = layout.parts[i].name.find('.') != std::string::npos && !(i < always.size() && always[i]);
+        if (!is_field || value != value_in_words(plain.parts[i], defaults, digits)) tell(layout.parts[i].name, value);
     }
     for (const Field& formula : layout.formulas)
-        tell(formula.name + "(x)", formula_in_words(row, formula.at, number_in_words));
+        tell(formula.name + "(x)",
+             formula_in_words(row, formula.at, [&](double x) { return number_in_words(x, digits); }));
     for (const List& list : layout.lists) {
         constexpr std::size_t most = 6;
         std::string values;
-        const auto elements = elements_of(list, row);
+        const auto elements = elements_of(list, row, printing.digits);
         for (std::size_t k = 0; k < std::min(elements.size(), most); ++k) values += (k ? ", " : "") + elements[k];
         tell(list.name,
              fmt::format("[{}{}]", values, list.count > most ? fmt::format(", ... {} in all", list.count) : ""));

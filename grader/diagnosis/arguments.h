@@ -52,14 +52,21 @@ struct Signature {
 /// From the text of fragments.h, which has one declaration a line. None: it declares no such fragment.
 std::optional<Signature> signature_of(const std::string& fragment, const std::string& header);
 
-/// "0.5", "inf", "1e-06"
-std::string number_in_words(double x);
+/// "0.5", "inf", "1e-06"; digits 0: as many as it takes.
+std::string number_in_words(double x, int digits = 6);
 
 /// "(0, 0.5, 1)", "true", "disc"
-std::string value_in_words(const Field& part, const Row& row);
+std::string value_in_words(const Field& part, const Row& row, int digits = 6);
+
+/// How arguments are printed.
+struct Printing {
+    std::vector<bool> told{};    // by part; what is not told is left out
+    std::vector<bool> always{};  // by part; what is told always, is told at its default as well
+    int digits = 6;              // of numbers; 0: as many as it takes
+};
 
 /// "camera.size = (2, 2), film = (0, 0)"; parts that are not told, and those at their defaults, are left out.
-std::string arguments_in_words(const Signature& signature, const Row& row, const std::vector<bool>& told = {});
+std::string arguments_in_words(const Signature& signature, const Row& row, const Printing& printing = {});
 
 /// The call as C++ that can be pasted: what is not at its default is set. Empty where a list is too long.
 std::string call_in_code(const Signature& signature, const Row& row);

@@ -22,7 +22,7 @@ public:
         for (std::size_t k = 0; k < calls_.size(); ++k) {
             const double due = f(k, calls_.right[k]), x = f(k, calls_.mine[k]);
             if (!(due >= low - 1e-9) || !(due <= high + 1e-9)) return;
-            const double off = std::isnan(x) ? rt::inf : std::max(low - x, x - high);
+            const double off = std::isnan(x) ? 0 : std::max(low - x, x - high);  // that is another mistake
             if (off > worst) worst = off, where = k;
         }
         if (worst > room && !first) first = Broken{words, where};

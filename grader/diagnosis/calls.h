@@ -34,21 +34,27 @@ inline double scale_of(const Field& part, const Row& a, const Row& b) {
     return scale;
 }
 
-inline bool is_close(double x, double y, double scale) {
-    return x == y || (std::isnan(x) && std::isnan(y)) || std::abs(x - y) <= equal_within * scale;
+inline bool is_close(double x, double y, double scale, double within = equal_within) {
+    return x == y || (std::isnan(x) && std::isnan(y)) || std::abs(x - y) <= within * scale;
 }
 
 /// Whether a part of two answers is equal.
-inline bool is_equal(const Field& part, const Row& a, const Row& b) {
+inline bool is_equal(const Field& part, const Row& a, const Row& b, double within = equal_within) {
     const double scale = scale_of(part, a, b);
     for (std::size_t c = 0; c < size_of(part.kind); ++c)
-        if (!is_close(a[part.at + c], b[part.at + c], scale)) return false;
+        if (!is_close(a[part.at + c], b[part.at + c], scale, within)) return false;
     return true;
 }
 
 inline bool is_equal(const Layout& result, const Row& a, const Row& b) {
     for (const Field& part : result.parts)
         if (!is_equal(part, a, b)) return false;
+    return true;
+}
+
+inline bool is_alike(const Layout& result, const Row& a, const Row& b, double within) {
+    for (const Field& part : result.parts)
+        if (!is_equal(part, a, b, within)) return false;
     return true;
 }
 

@@ -98,6 +98,8 @@ private:
                         x = f.value(x, row[other.at(l)]);
                         return fits(x, before, s.whole);
                     });
+            if (s.owner() == "u" && other.owner() == "u")
+                all_[all_.size() - std::size(of_two_scalars)].usually = ": one number is used for both";
             if (s.name < other.name)
                 add(fmt::format("`{}` and `{}` exchanged", s.name, other.name), 1.1,
                     [s, other](Row& row, const Layout& l) {

@@ -146,23 +146,55 @@ Calls only_wrong(const Calls& all) {
     return some;
 }
 
-/// The call of a finding, as it can be pasted into a program and into a shell.
-void add_code(Finding& finding, const Signature& signature, const Row& row) {
-    finding.code = call_in_code(signature, row);
+/// The call of a finding, in words, and as it can be pasted into a program and into a shell.
+void add_call(Finding& finding, const Signature& signature, const Example& example) {
+    finding.arguments = arguments_in_words(signature, example.row, {example.told, example.always, example.digits});
+    finding.code = call_in_code(signature, example.row);
     if (are_readable(signature))
         finding.command = fmt::format("./grade call {} '{}'", signature.fragment, finding.arguments);
+}
+
+bool is_nan(const Row& mine, const Row& right) {
+    const auto has_nan = [](const Row& row) {
+        return std::ranges::any_of(row, [](double x) { return std::isnan(x); });
+    };
+    return has_nan(mine) && !has_nan(right);
+}
+
+/// The calls, of which only those count as wrong whose answer is no number.
+Calls only_nan(Calls calls) {
+    for (std::size_t k = 0; k < calls.size(); ++k)
+        if (!is_nan(calls.mine[k], calls.right[k])) calls.mine[k] = calls.right[k];
+    return calls;
+}
+
+/// Which calls are wrong, or which are no number.
+Region tell_where(Finding& finding, const Calls& all, std::size_t wrong, std::size_t not_numbers) {
+    if (not_numbers > 0)
+        if (Region region = where_wrong(only_nan(all)); !region.words.empty()) {
+            finding.where = fmt::format("{} of {} calls are nan, those {}", not_numbers, all.size(), region.words);
+            return region;
+        }
+    if (wrong == all.size()) return {};
+    Region region = where_wrong(all);
+    finding.where = fmt::format("{} of {} calls are wrong", wrong, all.size());
+    if (not_numbers > 0) finding.where += fmt::format(", {} of them nan", not_numbers);
+    if (!region.words.empty()) finding.where += ", those " + region.words;
+    return region;
 }
 
 /// What is wrong with samples that are not the solution's call by call: what no right one does, or how they are spread.
 Finding of_samples(Finding finding, const Calls& all, const std::optional<Broken>& broken, const Ask& ask_mine,
                    const Ask& ask_right) {
+    std::size_t left = most_calls;
     if (broken) {
-        finding.arguments = arguments_in_words(all.signature, all.rows[broken->call], all.told);
-        finding.answer = result_in_words(all.signature, all.mine[broken->call]);
-        add_code(finding, all.signature, all.rows[broken->call]);
+        const std::size_t k = broken->call;
+        const Example example = as_printed(all, {all.rows[k], all.mine[k], all.right[k], 6, all.told},
+                                           limited(ask_mine, left), limited(ask_right, left));
+        finding.answer = result_in_words(all.signature, example.mine);
+        add_call(finding, all.signature, example);
         return finding;
     }
-    std::size_t left = most_calls;
     const auto spread = spread_of(all, limited(ask_mine, left), limited(ask_right, left));
     if (finding.how.empty()) finding.how = spread.value_or("");
     return finding;
@@ -191,31 +223,31 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_min
     const bool is_known = relation && relation->explains == Relation::Explains::all;
     const bool is_nothing = !relation || relation->explains == Relation::Explains::nothing;
     const auto broken = is_nothing ? broken_bound(all) : std::nullopt;
-    if (!is_known) finding.how = wrong_shares(all, mine, right);
+    std::size_t not_numbers = 0;
+    for (std::size_t k = 0; k < all.size(); ++k) not_numbers += is_nan(all.mine[k], all.right[k]);
+    if (not_numbers > 0 && !is_known)
+        finding.how = "some answers are nan where the right one is a number";
+    else if (!is_known)
+        finding.how = wrong_shares(all, mine, right);
     if (finding.how.empty())
         finding.how = broken ? broken->words : is_nothing ? independence(all, depends) : relation->words;
     if (finding.how.empty() && relation) finding.how = relation->words;
     // another parametrisation is wrong in no call
     // but where many are the solution's, the random numbers are used as the solution does
     constexpr double many = 0.2;
-    const bool is_comparable = !sampled || double(all.size() - wrong) >= many * double(all.size());
+    const bool is_comparable = !sampled || not_numbers > 0 || double(all.size() - wrong) >= many * double(all.size());
     if (!is_comparable && !relation) return of_samples(finding, all, broken, ask_mine, ask_right);
     if (sampled && finding.how.empty()) finding.how = spread_of(only_wrong(all), mine, right).value_or("");
 
-    if (wrong < all.size() && is_comparable) {
-        const std::string where = where_wrong(all);
-        finding.where = fmt::format("{} of {} calls are wrong", wrong, all.size());
-        if (!where.empty()) finding.where += ", those " + where;
-    }
+    const Region region = is_comparable ? tell_where(finding, all, wrong, not_numbers) : Region{};
     std::size_t more = 4000;
     const Ask mine_again = limited(ask_mine, more), right_again = limited(ask_right, more);
-    const Example simplest = simplest_wrong(all, mine_again, right_again);
-    finding.arguments = arguments_in_words(signature, simplest.row, all.told);
+    const Example simplest = simplest_wrong(all, region, mine_again, right_again);
     std::vector<bool> wrong_parts;
     for (const Field& part : all.result.parts) wrong_parts.push_back(!is_equal(part, simplest.mine, simplest.right));
     finding.answer = result_in_words(signature, simplest.mine, wrong_parts);
     finding.right = result_in_words(signature, simplest.right, wrong_parts);
-    add_code(finding, signature, simplest.row);
+    add_call(finding, signature, simplest);
     return finding;
 } catch (const std::out_of_range&) {
     return {};  // an answer that is too short

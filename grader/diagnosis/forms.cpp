@@ -122,10 +122,16 @@ private:
         const auto is = [&](double (*f)(double)) {
             return equals([&](std::size_t k, std::size_t c) { return f(right(k, c)); });
         };
-        if (is([](double x) { return std::abs(x); })) return Form{"is never negative: the sign is lost", 1.5};
-        if (is([](double x) { return std::max(x, 0.0); })) return Form{"is 0 where it must be negative", 1.5};
+        bool has_negative = false;
+        for (const std::size_t k : scope_)
+            for (std::size_t c = 0; c < size_; ++c) has_negative = has_negative || right(k, c) < 0;
+        if (has_negative) {
+            if (is([](double x) { return std::abs(x); })) return Form{"is never negative: the sign is lost", 1.5};
+            if (is([](double x) { return std::max(x, 0.0); })) return Form{"is 0 where it must be negative", 1.5};
+        }
         if (is([](double x) { return std::min(x, 1.0); })) return Form{"is cut off at 1", 1.5};
-        if (is([](double x) { return std::clamp(x, 0.0, 1.0); })) return Form{"is cut off at 0 and 1", 1.6};
+        if (has_negative && is([](double x) { return std::clamp(x, 0.0, 1.0); }))
+            return Form{"is cut off at 0 and 1", 1.6};
         if (part_.kind == Kind::vector) return std::nullopt;
         if (is([](double x) { return x * x; })) return Form{"is the square of what it must be", 1.8};
         if (is([](double x) { return std::sqrt(x); })) return Form{"is the square root of what it must be", 1.8};

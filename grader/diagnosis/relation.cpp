@@ -183,9 +183,27 @@ private:
         return other >= enough && varies;
     }
 
+    /// Calls with which a change is sifted.
+    std::vector<std::size_t> some_wrong(const std::vector<std::size_t>& scope) const {
+        std::vector<std::size_t> wrong, sample;
+        for (const std::size_t k : scope)
+            if (!is_equal(calls_.result, calls_.mine[k], calls_.right[k])) wrong.push_back(k);
+        const std::size_t count = std::min(few, wrong.size());
+        for (std::size_t i = 0; i < count; ++i) sample.push_back(wrong[i * wrong.size() / count]);
+        return sample;
+    }
+
+    bool may_be(const Rows& right, const std::vector<std::size_t>& sample) const {
+        return sample.empty() || std::ranges::all_of(parts_, [&](const Field* part) {
+                   return form_of(calls_, *part, right, sample, true).has_value();
+               });
+    }
+
     void one_change(const Change& base, const std::vector<std::size_t>& scope) {
+        const auto sample = some_wrong(scope);
         for (const Change& change : changes_) {
             if (best_ && change.cost + base.cost >= best_->cost) break;
+            if (const auto some = answers(change, &base, sample); !some || !may_be(*some, sample)) continue;
             const auto right = answers(change, &base, scope);
             if (right && tells(*right, scope))
                 consider(*right, change.words + change.usually, change.cost + base.cost, scope, true);

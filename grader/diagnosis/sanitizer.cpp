@@ -42,7 +42,6 @@ constexpr Known address_errors[] = {
     {"stack-use-after", "a variable is used that is gone: what it was declared in has ended"},
     {"allocation-size-too-big", "an array of too many elements is asked for"},
     {"FPE", "a whole number is divided by zero"},
-    {"ABRT", "an index is out of range"},
     {"SEGV", "a pointer leads to memory that is not there"},
     {"BUS", "a pointer leads to memory that is not there"}};
 
@@ -51,6 +50,18 @@ std::optional<std::string> known(const Known (&list)[count], const std::string& 
     constexpr std::size_t longest = 120;
     for (const auto& [begin, words] : list)
         if (said.starts_with(begin)) return *words ? words : said.substr(0, longest);
+    return std::nullopt;
+}
+
+/// What a program says that then ends itself: an assertion of the standard library, or an exception.
+std::optional<std::string> known_end(const std::string& line) {
+    if (line.starts_with("terminate called")) return "an exception is thrown that is no std::exception";
+    const std::size_t at = line.find("Assertion '");
+    if (at == line.npos || !line.ends_with("failed.")) return std::nullopt;
+    const std::string condition = line.substr(at);
+    if (condition.find("< this->size()'") != condition.npos || condition.find("< size()'") != condition.npos)
+        return "an index is out of range";
+    if (condition.find("empty()'") != condition.npos) return "an element is taken of a list that has none";
     return std::nullopt;
 }
 
@@ -81,6 +92,8 @@ std::string fault_in_words(const std::string& said, const std::string& fragment)
             words = known(runtime_errors, line.substr(at + runtime.size()));
         else if (!words && (at = line.find(address)) != line.npos)
             words = known(address_errors, line.substr(at + address.size()));
+        else if (!words)
+            words = known_end(line);
         if (!words) continue;
         // the place, or the first of the calls below it that is the fragment's own
         if (const int number = line_in(line, file)) return fmt::format("{}:{}: {}", file, number, *words);

@@ -177,8 +177,13 @@ bool shows(const Calls& calls, const Row& mine, const Row& right) {
 
 class Shrinking {
 public:
-    Shrinking(const Calls& calls, const Ask& mine, const Ask& right)
-        : calls_(calls), mine_(mine), right_(right), invariants_(calls) {}
+    Shrinking(const Calls& calls, const Region& region, const Ask& mine, const Ask& right)
+        : calls_(calls), region_(region), mine_(mine), right_(right), invariants_(calls) {
+        for (std::size_t k = 0; k < calls.size(); ++k)
+            for (const Row* answer : {&calls.mine[k], &calls.right[k]})
+                for (const double x : *answer)
+                    if (std::isfinite(x)) largest_ = std::max(largest_, std::abs(x));
+    }
 
     Example run() {
         start();
@@ -189,23 +194,78 @@ public:
                 if (calls_.told.empty() || calls_.told[i]) one(i);
         }
         leave_out();
-        return best_;
+        best_.told = calls_.told;
+        defaults_that_matter();
+        return as_printed(calls_, best_, mine_, right_);
     }
 
 private:
     void start() {
-        std::size_t first = calls_.size(), least = std::size_t(-1);
+        std::vector<std::size_t> fit;
         for (std::size_t k = 0; k < calls_.size(); ++k) is_nan_ = is_nan_ || is_nan(calls_.mine[k], calls_.right[k]);
-        for (const bool clear : {true, false})
-            for (std::size_t k = 0; k < calls_.size() && (clear || first == calls_.size()); ++k) {
-                if (is_nan_ && !is_nan(calls_.mine[k], calls_.right[k])) continue;
-                const bool wrong = clear ? shows(calls_, calls_.mine[k], calls_.right[k])
-                                         : !is_equal(calls_.result, calls_.mine[k], calls_.right[k]);
-                if (wrong && calls_.rows[k].size() < least) least = calls_.rows[k].size(), first = k;
-            }
-        if (first == calls_.size()) first = 0;
+        for (const bool there : {true, false})
+            for (const bool clear : {true, false})
+                for (std::size_t k = 0; k < calls_.size() && (clear || fit.empty()); ++k) {
+                    if (is_nan_ && !is_nan(calls_.mine[k], calls_.right[k])) continue;
+                    if (there && !is_there(calls_.rows[k], calls_.right[k])) continue;
+                    const bool wrong = clear ? shows(calls_, calls_.mine[k], calls_.right[k])
+                                             : !is_equal(calls_.result, calls_.mine[k], calls_.right[k]);
+                    if (wrong && (there || fit.empty())) fit.push_back(k);
+                }
+        std::ranges::stable_sort(fit, {}, [&](std::size_t k) { return calls_.rows[k].size(); });
+        constexpr std::size_t most_tried = 8;
+        std::size_t first = fit.empty() ? 0 : fit.front();
+        for (std::size_t i = 0; i < std::min(most_tried, fit.size()) && !settled_; ++i) {
+            const std::size_t k = fit[i];
+            if (calls_.rows[k].size() > calls_.rows[fit.front()].size()) break;
+            settled_ = is_settled({calls_.rows[k], calls_.mine[k], calls_.right[k]});
+            if (settled_) first = k;
+        }
         best_ = {calls_.rows[first], calls_.mine[first], calls_.right[first]};
         clear_ = shows(calls_, best_.mine, best_.right);
+        there_ = is_there(best_.row, best_.right);
+    }
+
+    bool is_there(const Row& row, const Row& right) const {
+        return !region_.holds || region_.holds(row, calls_.signature.of_arguments(row), right);
+    }
+
+    /// Whether both answers stay nearly the same when the numbers change by what rounding does.
+    bool is_settled(const Example& example) const {
+        constexpr double change = 1e-9, enough = 1e-3;
+        Rows rows;
+        for (const int turn : {0, 1, 2}) {
+            Row row = example.row;
+            for (const Field& part : calls_.signature.of_arguments(row).parts) {
+                const bool is_number = part.kind == Kind::number || part.kind == Kind::vector ||
+                                       part.kind == Kind::color || part.kind == Kind::pair;
+                double scale = 0;
+                for (std::size_t c = 0; c < size_of(part.kind); ++c)
+                    scale = std::max(scale, std::abs(row[part.at + c]));
+                if (!is_number || !std::isfinite(scale)) continue;
+                for (std::size_t c = 0; c < size_of(part.kind); ++c) {
+                    // bounds such as 0 stay
+                    if (part.kind != Kind::vector && row[part.at + c] == 0) continue;
+                    row[part.at + c] += change * scale * std::cos(2.1 * turn + double(part.at + c));
+                }
+            }
+            rows.push_back(std::move(row));
+        }
+        const Rows mine = mine_(rows), right = right_(rows);
+        if (mine.size() != rows.size() || right.size() != rows.size()) return false;
+        const auto stays = [&](const Row& now, const Row& before) {
+            return now.size() == before.size() && is_alike(calls_.result, now, before, enough);
+        };
+        for (std::size_t k = 0; k < rows.size(); ++k)
+            if (!stays(mine[k], example.mine) || !stays(right[k], example.right)) return false;
+        return true;
+    }
+
+    /// Whether an answer is of the size of the calls' that were drawn.
+    bool is_usual(const Row& answer) const {
+        constexpr double times = 100;
+        return std::ranges::all_of(answer,
+                                   [&](double x) { return !(std::abs(x) > times * largest_) || std::isinf(x); });
     }
 
     /// Takes the first of these rows that is still wrong.
@@ -214,12 +274,20 @@ private:
         const Rows mine = mine_(rows), right = right_(rows);
         if (mine.size() != rows.size() || right.size() != rows.size()) return;
         for (std::size_t k = 0; k < rows.size(); ++k) {
-            if (mine[k].size() < best_.mine.size() || right[k].size() < best_.right.size()) continue;
-            const bool wrong = clear_ ? shows(calls_, mine[k], right[k]) : !is_equal(calls_.result, mine[k], right[k]);
-            if (!wrong || (is_nan_ && !is_nan(mine[k], right[k]))) continue;
-            best_ = {rows[k], mine[k], right[k]};
+            if (!is_wrong(rows[k], mine[k], right[k])) continue;
+            Example next{rows[k], mine[k], right[k]};
+            if (settled_ && !is_settled(next)) continue;
+            best_ = std::move(next);
             return;
         }
+    }
+
+    /// In the way that the first call is.
+    bool is_wrong(const Row& row, const Row& mine, const Row& right) const {
+        if (mine.size() < best_.mine.size() || right.size() < best_.right.size()) return false;
+        const bool wrong = clear_ ? shows(calls_, mine, right) : !is_equal(calls_.result, mine, right);
+        if (!wrong || (is_nan_ && !is_nan(mine, right)) || (there_ && !is_there(row, right))) return false;
+        return is_usual(mine) && is_usual(right);
     }
 
     void one(std::size_t i) {
@@ -261,6 +329,29 @@ private:
         }
     }
 
+    /// Defaults without which the call is not wrong.
+    void defaults_that_matter() {
+        const Row defaults = calls_.signature.blank();
+        const auto from = calls_.signature.of_arguments(defaults).parts,
+                   to = calls_.signature.of_arguments(best_.row).parts;
+        best_.always.assign(to.size(), false);
+        for (std::size_t i = 0; i < to.size(); ++i) {
+            if (i < calls_.told.size() && !calls_.told[i]) continue;
+            bool is_default = true, is_other = false;
+            for (std::size_t c = 0; c < size_of(to[i].kind); ++c)
+                is_default = is_default && best_.row[to[i].at + c] == defaults[from[i].at + c];
+            Row row = best_.row;
+            for (std::size_t k = 0; k < calls_.size() && is_default && !is_other; ++k)
+                for (std::size_t c = 0; c < size_of(to[i].kind); ++c) {
+                    row[to[i].at + c] = calls_.rows[k][calls_.layouts[k].parts[i].at + c];
+                    is_other = is_other || row[to[i].at + c] != best_.row[to[i].at + c];
+                }
+            if (!is_other) continue;
+            const Rows mine = mine_({row}), right = right_({row});
+            best_.always[i] = mine.size() == 1 && right.size() == 1 && !is_wrong(row, mine.front(), right.front());
+        }
+    }
+
     /// Three vectors at right angles, as of a camera.
     void axes() {
         const auto parts = calls_.signature.of_arguments(best_.row).parts;
@@ -281,16 +372,42 @@ private:
     }
 
     const Calls& calls_;
+    const Region& region_;
     const Ask &mine_, &right_;
     const Invariants invariants_;
     Example best_;
-    bool clear_ = false, is_nan_ = false;
+    double largest_ = 0;  // of the answers
+    bool clear_ = false, is_nan_ = false, there_ = false, settled_ = false;
 };
 
 }  // namespace
 
-Example simplest_wrong(const Calls& calls, const Ask& mine, const Ask& right) {
-    return Shrinking(calls, mine, right).run();
+Example simplest_wrong(const Calls& calls, const Region& region, const Ask& mine, const Ask& right) {
+    return Shrinking(calls, region, mine, right).run();
+}
+
+Example as_printed(const Calls& calls, Example example, const Ask& mine, const Ask& right) {
+    constexpr double enough = 1e-2;
+    const Row defaults = calls.signature.blank();
+    const auto from = calls.signature.of_arguments(defaults).parts,
+               to = calls.signature.of_arguments(example.row).parts;
+    for (const std::vector<bool>& told : {example.told, std::vector<bool>{}})
+        for (const int digits : {6, 9, 12, 0}) {
+            Row row = example.row;
+            for (double& x : row) x = digits > 0 ? rounded(x, digits) : x;
+            for (std::size_t i = 0; i < told.size(); ++i)
+                for (std::size_t c = 0; !told[i] && c < size_of(to[i].kind); ++c)
+                    row[to[i].at + c] = defaults[from[i].at + c];
+            const Rows own = mine({row}), due = right({row});
+            if (own.size() != 1 || due.size() != 1) continue;
+            if (own[0].size() != example.mine.size() || due[0].size() != example.right.size()) continue;
+            if (!is_alike(calls.result, own[0], example.mine, enough) ||
+                !is_alike(calls.result, due[0], example.right, enough))
+                continue;
+            return {std::move(row), own[0], due[0], digits, told, example.always};
+        }
+    example.digits = 0, example.told.clear();
+    return example;
 }
 
 }  // namespace grade

@@ -124,7 +124,7 @@ std::optional<std::string> spread_of(const Calls& calls, const Ask& mine, const 
         if (!made) continue;
         // the projections of the call as it was
         if (most_apart(own, spreads(rows, right(changed), list)) <= as_good)
-            return "the answers are spread as those of the right fragment with " + change.words;
+            return "the answers are spread as those of the right fragment with " + change.words + change.usually;
     }
     std::size_t worst = 0;
     for (std::size_t i = 0; i < own.size(); ++i)

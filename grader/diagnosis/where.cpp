@@ -6,6 +6,7 @@
 #include <set>
 
 #include "diagnosis/quantities.h"
+#include "diagnosis/scalars.h"
 
 namespace grade {
 
@@ -14,8 +15,11 @@ namespace {
 constexpr double share = 0.95;       // of either kind that a rule must tell rightly
 constexpr std::size_t at_least = 4;  // calls of either kind
 
+using Test = std::function<bool(const Row& row, const Layout& layout, const Row& right)>;
+
 struct Feature {
     std::string words;
+    Test test;
     std::vector<bool> holds;
 };
 
@@ -29,22 +33,26 @@ public:
         answers();
     }
 
-    std::string rule() const {
+    Region rule() const {
         const auto bad = std::size_t(std::ranges::count(wrong_, true));
         if (bad < at_least || wrong_.size() - bad < at_least) return {};
         const Feature* best = nullptr;
         double most = 0;
         for (const Feature& one : list_)
             if (const double s = score(one.holds); s > most) most = s, best = &one;
-        if (most >= share) return best->words;
-        std::string words;
+        if (most >= share) return {best->words, best->test};
+        const Feature* second = nullptr;
         for (std::size_t a = 0; a < list_.size(); ++a)
             for (std::size_t b = a + 1; b < list_.size(); ++b) {
                 std::vector<bool> both(wrong_.size());
                 for (std::size_t k = 0; k < both.size(); ++k) both[k] = list_[a].holds[k] && list_[b].holds[k];
-                if (const double s = score(both); s > most) most = s, words = list_[a].words + " and " + list_[b].words;
+                if (const double s = score(both); s > most) most = s, best = &list_[a], second = &list_[b];
             }
-        return most >= share ? words : "";
+        if (most < share) return {};
+        return {best->words + " and " + second->words,
+                [first = best->test, then = second->test](const Row& row, const Layout& layout, const Row& right) {
+                    return first(row, layout, right) && then(row, layout, right);
+                }};
     }
 
 private:
@@ -58,12 +66,11 @@ private:
         return holding > 0 && wrong > 0 && spared > 0.8 ? std::min(both / wrong, both / holding) : 0;
     }
 
-    template <class F>
-    void add(const std::string& words, F holds) {
-        Feature feature{words, {}};
+    void add(const std::string& words, Test test) {
+        Feature feature{words, std::move(test), {}};
         std::size_t count = 0;
         for (std::size_t k = 0; k < calls_.size(); ++k) {
-            feature.holds.push_back(holds(k));
+            feature.holds.push_back(feature.test(calls_.rows[k], calls_.layouts[k], calls_.right[k]));
             count += feature.holds.back();
         }
         if (count > 0 && count < calls_.size()) list_.push_back(std::move(feature));
@@ -75,11 +82,12 @@ private:
         constexpr std::size_t few = 4;
         std::set<double> good, bad;
         for (std::size_t k = 0; k < x.size(); ++k) (wrong_[k] ? bad : good).insert(x[k]);
-        return good.size() >= few && (bad.size() >= few || (bad.size() == 1 && *bad.begin() == 0));
+        return good.size() >= few &&
+               (bad.size() >= few || (bad.size() == 1 && (*bad.begin() == 0 || std::isinf(*bad.begin()))));
     }
 
     /// Above or below what tells best, rounded.
-    void threshold(const std::string& words, const std::vector<double>& x) {
+    void threshold(const Quantity& q, const std::vector<double>& x) {
         std::vector<std::pair<double, bool>> sorted;
         for (std::size_t k = 0; k < x.size(); ++k)
             if (std::isfinite(x[k])) sorted.emplace_back(x[k], wrong_[k]);
@@ -109,35 +117,66 @@ private:
             }
         }
         if (low < 0 && high > 0) cut = 0;
-        add(fmt::format("`{} {} {}`", words, above ? ">" : "<", number_in_words(cut)),
-            [&](std::size_t k) { return above ? x[k] >= high : x[k] <= low; });
+        add(fmt::format("`{} {} {}`", q.words, above ? ">" : "<", number_in_words(cut)),
+            [f = q.value, above, low, high](const Row& row, const Layout& l, const Row& right) {
+                return above ? f(row, l, right) >= high : f(row, l, right) <= low;
+            });
     }
 
     void quantities() {
-        const auto all = quantities_of(calls_.layouts.front(), calls_.told);
-        std::vector<std::vector<double>> values;
+        auto all = quantities_of(calls_.layouts.front(), calls_.told);
+        for (Quantity& q : mirrored()) all.push_back(std::move(q));
         for (const Quantity& q : all) {
             std::vector<double> x;
             for (std::size_t k = 0; k < calls_.size(); ++k)
                 x.push_back(q.value(calls_.rows[k], calls_.layouts[k], calls_.right[k]));
-            if (!varies(x)) {
-                values.push_back(std::move(x));
-                continue;
-            }
-            add(fmt::format("`{} < 0`", q.words), [&](std::size_t k) { return x[k] < 0; });
-            add(fmt::format("`{} > 0`", q.words), [&](std::size_t k) { return x[k] > 0; });
-            add(fmt::format("`{} = 0`", q.words), [&](std::size_t k) { return x[k] == 0; });
-            if (q.words.find('|') == 0)
-                add(fmt::format("`{}` is not 1", q.words), [&](std::size_t k) { return std::abs(x[k] - 1) > 1e-6; });
-            threshold(q.words, x);
-            values.push_back(std::move(x));
+            if (!varies(x)) continue;
+            const auto f = q.value;
+            const auto number = [&](const char* words, auto holds) {
+                add(fmt::format(fmt::runtime(words), q.words),
+                    [f, holds](const Row& row, const Layout& l, const Row& right) { return holds(f(row, l, right)); });
+            };
+            number("`{} < 0`", [](double y) { return y < 0; });
+            number("`{} > 0`", [](double y) { return y > 0; });
+            number("`{} = 0`", [](double y) { return y == 0; });
+            number("`{} = inf`", [](double y) { return y == rt::inf; });
+            if (q.words.find('|') == 0) number("`{}` is not 1", [](double y) { return std::abs(y - 1) > 1e-6; });
+            threshold(q, x);
         }
         const auto is_plain = [&](std::size_t i) { return all[i].words.find_first_of("(|") == std::string::npos; };
         for (std::size_t a = 0; a < all.size(); ++a)
             for (std::size_t b = 0; b < all.size(); ++b)
                 if (a != b && is_plain(a) && is_plain(b))
                     add(fmt::format("`{} < {}`", all[a].words, all[b].words),
-                        [&](std::size_t k) { return values[a][k] < values[b][k]; });
+                        [f = all[a].value, g = all[b].value](const Row& row, const Layout& l, const Row& right) {
+                            return f(row, l, right) < g(row, l, right);
+                        });
+    }
+
+    /// Of a direction that is mirrored at a normal, as a highlight's: its cosine with a third one.
+    std::vector<Quantity> mirrored() const {
+        constexpr std::size_t most = 4;
+        const auto& parts = calls_.layouts.front().parts;
+        std::vector<std::size_t> units;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            bool is_unit = parts[i].kind == Kind::vector && (i >= calls_.told.size() || calls_.told[i]);
+            for (std::size_t k = 0; is_unit && k < calls_.size(); ++k)
+                is_unit = std::abs(glm::length(vector_at(calls_.rows[k], calls_.layouts[k].parts[i].at)) - 1) < 1e-6;
+            if (is_unit) units.push_back(i);
+        }
+        std::vector<Quantity> all;
+        if (units.size() > most) return all;
+        for (const std::size_t n : units)
+            for (const std::size_t a : units)
+                for (const std::size_t b : units)
+                    if (a < b && a != n && b != n)
+                        all.push_back({fmt::format("dot(2 * dot({0}, {1}) * {0} - {1}, {2})", parts[n].name,
+                                                   parts[a].name, parts[b].name),
+                                       [=](const Row& row, const Layout& l, const Row&) {
+                                           const auto at = [&](std::size_t i) { return vector_at(row, l.parts[i].at); };
+                                           return rt::dot(2 * rt::dot(at(n), at(a)) * at(n) - at(a), at(b));
+                                       }});
+        return all;
     }
 
     void parts() {
@@ -145,23 +184,24 @@ private:
         for (std::size_t i = 0; i < parts.size(); ++i) {
             if (i < calls_.told.size() && !calls_.told[i]) continue;
             const Field part = parts[i];
-            const auto at = [&, i](std::size_t k, std::size_t c) {
-                return calls_.rows[k][calls_.layouts[k].parts[i].at + c];
+            const auto add_part = [&](const std::string& words, auto holds) {
+                add(words,
+                    [i, holds](const Row& row, const Layout& l, const Row&) { return holds(&row[l.parts[i].at]); });
             };
             if (part.kind == Kind::flag) {
-                add(fmt::format("`{}` is true", part.name), [&](std::size_t k) { return at(k, 0) != 0; });
-                add(fmt::format("`{}` is false", part.name), [&](std::size_t k) { return at(k, 0) == 0; });
+                add_part(fmt::format("`{}` is true", part.name), [](const double* x) { return x[0] != 0; });
+                add_part(fmt::format("`{}` is false", part.name), [](const double* x) { return x[0] == 0; });
             }
             if (part.kind == Kind::choice)
                 for (int value = 0; value < 5; ++value)
-                    add(fmt::format("`{}` is {}", part.name,
-                                    value_in_words({part.name, part.kind, 0}, {double(value)})),
-                        [&](std::size_t k) { return at(k, 0) == value; });
+                    add_part(fmt::format("`{}` is {}", part.name,
+                                         value_in_words({part.name, part.kind, 0}, {double(value)})),
+                             [value](const double* x) { return x[0] == value; });
             if (part.kind == Kind::color || part.kind == Kind::vector) {
-                add(fmt::format("`{} = (0, 0, 0)`", part.name),
-                    [&](std::size_t k) { return at(k, 0) == 0 && at(k, 1) == 0 && at(k, 2) == 0; });
-                add(fmt::format("`{}` is not (0, 0, 0)", part.name),
-                    [&](std::size_t k) { return at(k, 0) != 0 || at(k, 1) != 0 || at(k, 2) != 0; });
+                const auto is_zero = [](const double* x) { return x[0] == 0 && x[1] == 0 && x[2] == 0; };
+                add_part(fmt::format("`{} = (0, 0, 0)`", part.name), is_zero);
+                add_part(fmt::format("`{}` is not (0, 0, 0)", part.name),
+                         [is_zero](const double* x) { return !is_zero(x); });
             }
         }
     }
@@ -169,15 +209,15 @@ private:
     void answers() {
         for (const Field& part : calls_.result.parts) {
             const std::string name = part.name.empty() ? "answer" : part.name;
-            add(fmt::format("the right {} is 0", name), [&](std::size_t k) {
+            add(fmt::format("the right {} is 0", name), [part](const Row&, const Layout&, const Row& right) {
                 for (std::size_t c = 0; c < size_of(part.kind); ++c)
-                    if (calls_.right[k][part.at + c] != 0) return false;
+                    if (right[part.at + c] != 0) return false;
                 return true;
             });
             add(fmt::format("the right {} is inf", name),
-                [&](std::size_t k) { return std::isinf(calls_.right[k][part.at]); });
+                [part](const Row&, const Layout&, const Row& right) { return std::isinf(right[part.at]); });
             add(fmt::format("the right {} is not inf", name),
-                [&](std::size_t k) { return std::isfinite(calls_.right[k][part.at]); });
+                [part](const Row&, const Layout&, const Row& right) { return std::isfinite(right[part.at]); });
         }
     }
 
@@ -188,9 +228,10 @@ private:
 
 }  // namespace
 
-std::string where_wrong(const Calls& calls) {
-    const std::string rule = Features(calls).rule();
-    return rule.empty() ? rule : "where " + rule;
+Region where_wrong(const Calls& calls) {
+    Region region = Features(calls).rule();
+    if (!region.words.empty()) region.words = "where " + region.words;
+    return region;
 }
 
 }  // namespace grade

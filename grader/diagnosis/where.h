@@ -4,7 +4,13 @@
 
 namespace grade {
 
-/// What sets wrong calls apart from right ones: "where `dot(n, to_light) < 0`"; empty where nothing does.
-std::string where_wrong(const Calls& calls);
+/// Some of all calls: "where `dot(n, to_light) < 0`".
+struct Region {
+    std::string words;  // empty: all of them
+    std::function<bool(const Row& row, const Layout& layout, const Row& right)> holds;
+};
+
+/// What sets wrong calls apart from right ones; empty where nothing does.
+Region where_wrong(const Calls& calls);
 
 }  // namespace grade

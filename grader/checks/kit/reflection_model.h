@@ -71,7 +71,9 @@ inline Highlight extreme_highlight(Generator& random) {
     const bool behind = chance(random, 0.4);
     h.n = direction(random), h.to_light = tilted(random, h.n, between(random, 0, 1.2));
     const rt::vec3 mirrored = 2 * rt::dot(h.n, h.to_light) * h.n - h.to_light;
-    h.material.shininess = behind ? whole_between(random, 1, 4) : log_between(random, 10, 1e4);
+    // behind it, a power of a negative number is nan, or a number where the exponent is whole
+    const int whole = whole_between(random, 1, 4);
+    h.material.shininess = !behind ? log_between(random, 10, 1e4) : chance(random, 0.5) ? whole : whole + 0.5;
     h.material.specular = chance(random, 0.3) ? rt::Color(1) : box(random, 0.1, 0.9);
     h.to_viewer = tilted(random, behind ? -mirrored : mirrored,
                          behind ? between(random, 0, 1.2) : between(random, 0, 2) / std::sqrt(h.material.shininess));
