@@ -274,7 +274,51 @@ TEST_CASE("of several copies one is taken, and it is said which and why", "[subm
                 "no UTF-8"}});
     CHECK(s.texts.at("moved") == "moved");
     CHECK_THROWS_WITH(taken({{"a/hw.zip", "zip"}}),
-                      Catch::Matchers::ContainsSubstring("another archive, a/hw.zip: unpack it"));
+                      Catch::Matchers::ContainsSubstring("c.zip: holds no fragment; ") &&
+                          Catch::Matchers::ContainsSubstring("c.zip/a/hw.zip: cannot be unpacked"));
+    CHECK_THROWS_WITH(taken({{"a/hw.rar", "rar"}}),
+                      Catch::Matchers::ContainsSubstring("another archive, a/hw.rar: unpack it"));
+}
+
+TEST_CASE("archives in a folder are looked into where it holds no fragments", "[submission]") {
+    const TemporaryFolder folder;
+    const fs::path top = folder.path() / "Jane Doe_111_assignsubmission_file_", zip = top / "work.zip";
+    fs::create_directories(top);
+    const auto read = [&] { return read_submission(top, fragments_of_hand_in, "starter"); };
+    pack(folder.path() / "inner.tar.gz", {{"phong.cpp", "phong"}}, false);
+    const std::string inner = read_text(folder.path() / "inner.tar.gz").value();
+    pack(zip, {{"hw/fragments/moved.cpp", "moved"}, {"hw/rt/ray.h", "mine"}}, true);
+    Submission s = read();
+    CHECK(s.texts == std::map<std::string, std::string>{{"moved", "moved"}});
+    CHECK(s.folder == "work.zip/hw/fragments/");
+    REQUIRE(s.notes.size() == 1);
+    CHECK(s.notes[0].starts_with("work.zip/hw/rt/ray.h: not as they were handed out"));
+    pack(zip, {{"Moved.cpp", "moved"}, {"inner.tar.gz", inner}}, true);
+    s = read();
+    CHECK(s.texts == std::map<std::string, std::string>{{"phong", "phong"}});
+    CHECK(s.complaints.at("moved").find("there is work.zip/Moved.cpp: rename it") != std::string::npos);
+    CHECK(s.notes.empty());
+
+    // within bounds, for all of them together
+    std::vector<Entry> entries;
+    for (int i = 0; i < 100; ++i)
+        entries.push_back({std::to_string(i) + "/moved.cpp", std::string(most_source_bytes, ' ')});
+    pack(zip, entries, true);
+    pack(top / "more.tar.gz", entries, false);
+    CHECK_THROWS_WITH(read(), Catch::Matchers::ContainsSubstring("named like fragments"));
+    fs::remove(top / "more.tar.gz");
+
+    write_text(zip, "no archive");
+    CHECK_THROWS_WITH(read(), Catch::Matchers::ContainsSubstring("work.zip: cannot be unpacked"));
+    fs::remove(zip);
+    fs::create_symlink(folder.path() / "inner.tar.gz", top / "inner.tar.gz");
+    CHECK_THROWS_WITH(read(), Catch::Matchers::ContainsSubstring("holds no fragment; expected"));
+    fs::remove(top / "inner.tar.gz");
+    write_text(top / "inner.tar.gz", inner);
+    write_text(top / "moved.cpp", "beside");
+    s = read();
+    CHECK(s.texts == std::map<std::string, std::string>{{"moved", "beside"}});
+    CHECK(s.notes.at(0) == "inner.tar.gz was left out: there are fragments beside it");
 }
 
 TEST_CASE("an unpacked archive is found in its only folder", "[submission]") {

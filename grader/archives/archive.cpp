@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "submission/framework.h"
 
@@ -53,14 +54,17 @@ bool is_zip_or_tar(const std::string& name) {
 /// Looks through an archive and, within bounds for all of them together, through those in it.
 class Look {
 public:
-    Look(std::string shown, const std::vector<std::string>& fragments, const fs::path& framework)
-        : shown_(std::move(shown)), fragments_(fragments), handed_out_(framework) {
+    Look(const fs::path& top, const std::vector<std::string>& fragments, const fs::path& framework)
+        : top_(top), shown_(top.string()), fragments_(fragments), handed_out_(framework) {
         for (const std::string& fragment : fragments) names_.insert(fragment + ".cpp");
     }
 
     /// prefix  what stands before the names of what is in it: "inner.zip/"
     /// bytes   of an archive within the first one; none: that is a file, `shown`
     void into(const std::string& prefix, const std::string* bytes, int depth);
+
+    /// Into an archive within the first one, or in the folder that is at the top. A broken one is as good as none.
+    void within(const std::string& name, const std::string* bytes, int depth);
 
     Found found;
 
@@ -76,7 +80,8 @@ private:
     void take(archive* in, const std::string& name);
     std::optional<std::string> read(archive* in, std::size_t most) const;
 
-    std::string shown_;
+    const fs::path top_;
+    std::string shown_;  // which archive is looked into
     const std::vector<std::string>& fragments_;
     const FrameworkFiles handed_out_;
     std::set<std::string> names_;
@@ -139,14 +144,20 @@ void Look::look_at(archive* in, archive_entry* entry, const std::string& name, i
     const std::optional<std::string> bytes = read(in, std::size_t(most_inner));
     if (!bytes) return;
     if (!archive_entry_size_is_set(entry)) unpacked_ += std::int64_t(bytes->size());
+    within(name, &*bytes, depth + 1);
+}
+
+void Look::within(const std::string& name, const std::string* bytes, int depth) {
+    const std::string outer = std::exchange(shown_, (top_ / name).string());
     try {
-        into(name + "/", &*bytes, depth + 1);
+        into(name + "/", bytes, depth);
         // it has been looked into
         std::erase(found.archives, name);
-    } catch (const SubmissionError&) {
-        // a broken one within is as good as none, where there are others
+    } catch (const SubmissionError& error) {
         if (unpacked_ > most_unpacked || taken_ > most_taken || entries_ >= most_entries) throw;
+        if (found.broken.empty()) found.broken = error.what();
     }
+    shown_ = outer;
 }
 
 void Look::into(const std::string& prefix, const std::string* bytes, int depth) {
@@ -179,9 +190,20 @@ void Look::into(const std::string& prefix, const std::string* bytes, int depth) 
 
 Found look_into_archive(const fs::path& path, const std::vector<std::string>& fragments, const fs::path& framework) {
     const NamesInUtf8 names_in_utf8;
-    Look look(path.string(), fragments, framework);
+    Look look(path, fragments, framework);
     look.into("", nullptr, 0);
     return std::move(look.found);
+}
+
+void look_into_archives(const fs::path& folder, const std::vector<std::string>& fragments, const fs::path& framework,
+                        Found& found) {
+    const NamesInUtf8 names_in_utf8;
+    Look look(folder, fragments, framework);
+    look.found = std::move(found);
+    const std::vector<std::string> names = look.found.archives;
+    for (const std::string& name : names)
+        if (is_zip_or_tar(name)) look.within(name, nullptr, 0);
+    found = std::move(look.found);
 }
 
 }  // namespace grade

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <random>
 #include <set>
@@ -48,6 +49,13 @@ std::uint64_t seed_of(const ClassArguments& arguments, const fs::path& out) {
     return seed;
 }
 
+/// Where nothing could be read, what was given is no export of a class.
+int code_of(const std::vector<Result>& results) {
+    if (!std::ranges::all_of(results, [](const Result& result) { return !result.fault.empty(); })) return 0;
+    fmt::print(stderr, "no submission could be read; expected folders, archives, or files with fragments\n");
+    return 2;
+}
+
 }  // namespace
 
 CLI::App* add_class_command(CLI::App& app, ClassArguments& arguments) {
@@ -86,7 +94,7 @@ int run_class(const ClassArguments& arguments, const std::string& toolchain) {
     fmt::print("{} graded now, {} as before; seed {}; {}\n", outcome.graded, outcome.before, setup.seed,
                (out / "index.html").string());
     for (const std::string& trouble : outcome.troubles) fmt::print(stderr, "not graded: {}\n", trouble);
-    return outcome.troubles.empty() ? 0 : 3;
+    return outcome.troubles.empty() ? code_of(results) : 3;
 }
 
 CLI::App* add_merge_command(CLI::App& app, MergeArguments& arguments) {
@@ -120,8 +128,8 @@ int run_merge(const MergeArguments& arguments) {
     }
     write_class(out, results, title);
     fmt::print("{}", class_table(results));
-    if (missing > 0) fmt::print(stderr, "{} submissions are in no part; expected all parts\n", missing);
-    return missing > 0 ? 3 : 0;
+    if (missing > 0) fmt::print(stderr, "{} in no part; expected all parts\n", counted(missing));
+    return missing > 0 ? 3 : code_of(results);
 }
 
 }  // namespace grade::course

@@ -21,8 +21,8 @@ struct ClassArguments {
 
 CLI::App* add_class_command(CLI::App& app, ClassArguments& arguments);
 
-/// grade class SUBMISSIONS: grades what has no record yet, then writes tables and pages. Returns the exit code: 0; 3
-/// where the machine failed for some, which the next call takes up.
+/// grade class SUBMISSIONS: grades what has no record yet, then writes tables and pages. Returns the exit code: 0; 2
+/// where no submission can be read; 3 where the machine failed for some, which the next call takes up.
 int run_class(const ClassArguments& arguments, const std::string& toolchain);
 
 struct MergeArguments {

@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::size_t most_entries = 20'000, most_loose = 200;
 
-enum class Kind { folder, archive, source };
+/// typed: into a form of Moodle's; link: or a device; other: an essay, an archive of another kind, ...
+enum class Kind { folder, archive, source, typed, link, other };
 
 /// A file or folder at the top of the export.
 struct Item {
@@ -32,21 +33,30 @@ bool is_archive(const std::string& name) {
 /// A copy of a source is one too: "phong-1.cpp", "phong.cpp.txt".
 bool is_source(const std::string& name) { return name.find(".cpp") != name.npos || name.ends_with(".cc"); }
 
+bool is_work(const Item& item) {
+    return item.kind == Kind::folder || item.kind == Kind::archive || item.kind == Kind::source;
+}
+
+Kind kind_of_item(const std::string& name, fs::file_type type) {
+    if (type == fs::file_type::directory)
+        return name.find("_assignsubmission_onlinetext") == name.npos ? Kind::folder : Kind::typed;
+    if (type != fs::file_type::regular) return Kind::link;
+    return is_archive(name) ? Kind::archive : is_source(name) ? Kind::source : Kind::other;
+}
+
+/// Files that are there beside the submissions.
+bool is_beside(const std::string& name) {
+    return name.starts_with(".") || name.starts_with("__MACOSX") || name == "submission_metadata.yml" ||
+           name == "Thumbs.db" || name == "desktop.ini" || name.ends_with(".csv");
+}
+
 std::vector<Item> items_of(const fs::path& folder) {
     std::vector<Item> items;
     std::error_code error;
     for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
         const std::string name = at->path().filename().string();
-        if (name.starts_with(".") || name.starts_with("__MACOSX")) continue;
-        const fs::file_type type = at->symlink_status(error).type();
-        Item item{at->path(), student_of(name), Kind::folder};
-        if (type == fs::file_type::regular && is_archive(name))
-            item.kind = Kind::archive;
-        else if (type == fs::file_type::regular && is_source(name))
-            item.kind = Kind::source;
-        else if (type != fs::file_type::directory)
-            continue;
-        items.push_back(std::move(item));
+        if (is_beside(name)) continue;
+        items.push_back({at->path(), student_of(name), kind_of_item(name, at->symlink_status(error).type())});
         if (items.size() > most_entries)
             throw rt::InputError(fmt::format("{}: more than {} files; expected the submissions of a class",
                                              folder.string(), most_entries));
@@ -56,10 +66,13 @@ std::vector<Item> items_of(const fs::path& folder) {
     return items;
 }
 
-/// The later of two of one student: by the time of the attempt, by the number of the copy, by name.
+/// The later of two of one student: by the time of the attempt, by the number of the upload, by that of the copy, by
+/// name.
 bool is_later(const Item& a, const Item& b) {
     const auto rank = [](const Item& item) {
-        return std::tuple(item.student.attempt, copy_of(item.student.file), item.path.filename().string());
+        const Student& student = item.student;
+        return std::tuple(student.attempt, student.upload.size(), student.upload, copy_of(student.file),
+                          item.path.filename().string());
     };
     return rank(a) > rank(b);
 }
@@ -71,15 +84,33 @@ std::string without_place(std::string words, const std::string& place, const std
     return words;
 }
 
-/// Loose files of one student, in a folder of their own under the names that the student gave them.
-Submission read_loose(const std::vector<Item>& items, const std::vector<std::string>& fragments) {
+/// The name that the student gave a loose file: that of a fragment without the number of a copy.
+std::string own_name(const Item& item, const std::vector<std::string>& fragments) {
+    const std::string name = item.student.file.empty() ? item.path.filename().string() : item.student.file;
+    if (copy_of(name) == 0) return name;
+    std::string fragment = name.substr(0, name.find_last_of("-("));
+    fragment.resize(fragment.find_last_not_of(' ') + 1);
+    return std::ranges::count(fragments, fragment) > 0 ? fragment + ".cpp" : name;
+}
+
+/// Loose files of one student, the latest first, in a folder of their own under the names that the student gave them.
+Submission read_loose(const std::vector<Item>& items, const std::vector<std::string>& fragments,
+                      std::vector<std::string>& notes) {
     const TemporaryFolder folder;
-    std::size_t count = 0;
+    std::map<std::string, std::string> taken;
     for (const Item& item : items) {
-        if (++count > most_loose) break;
-        const std::string name =
-            fs::path(item.student.file.empty() ? item.path.filename().string() : item.student.file).filename().string();
-        if (const auto text = read_text(item.path, 4 * most_source_bytes)) write_text(folder.path() / name, *text);
+        const std::string name = own_name(item, fragments), file = item.path.filename().string();
+        if (taken.size() == most_loose) {
+            notes.push_back(fmt::format("{} and more were left out; expected at most {} files", file, most_loose));
+            break;
+        }
+        const auto [place, fresh] = taken.try_emplace(name, file);
+        if (!fresh)
+            notes.push_back(fmt::format("{} was taken, the latest; not {}", place->second, file));
+        else if (const auto text = read_text(item.path, 4 * most_source_bytes))
+            write_text(folder.path() / name, *text);
+        else
+            notes.push_back(fmt::format("{} was left out: it cannot be read, or is too large", file));
     }
     try {
         return read_submission(folder.path(), fragments);
@@ -88,27 +119,50 @@ Submission read_loose(const std::vector<Item>& items, const std::vector<std::str
     }
 }
 
+/// Why there is nothing to read, of what is no work.
+std::string not_work(const Item& item, const std::vector<std::string>& fragments) {
+    const std::string name = item.path.filename().string();
+    if (item.kind == Kind::link)
+        return name + ": is a link or a device, which is not followed; expected the file itself";
+    return fmt::format("{}: is {}; expected a .zip, a .tar.gz, or files such as {}.cpp", name,
+                       item.kind == Kind::typed ? "text that was typed into Moodle" : "neither source nor an archive",
+                       fragments.empty() ? "NAME" : fragments.front());
+}
+
+/// The place of what is taken, of the latest first: an archive or a folder is the work; loose files are, where there is
+/// neither.
+std::size_t place_of_work(const std::vector<Item>& items) {
+    for (const bool loose : {false, true})
+        for (std::size_t i = 0; i < items.size(); ++i)
+            if (is_work(items[i]) && (items[i].kind == Kind::source) == loose) return i;
+    return 0;
+}
+
 Entry entry_of(std::vector<Item> items, const std::vector<std::string>& fragments, const fs::path& framework) {
     std::ranges::sort(items, is_later);
-    // an archive or a folder is the work; loose files are, where there is neither
-    const auto whole = std::ranges::find_if(items, [](const Item& item) { return item.kind != Kind::source; });
+    const Item taken = items[place_of_work(items)];
+    const bool loose = taken.kind == Kind::source;
     Entry entry;
-    const Item& taken = whole == items.end() ? items.front() : *whole;
-    entry.student = taken.student, entry.path = taken.path.filename().string();
-    for (const Item& item : items) entry.student.is_late |= item.student.is_late;
+    entry.student = taken.student, entry.path = taken.path.filename().string(), entry.is_work = is_work(taken);
+    std::vector<std::string> others;
+    for (const Item& item : items) {
+        entry.student.is_late |= item.student.is_late;
+        const bool together = loose && item.kind == Kind::source && item.student.attempt == taken.student.attempt;
+        if (item.path != taken.path && !together && (is_work(item) || item.kind == Kind::link))
+            others.push_back(item.path.filename().string());
+    }
+    if (!others.empty())
+        entry.notes.push_back(fmt::format("{} was taken{}; not {}", entry.path, entry.is_work ? ", the latest" : "",
+                                          fmt::join(others, ", ")));
     try {
-        if (whole != items.end()) {
-            entry.submission = read_submission(taken.path, fragments, framework);
-            std::vector<std::string> others;
-            for (const Item& item : items)
-                if (&item != &taken) others.push_back(item.path.filename().string());
-            if (!others.empty())
-                entry.notes.push_back(
-                    fmt::format("{} was taken, the latest; not {}", entry.path, fmt::join(others, ", ")));
+        if (!entry.is_work) throw SubmissionError(not_work(taken, fragments));
+        if (loose) {
+            std::erase_if(items, [&](const Item& item) {
+                return item.kind != Kind::source || item.student.attempt != taken.student.attempt;
+            });
+            entry.submission = read_loose(items, fragments, entry.notes);
         } else {
-            const std::string attempt = taken.student.attempt;
-            std::erase_if(items, [&](const Item& item) { return item.student.attempt != attempt; });
-            entry.submission = read_loose(items, fragments);
+            entry.submission = read_submission(taken.path, fragments, framework);
         }
     } catch (const SubmissionError& error) {
         entry.fault = without_place(error.what(), taken.path.string(), entry.path);
@@ -122,13 +176,51 @@ std::string common_start(const std::vector<Entry>& entries) {
     std::string start;
     int count = 0;
     for (const Entry& entry : entries) {
-        if (!entry.student.system.empty()) continue;
+        if (!entry.student.system.empty() || !entry.is_work) continue;
         const std::string& name = entry.student.name;
         if (++count == 1) start = name;
         start.resize(std::size_t(std::ranges::mismatch(start, name).in1 - start.begin()));
     }
     const std::size_t dash = start.rfind('-');
     return count < 3 || dash == start.npos ? "" : start.substr(0, dash + 1);
+}
+
+/// A character by its number.
+std::string utf8(unsigned long code) {
+    if (code < 0x80) return {char(code)};
+    std::string text;
+    for (; code >= (text.empty() ? 0x40u : 0x40u >> text.size()); code >>= 6)
+        text.insert(text.begin(), char(0x80 | (code & 0x3f)));
+    text.insert(text.begin(), char((0xf00u >> (text.size() + 1) & 0xff) | code));
+    return text;
+}
+
+/// What a value of YAML, on one line, stands for.
+std::string unquoted(const std::string& value) {
+    if (value.size() < 2 || value.front() != value.back()) return value;
+    const char quote = value.front();
+    if (quote != '\'' && quote != '"') return value;
+    std::string text;
+    for (std::size_t i = 1; i + 1 < value.size(); ++i) {
+        const char c = value[i];
+        if (c != (quote == '"' ? '\\' : quote) || i + 2 >= value.size()) {
+            text += c;
+            continue;
+        }
+        const char escaped = value[++i];
+        constexpr std::string_view letters = "abtnvfre0", codes = "\a\b\t\n\v\f\r\x1b";
+        const std::size_t digits = escaped == 'x' ? 2 : escaped == 'u' ? 4 : escaped == 'U' ? 8 : 0;
+        if (quote == '"' && digits > 0) {
+            const unsigned long code = std::strtoul(value.substr(i + 1, digits).c_str(), nullptr, 16);
+            text += utf8(code < 0x110000 ? code : 0xfffd);
+            i += digits;
+        } else if (const std::size_t at = letters.find(escaped); quote == '"' && at != letters.npos) {
+            text += at < codes.size() ? codes[at] : '\0';
+        } else {
+            text += escaped;
+        }
+    }
+    return text;
 }
 
 /// Names and numbers from Gradescope's submission_metadata.yml, of which only these lines are read:
@@ -148,10 +240,7 @@ void add_gradescope_names(const fs::path& folder, std::vector<Entry>& entries) {
         std::string value = line.substr(at + std::string_view(key).size());
         const std::size_t begin = value.find_first_not_of(' '), end = value.find_last_not_of(" \r");
         if (begin == value.npos) return {};
-        value = value.substr(begin, end - begin + 1);
-        const bool quoted = value.size() > 1 && value.front() == value.back() &&
-                            std::string_view("'\"").find(value[0]) != std::string_view::npos;
-        return quoted ? value.substr(1, value.size() - 2) : value;
+        return unquoted(value.substr(begin, end - begin + 1));
     };
     for (std::string line; std::getline(lines, line);) {
         if (line.starts_with("submission_")) {
@@ -187,7 +276,8 @@ std::vector<Entry> read_export(const fs::path& folder, const Assignment& assignm
     add_gradescope_names(folder, entries);
     const std::string start = common_start(entries);
     for (Entry& entry : entries)
-        if (entry.student.system.empty()) entry.student.name.erase(0, start.size());
+        if (entry.student.system.empty() && entry.student.name.starts_with(start))
+            entry.student.name.erase(0, start.size());
     return entries;
 }
 

@@ -20,6 +20,7 @@ namespace grade::course {
 namespace {
 
 constexpr int most_troubles = 3;  // in a row
+constexpr std::size_t most_complaints = 5;
 
 /// Drafts of records that a killed call has left.
 void sweep(const fs::path& records) {
@@ -47,6 +48,16 @@ std::map<std::string, const Entry*> open_ones(const std::vector<Entry>& entries,
     return open;
 }
 
+/// What the record tells of each fragment, for the tables as well: what was not taken, and why.
+void note_complaints(const Submission& submission, std::vector<std::string>& notes) {
+    std::size_t left = submission.complaints.size();
+    for (const auto& [fragment, complaint] : submission.complaints) {
+        if (submission.complaints.size() - left == most_complaints) break;
+        notes.push_back(fmt::format("{}: {}", fragment, complaint)), --left;
+    }
+    if (left > 0) notes.push_back(fmt::format("{} more fragments were not taken either; see the record", left));
+}
+
 }  // namespace
 
 std::vector<Result> results_of(const std::vector<Entry>& entries, const Assignment& assignment, const Toolchain& chain,
@@ -55,6 +66,7 @@ std::vector<Result> results_of(const std::vector<Entry>& entries, const Assignme
     for (const Entry& entry : entries) {
         Result result{entry.student, entry.path, entry.fault, entry.notes, "", {}, {}};
         result.notes.insert(result.notes.end(), entry.submission.notes.begin(), entry.submission.notes.end());
+        note_complaints(entry.submission, result.notes);
         if (entry.fault.empty()) result.key = key_of(entry.submission, assignment, setup);
         for (const auto& [fragment, text] : entry.submission.texts)
             if (!is_blank(text, chain.blanks / (fragment + ".cpp"))) result.prints[fragment] = fingerprint(text);
@@ -75,7 +87,7 @@ Outcome grade_all(const std::vector<Entry>& entries, const std::vector<Result>& 
     ProgressLine line;
     std::mutex lock;
     int in_a_row = 0;
-    line.show(0, int(list.size()), fmt::format("{} submissions", list.size()));
+    line.show(0, int(list.size()), counted(list.size()));
     in_parallel(int(list.size()), arguments.jobs, [&](int i) {
         const auto& [key, entry] = list[std::size_t(i)];
         {

@@ -170,9 +170,9 @@ std::string class_page(const std::vector<Result>& results, const std::string& ti
     std::string text = fmt::format(
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
         "content=\"width=device-width\"><title>Class: {}</title><style>{}{}</style></head><body><main>\n"
-        "<header><div><h1>{}</h1><p>{} submissions, {} graded</p><p class=\"soft\">{}</p></div><div "
+        "<header><div><h1>{}</h1><p>{}, {} graded</p><p class=\"soft\">{}</p></div><div "
         "class=\"score\"><b>{}</b> <span>of {}, mean</span></div></header>\n",
-        html(title), page_style, class_style, html(title), results.size(), count, html(made_with(results)),
+        html(title), page_style, class_style, html(title), counted(results.size()), count, html(made_with(results)),
         short_number(count ? sum / count : 0), short_number(most));
     text += section("Scores", spread_of_scores(results)) + section("By fragment", by_fragment(results));
     text += section("Frequent mistakes", frequent_mistakes(results, links));

@@ -88,10 +88,9 @@ std::string class_table(const std::vector<Result>& results) {
         }
         for (const std::string& note : result.notes) text += fmt::format("{:17}note: {}\n", "", printable(note, 300));
     }
-    if (count > 0)
-        text += fmt::format("{} submissions, {} graded; mean {} of {}\n", results.size(), count,
-                            short_number(sum / count), short_number(most));
-    return text;
+    text += fmt::format("{}, {} graded", counted(results.size()), count);
+    if (count > 0) text += fmt::format("; mean {} of {}", short_number(sum / count), short_number(most));
+    return text + "\n";
 }
 
 }  // namespace grade::course

@@ -40,6 +40,10 @@ Result result_of(const Json& json) {
 
 }  // namespace
 
+std::string counted(std::size_t submissions) {
+    return fmt::format("{} submission{}", submissions, submissions == 1 ? "" : "s");
+}
+
 std::string key_of(const Submission& submission, const Assignment& assignment, const Setup& setup) {
     std::string text = hash_of(submission.texts, assignment);
     // what could not be taken is told in the record

@@ -22,6 +22,9 @@ struct Result {
     std::optional<Record> record;               // none: not graded, or not yet
 };
 
+/// "1 submission", "2 submissions".
+std::string counted(std::size_t submissions);
+
 /// What a class is graded with: the name of a record is a hash of all of it and of the texts.
 struct Setup {
     std::uint64_t seed = 0;

@@ -37,7 +37,7 @@ bool read_canvas(View name, Student& student) {
     const std::size_t late = words[1] == "LATE" || words[1] == "late" ? 1 : 0;
     if (words.size() < 4 + late || !is_number(words[1 + late]) || !is_number(words[2 + late])) return false;
     student.name = words[0], student.id = words[1 + late], student.file = rest(words, 3 + late);
-    student.system = "Canvas", student.is_late = late == 1;
+    student.system = "Canvas", student.is_late = late == 1, student.upload = words[2 + late];
     return true;
 }
 
@@ -88,7 +88,8 @@ Student student_of(std::string_view name) {
 }
 
 int copy_of(std::string_view file) {
-    const std::string stem = without_ending(file);
+    std::string stem = without_ending(file);
+    if (stem.ends_with(".cpp")) stem.resize(stem.size() - 4);
     std::size_t end = stem.size();
     const bool bracket = stem.ends_with(')');
     if (bracket) --end;

@@ -19,6 +19,7 @@ struct Student {
     std::string attempt;  // Blackboard's time of it; empty: none
     std::string file;     // what is left of the name: "work-1.zip"
     bool is_late = false;
+    std::string upload;  // Canvas's number of the file, larger for later ones; empty: none
 
     /// Two entries of an export with the same key are one student's.
     std::string key() const { return id.empty() ? name : system + " " + id; }
@@ -27,7 +28,7 @@ struct Student {
 /// Of a name without folders.
 Student student_of(std::string_view name);
 
-/// The number of a copy, as browsers and Canvas add it: 1 for "work-1.zip" and for "work (1).zip"; 0: none.
+/// The number of a copy, as browsers and Canvas add it: 1 for "work-1.zip", "work (1).zip", "phong-1.cpp"; 0: none.
 int copy_of(std::string_view file);
 
 /// The name without what archives end in.

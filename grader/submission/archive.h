@@ -15,7 +15,8 @@ struct Found {
     std::map<std::string, std::string> texts, complaints;
     std::map<std::string, std::string> near;  // by path: the fragment that this file, by its name, is nearly
     std::set<std::string> doubled;      // paths that are there twice, with different texts: the later one is taken
-    std::vector<std::string> archives;  // within the submission
+    std::vector<std::string> archives;  // within the submission, that have not been looked into
+    std::string broken;                 // what is wrong with the first of them; empty: nothing was found to be
     int unnamed = 0;                    // files whose names cannot be read
     std::set<std::string> edited;       // files that the framework has as well, with another text
 
@@ -26,6 +27,11 @@ struct Found {
 /// Looks into a .zip or a .tar.gz; nothing is unpacked to the disk. framework: what FrameworkFiles compares with.
 /// Throws SubmissionError. A kit has no library for archives, and says so.
 Found look_into_archive(const fs::path& path, const std::vector<std::string>& fragments, const fs::path& framework);
+
+/// Looks into those of found.archives, which lie in a folder, as into an archive within an archive: the bounds are for
+/// all of them together. What cannot be read stays in found.archives. A kit leaves them all. Throws SubmissionError.
+void look_into_archives(const fs::path& folder, const std::vector<std::string>& fragments, const fs::path& framework,
+                        Found& found);
 
 /// Writes a .zip of files and folders under these names, with their right to be run. Throws std::runtime_error; in a
 /// kit always.

@@ -50,8 +50,9 @@ void look_at_names(const fs::path& folder, const std::string& prefix, const std:
             found.look_at_name(prefix + at->path().filename().string(), fragments);
 }
 
-/// Where fragments are expected; and where there is none, in all folders within.
-Found look_into_folder(const fs::path& folder, const std::vector<std::string>& fragments) {
+/// Where fragments are expected; where there is none, in all folders within; and where there is none either, in the
+/// archives in them.
+Found look_into_folder(const fs::path& folder, const std::vector<std::string>& fragments, const fs::path& framework) {
     Found found;
     const auto look = [&](const std::string& prefix) {
         look_at(folder / prefix, prefix, fragments, found);
@@ -76,6 +77,7 @@ Found look_into_folder(const fs::path& folder, const std::vector<std::string>& f
     }
     std::ranges::sort(inside);
     for (const std::string& prefix : inside) look(prefix);
+    if (found.texts.empty() && found.complaints.empty()) look_into_archives(folder, fragments, framework, found);
     return found;
 }
 
@@ -169,6 +171,9 @@ void note_copies(const std::vector<Place>& places, const Found& found, Submissio
     for (const auto& [path, fragment] : found.near)
         if (path.ends_with(".cpp") && submission.texts.contains(fragment) && folder_of(path) == submission.folder)
             submission.notes.push_back(fmt::format("{} was left out: {}.cpp is there as well", path, fragment));
+    for (const std::string& path : found.archives)
+        if (!submission.texts.empty() && folder_of(path) == submission.folder)
+            submission.notes.push_back(fmt::format("{} was left out: there are fragments beside it", path));
     if (found.unnamed > 0)
         submission.notes.push_back(fmt::format("{} files were left out: their names cannot be read", found.unnamed));
 }
@@ -190,6 +195,7 @@ std::string around(const std::string& folder) {
 std::string no_fragment(const fs::path& path, const Found& found, const std::vector<std::string>& fragments) {
     const std::string expected =
         fmt::format("expected files such as fragments/{}.cpp", fragments.empty() ? "NAME" : fragments.front());
+    if (!found.broken.empty()) return fmt::format("{}: holds no fragment; {}", path.string(), found.broken);
     if (!found.archives.empty())
         return fmt::format("{}: holds no fragment, but another archive, {}: unpack it; {}", path.string(),
                            found.archives.front(), expected);
@@ -217,7 +223,8 @@ Submission read_submission(const fs::path& path, const std::vector<std::string>&
     if (!fs::exists(status))
         throw SubmissionError(fmt::format("{}: not there; expected a folder, a .zip or a .tar.gz", path.string()));
     const bool in_archive = !fs::is_directory(status);
-    const Found found = in_archive ? look_into_archive(path, fragments, framework) : look_into_folder(path, fragments);
+    const Found found =
+        in_archive ? look_into_archive(path, fragments, framework) : look_into_folder(path, fragments, framework);
 
     Submission submission;
     submission.name = path.string();
@@ -240,7 +247,8 @@ Submission read_submission(const fs::path& path, const std::vector<std::string>&
     std::vector<std::string> edited;
     for (const std::string& file : found.edited)
         if (file.starts_with(within + "rt/")) edited.push_back(file);
-    note_edits(in_archive ? edited : FrameworkFiles(framework).edited_in(path, within), submission);
+    if (!in_archive && edited.empty()) edited = FrameworkFiles(framework).edited_in(path, within);
+    note_edits(edited, submission);
     return submission;
 }
 

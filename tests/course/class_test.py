@@ -2,7 +2,7 @@
 """A class: class_test.py [--all] [--size N] [--kills N] [--keep DIR] GRADE
 
 Fast: submissions as Canvas, Moodle, Blackboard, Gradescope and repositories have them, of few fragments each: who they are of,
-which of several is taken, what is wrong with those that cannot be graded; the same records whatever the number of jobs and shards,
+which of several is taken, what is wrong with those that cannot be graded, and that they are told; the same records whatever the number of jobs and shards,
 and after SIGKILL; tables, pages, twins, comparison.
 
 --all: a class of 60 (--size) whole submissions, made of the project's variants (tests/variants); killed at 5 (--kills) random
@@ -195,6 +195,66 @@ def check_small(grade, work):
     run([grade, "merge", work / "x", export], 2)
 
 
+def trial_class(at):
+    """What the course systems export beside the ordinary: archives in folders, an attachment a file, copies, essays, links."""
+    at.mkdir()
+    (at / "Jane Doe_111_assignsubmission_file_").mkdir()
+    archive(at / "Jane Doe_111_assignsubmission_file_/work.zip", {"starter/fragments/moved.cpp": text("moved")})
+    folder(at / "Jane Doe_111_assignsubmission_onlinetext_", {"onlinetext.html": "<p>see the file</p>"})
+    folder(at / "Ty Ped_112_assignsubmission_onlinetext_", {"onlinetext.html": "<p>my work</p>"})
+    blank = (BLANKS / "moved.cpp").read_text()
+    folder(at, {"kimpat_42345_67894_phong.cpp": text("phong"), "kimpat_42345_67895_hit_sphere.cpp": text("hit_sphere"),
+                # of three copies that of the last upload, which is neither the first nor the last by name
+                "kimpat_42345_100000_moved-2.cpp": text("moved"), "kimpat_42345_67896_moved.cpp": blank,
+                "kimpat_42345_99999_moved-3.cpp": blank})
+    folder(at, {"twoatt_43345_67897_mirror_direction-2.cpp": text("mirror_direction"), "twoatt_43345_67898_Moved.cpp": text("moved")})
+    folder(at, {"nowork_52345_67896_essay.pdf": "%PDF", "submission_metadata.yml":
+                '---\nsubmission_9:\n  :submitters:\n  - :name: "=HYPERLINK(\\"h\\\\\\u00e9\\x41\\")"\n    :sid: \'it\'\'s\'\n'})
+    folder(at / "submission_9", {"moved.cpp": text("moved")})
+    archive(at / "nearly_62345_67899_work.zip", {"Phong.cpp": text("phong"), "hit-sphere.cpp": text("hit_sphere")})
+    (at / "hw1-link").symlink_to(at / "submission_9")
+
+
+def check_trial(grade, work):
+    export, out = work / "trial", work / "trial-out"
+    trial_class(export)
+    said = run([grade, "class", export, "-o", out, "--seed", "5", "--jobs", "2"])
+    table = {row["student"]: row for row in rows(out / "class.csv")}
+    points = {name: row["points"] for name, row in table.items()}
+    worth = {f["name"]: f["max_points"] for f in record_at(out / "submissions/submission_9.json")["fragments"]}
+    total = lambda *names: f"{sum(worth[name] for name in names):g}"
+    hyperlink = '\'=HYPERLINK("h\\éA")'
+    expected = {"Jane Doe": total("moved"), "Ty Ped": "", "kimpat": total("phong", "hit_sphere", "moved"),
+                "twoatt": total("mirror_direction"), "nowork": "", hyperlink: total("moved"), "nearly": "0", "hw1-link": ""}
+    expect(points == expected, f"points are {points}, expected {expected}")
+    expect(table[hyperlink]["id"] == "it's", f"an apostrophe in YAML: {table[hyperlink]['id']}")
+    page = (out / "index.html").read_text()
+    moodle = {row["Full name"]: row["Feedback comments"] for row in rows(out / "moodle.csv")}
+    for who, what in [("kimpat", "kimpat_42345_100000_moved-2.cpp was taken, the latest; not kimpat_42345_99999_moved-3.cpp"),
+                      ("kimpat", "not kimpat_42345_67896_moved.cpp"), ("twoatt", "there is Moved.cpp: rename it to moved.cpp"),
+                      ("nearly", "phong: not in the submission; there is Phong.cpp: rename it to phong.cpp"),
+                      ("nearly", "there is hit-sphere.cpp: rename it to hit_sphere.cpp"),
+                      ("nowork", "essay.pdf: is neither source nor an archive"), ("Ty Ped", "typed into Moodle"),
+                      ("hw1-link", "hw1-link: is a link")]:
+        for where, words in [("class.csv", table[who]["notes"]), ("the terminal", said), ("the page", page)]:
+            expect(what in words, f"{who}: {where} does not say: {what}: {words if where != 'the page' else ''}")
+        if not points[who]:
+            expect(what in moodle[who], f"{who}: moodle.csv does not say: {what}")
+    expect("nowork" in {row["Student"] for row in rows(out / "canvas.csv")}, "who has no points is not in Canvas's table")
+    expect(table["Jane Doe"]["notes"] == "", f"a note where there is nothing to know: {table['Jane Doe']['notes']}")
+    expect("8 submissions, 5 graded" in said, f"how many: {said}")
+
+    # nobody can be graded
+    none = work / "none-out"
+    folder(work / "essay", {"nowork_52345_67896_essay.pdf": "%PDF"})
+    said = run([grade, "class", work / "essay", "-o", none], 2)
+    expect("1 submission, 0 graded" in said and "no submission could be read" in said, f"nobody: {said}")
+    expect("essay.pdf" in rows(none / "class.csv")[0]["notes"] and "1 submission," in (none / "index.html").read_text(), "nobody")
+    run([grade, export / "Jane Doe_111_assignsubmission_file_", "--seed", "5", "--json", work / "jane.json"])
+    moved = next(f for f in record_at(work / "jane.json")["fragments"] if f["name"] == "moved")
+    expect(moved["verdict"] == "passed", f"grade FOLDER does not look into the archive in it: {moved['verdict']}")
+
+
 def check_big(grade, work, size, kills):
     export = work / "class"
     big_class(export, size)
@@ -224,6 +284,7 @@ def main():
             check_big(asked.grade.absolute(), work, asked.size, asked.kills)
         else:
             check_small(asked.grade.absolute(), work)
+            check_trial(asked.grade.absolute(), work)
     end("a class is graded, in parts, again, and after SIGKILL, to the same records")
 
 
