@@ -24,10 +24,10 @@ struct Entry {
 };
 
 /// Every submission of a folder as course systems export them (convert/student.h), in the order of their names:
-/// folders, archives, and loose files NAME.cpp of one student. Of several by one student, or of one fragment, the latest
-/// is taken: by the time of an attempt, the number of the upload or of a copy. What cannot be read is an entry with a
-/// fault. framework: as for
-/// read_submission. Throws rt::InputError where the folder is none or holds no submission.
+/// folders, archives, and loose files NAME.cpp of one student. Of several by one student, or of one fragment, the
+/// latest is taken: by the time of an attempt, the number of the upload or of a copy. What cannot be read is an entry
+/// with a fault. framework: as for read_submission. Throws rt::InputError where the folder is none or holds no
+/// submission.
 std::vector<Entry> read_export(const fs::path& folder, const Assignment& assignment, const fs::path& framework);
 
 }  // namespace grade::course

@@ -254,7 +254,11 @@ private:
         const Rows mine = mine_(rows), right = right_(rows);
         if (mine.size() != rows.size() || right.size() != rows.size()) return false;
         const auto stays = [&](const Row& now, const Row& before) {
-            return now.size() == before.size() && is_alike(calls_.result, now, before, enough);
+            if (now.size() != before.size()) return false;
+            // where sums cancel, nothing is left to compare with
+            if (std::ranges::equal(now, before, [&](double x, double y) { return std::abs(x - y) <= 1e-6 * largest_; }))
+                return true;
+            return is_alike(calls_.result, now, before, enough);
         };
         for (std::size_t k = 0; k < rows.size(); ++k)
             if (!stays(mine[k], example.mine) || !stays(right[k], example.right)) return false;
