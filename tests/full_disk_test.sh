@@ -30,7 +30,7 @@ rm -f "$disk/page/index.html"
 mkdir -p "$work/class/alice" && cp solution/moved.cpp "$work/class/alice"
 expect 3 "cannot be written" "$grade" class "$work/class" -o "$disk/out" --seed 1
 mount -o remount,size=8m "$disk"
-expect 0 "1 submissions, 1 graded" "$grade" class "$work/class" -o "$disk/out" --seed 1
+expect 0 "1 submission, 1 graded" "$grade" class "$work/class" -o "$disk/out" --seed 1
 rm -rf "$disk/out"
 mount -o remount,size=64k "$disk"
 expect 3 "s.json: cannot be written" "$grade" stress solution --only hit_sphere --trusted --json "$disk/s.json"
