@@ -5,13 +5,13 @@
 #include <sys/utsname.h>
 
 #include <array>
-#include <set>
 #include <sstream>
 
 #include "assignment/strip.h"
 #include "files/files.h"
 #include "programs/process.h"
 #include "programs/toolchain.h"
+#include "report/describe.h"
 #include "rt/files/scene_reader.h"
 
 namespace grade {
@@ -20,7 +20,7 @@ namespace {
 
 /// What is handed out, by name: nothing that somebody has put beside it.
 constexpr std::array entries = {".editorconfig", ".vscode", "LICENSE", "assignment.toml",
-                                "handout.md",    "scenes",  "starter"};
+                                "scenes",  "starter"};
 
 /// What every system with a C++ compiler has: the C and C++ libraries, and zlib, without which Debian has no dpkg.
 constexpr std::array everywhere = {"linux-vdso.", "ld-linux", "libc.so.",   "libm.so.",      "libgcc_s.so.",
@@ -235,10 +235,10 @@ void hand_out(const fs::path& project, const Assignment& assignment, const fs::p
     const Toolchain built = read_toolchain(built_toolchain);
     const fs::path program = built.archives.front().parent_path() / "grade_kit";
     if (!fs::exists(program)) throw std::runtime_error(fmt::format("{}: not built yet", program.string()));
-    std::set<std::string> given;
-    for (const Fragment& fragment : assignment.fragments)
-        if (fragment.given) given.insert(fragment.name);
-    const auto blanks = make_starter((project / "solution").string(), given);
+    const auto blanks = make_starter((project / "solution").string(), assignment.asked());
+    // first, for it may be no handout of this assignment
+    const std::string handout =
+        with_new_tables(read_text(project / "handout.md").value_or(""), assignment, (project / "handout.md").string());
 
     fs::create_directories(folder);
     for (const char* entry : entries) {
@@ -248,6 +248,7 @@ void hand_out(const fs::path& project, const Assignment& assignment, const fs::p
         else
             fs::copy_file(from, to);
     }
+    write_text(folder / "handout.md", handout);
     fs::copy_file(project / "grader/kit/grade", folder / "grade");
     fs::create_directories(folder / ".github/workflows");
     fs::copy_file(project / "grader/kit/github/grade.yml", folder / ".github/workflows/grade.yml");
