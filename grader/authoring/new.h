@@ -1,15 +1,17 @@
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "assignment/assignment.h"
-#include "authoring/source.h"
 
 /// New parts of an assignment. Each returns the files that it makes or changes, with their new texts; nothing is
 /// written yet, and no file of a new part's name may be there. All throw rt::InputError.
 namespace grade::authoring {
+
+namespace fs = std::filesystem;
 
 using Files = std::map<fs::path, std::string>;  // relative to the project's folder
 
