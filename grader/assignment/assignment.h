@@ -24,8 +24,8 @@ struct Fragment {
     std::string visibility = "visible";  // of its result, to students; one of visibilities
 };
 
-/// The list of assignment.toml. A fragment that fragments.h declares and this list leaves out is handed out filled in, as
-/// one that is given, and appears nowhere else.
+/// The list of assignment.toml. A fragment that fragments.h declares and this list leaves out is handed out filled in,
+/// as one that is given, and appears nowhere else.
 struct Assignment {
     std::string title;
     std::vector<Part> parts;

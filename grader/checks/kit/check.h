@@ -104,7 +104,8 @@ struct Check {
 
 using Checks = std::vector<Check>;
 
-/// All checks, in the order of the assignment, those of fragments that it leaves out last, with the parameters that the grading seed draws.
+/// All checks, in the order of the assignment, those of fragments that it leaves out last, with the parameters that the
+/// grading seed draws.
 std::vector<Check> all_checks(std::uint64_t seed);
 
 /// Those of one fragment; none: there is no fragment of this name.
