@@ -19,8 +19,7 @@ namespace grade {
 namespace {
 
 /// What is handed out, by name: nothing that somebody has put beside it.
-constexpr std::array entries = {".editorconfig", ".vscode", "LICENSE", "assignment.toml",
-                                "scenes",  "starter"};
+constexpr std::array entries = {".editorconfig", ".vscode", "LICENSE", "assignment.toml", "scenes", "starter"};
 
 /// What every system with a C++ compiler has: the C and C++ libraries, and zlib, without which Debian has no dpkg.
 constexpr std::array everywhere = {"linux-vdso.", "ld-linux", "libc.so.",   "libm.so.",      "libgcc_s.so.",
