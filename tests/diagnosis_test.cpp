@@ -234,7 +234,7 @@ TEST_CASE("a mistake in the answer is named, with constants by their names and r
           "`direction` has y and z exchanged");
     const auto cosine = [](Row& out) { out.back() *= out[2]; };
     CHECK_THAT(found("cosine_hemisphere", squares(), answers("cosine_hemisphere", {}, cosine)).how,
-               ContainsSubstring("the answer's direction.z"));
+               ContainsSubstring("`cos(theta) * cos(theta)` in place of `cos(theta)`"));
 }
 
 TEST_CASE("a constant that is no usual one is found") {

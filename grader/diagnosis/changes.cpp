@@ -117,7 +117,7 @@ private:
                     if (of_index && !(x >= 0)) return false;
                     return fits(x, of_index ? 0 : before, s.whole);
                 });
-            all_.back().usually = f.usually;
+            if (of_arguments()) all_.back().usually = f.usually;
         }
         for (const Scalar& other : scalars_) {
             if (other.name == s.name || (s.whole != other.whole && (of_arguments() || s.whole))) continue;

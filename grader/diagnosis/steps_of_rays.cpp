@@ -166,9 +166,8 @@ std::vector<Steps> of_quad() {
 
 std::vector<Steps> of_mirror() {
     return {steps(
-        "d - 2 * dot(d, n) * n", {{"Real", "2"}, {"Real", "dot(d, n)"}},
-        +[](const vec3& d, const vec3& n) { return row(2.0, dot(d, n)); },
-        +[](const double* s, const vec3& d, const vec3& n) { return row(d - s[0] * s[1] * n); })};
+        "d - 2 * dot(d, n) * n", {{"Real", "dot(d, n)"}}, +[](const vec3& d, const vec3& n) { return row(dot(d, n)); },
+        +[](const double* s, const vec3& d, const vec3& n) { return row(d - 2 * s[0] * n); })};
 }
 
 std::vector<Steps> of_refraction() {

@@ -105,8 +105,8 @@ std::vector<Steps> of_hemisphere() {
                     return row(DirectionSample{raised_by_steps(s, u.y), s[1] / pi});
                 }),
             steps(
-                "z = sqrt(1 - u.x), density = z / pi",
-                {{"Real", "1 - u.x"}, {"Real", "z in the direction"}, {"Real", "z in the density"}},
+                "z = sqrt(1 - u.x), density = cos(theta) / pi",
+                {{"Real", "1 - u.x"}, {"Real", "z"}, {"Real", "cos(theta)"}},
                 +[](const vec2& u) { return row(1 - u.x, std::sqrt(1 - u.x), std::sqrt(1 - u.x)); },
                 +[](const double* s, const vec2& u) {
                     const bool both = s[0] != 1 - u.x;

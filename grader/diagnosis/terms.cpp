@@ -176,7 +176,7 @@ std::optional<Form> terms_of(const PartOfCalls& of) {
     const bool is_due = due && is_plain(*due);
     if (is_number && !is_due) return std::nullopt;
     return Form{fmt::format("is `{}`{}", in_words(*own), is_due ? fmt::format(", must be `{}`", in_words(*due)) : ""),
-                own->terms.size() > 1 ? 2.0 : 1.7};
+                own->terms.size() > 1 ? 1.6 : 1.5};
 }
 
 }  // namespace grade
