@@ -10,40 +10,17 @@ moments and gone on with, it gives the records of an undisturbed run.
 """
 
 import argparse
-import csv
-import io
 import pathlib
 import random
 import re
-import shutil
 import signal
 import subprocess
-import sys
 import tarfile
 import tempfile
 import time
-import zipfile
 
-from course import BLANKS, ROOT, SOLUTION, end, expect, record_at, run, timeless, variant
-
-WRONG_MIRROR = ('#include "rt/fragments.h"\nnamespace rt { vec3 mirror_direction(vec3 d, vec3 n) { return d - dot(d, n) * n; } }\n')
-
-
-def text(name):
-    return (SOLUTION / f"{name}.cpp").read_text()
-
-
-def archive(path, files):
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as out:
-        for name, content in files.items():
-            out.writestr(name, content)
-    return path.read_bytes()
-
-
-def folder(path, files):
-    for name, content in files.items():
-        (path / name).parent.mkdir(parents=True, exist_ok=True)
-        (path / name).write_text(content)
+from classes import WRONG_MIRROR, archive, folder, outcome, rows, text
+from helpers import BLANKS, ROOT, SOLUTION, end, expect, record_at, run, variant
 
 
 def small_class(at):
@@ -87,16 +64,6 @@ def big_class(at, size):
             files[f"starter/fragments/{name}.cpp"] = (BLANKS / f"{name}.cpp").read_text()
         late = "LATE_" if student % 9 == 0 else ""
         archive(at / f"student{student:03}_{late}{1000 + student}_{2000 + student}_work.zip", files)
-
-
-def rows(path):
-    return list(csv.DictReader(io.StringIO(pathlib.Path(path).read_bytes().decode(), newline="")))
-
-
-def outcome(out):
-    """What must be the same of two gradings of one class."""
-    records = {path.name: timeless(record_at(path)) for path in sorted((out / "records").glob("*.json"))}
-    return records, (out / "class.csv").read_bytes(), (out / "canvas.csv").read_bytes(), (out / "moodle.csv").read_bytes()
 
 
 def grade_killed(command, out, kills, longest):
