@@ -211,6 +211,25 @@ def check_trial(grade, work):
     expect(moved["verdict"] == "passed", f"grade FOLDER does not look into the archive in it: {moved['verdict']}")
 
 
+def check_pictures(grade, work):
+    """Only on request, and then for what has been graded without them as well; the record stays as it is."""
+    export, out = work / "drawn", work / "drawn-out"
+    folder(export / "hw1-pia", {"phong.cpp": text("phong").replace("material.shininess *", "material.shininess / 2 *")})
+    command = [grade, "class", export, "-o", out, "--seed", "5"]
+    run(command)
+    page, record = out / "submissions/hw1-pia.html", next((out / "records").glob("*.json"))
+    bare, written = page.read_text(), record.stat().st_mtime_ns
+    expect("data:image/png" not in bare, "pictures that nobody asked for")
+    expect("1 graded now" in run([*command, "--pictures"]), "what has no pictures is not graded again")
+    drawn = page.read_text()
+    expect(drawn.count("data:image/png") >= 3 and 'alt="the solution' in drawn, "no pictures")
+    expect(record.stat().st_mtime_ns == written, "the record is written again")
+    expect("1 as before" in run([*command, "--pictures"]) and page.read_text() == drawn, "pictures are drawn twice")
+    expect("1 as before" in run(command) and page.read_text() == drawn, "pictures that are there are not shown")
+    run([grade, "merge", work / "drawn-merged", out])
+    expect((work / "drawn-merged/submissions/hw1-pia.html").read_text() == drawn, "pictures are lost where parts are put together")
+
+
 def main():
     words = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     words.add_argument("grade", type=pathlib.Path)
@@ -228,6 +247,7 @@ def main():
         else:
             check_small(asked.grade.absolute(), work)
             check_trial(asked.grade.absolute(), work)
+            check_pictures(asked.grade.absolute(), work)
     end("a class is graded, in parts, again, and after SIGKILL, to the same records")
 
 
