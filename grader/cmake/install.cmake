@@ -17,10 +17,17 @@ install(CODE "
     if(EXISTS \"\${folder}/grader/blanks\")
         file(REMOVE_RECURSE \"\${folder}\")  # what was installed before
     endif()
-    file(MAKE_DIRECTORY \"\${prefix}/lib\" \"\${prefix}/bin\")
+    foreach(place \"\${prefix}\" \"\${prefix}/lib\" \"\${prefix}/bin\")
+        if(NOT EXISTS \"\${place}\")
+            file(MAKE_DIRECTORY \"\${place}\")
+            execute_process(COMMAND chmod 755 \"\${place}\" COMMAND_ERROR_IS_FATAL ANY)
+        endif()
+    endforeach()
     execute_process(COMMAND \"$<TARGET_FILE:grade>\" hand-out --installed \"\${folder}\" COMMAND_ERROR_IS_FATAL ANY)
     execute_process(COMMAND chmod -R u=rwX,go=rX \"\${folder}\" COMMAND_ERROR_IS_FATAL ANY)
     file(CREATE_LINK ../lib/penumbra/grade \"\${prefix}/bin/grade\" SYMBOLIC)")
+set(CMAKE_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE
+    GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION share/doc/penumbra RENAME copyright)
 
 execute_process(COMMAND getconf GNU_LIBC_VERSION OUTPUT_VARIABLE libc OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
