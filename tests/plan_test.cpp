@@ -104,6 +104,7 @@ intensity = [9, 9, 9]
 [[shape]]
 type = "quad"
 center = [0, 0, 0]
+center = [0, 0, 0]
 u = [9, 0, 0]
 v = [0, 0, -9]
 material = "grey"
