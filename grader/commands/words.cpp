@@ -38,6 +38,8 @@ Chosen choose(const std::vector<std::string>& words, const Toolchain& chain, con
         }
     }
     const fs::path starter = chain.source / "starter";
+    if (chosen.submission.empty() && chain.cache.empty())
+        throw rt::InputError("no submission; expected a folder, a .zip or a .tar.gz: grade SUBMISSION");
     if (chosen.submission.empty()) chosen.submission = starter.string();
     for (const fs::path& place : {starter, starter / "fragments"})
         chosen.own = chosen.own || fs::equivalent(chosen.submission, place, error);

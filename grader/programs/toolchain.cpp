@@ -138,7 +138,7 @@ Toolchain read_toolchain(const fs::path& path) try {
     chain.compile = list(file, "compile");
     for (const std::string& option : list(file, "options")) chain.compile.push_back(option);
     chain.includes = places("includes");
-    chain.cache = place(text("cache"));
+    if (const std::string cache = text("cache"); !cache.empty()) chain.cache = place(cache);
     chain.link = list(file, "link");
     chain.archives = places("archives");
     chain.libraries = list(file, "libraries");

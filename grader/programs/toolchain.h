@@ -22,7 +22,7 @@ struct Toolchain {
     bool is_kit = false;               // handed out: no sources of the solution, and the code that runs is its owner's
     std::vector<std::string> compile;  // flags
     std::vector<fs::path> includes;    // the framework's headers: starter/ first
-    fs::path cache;                    // where what a run leaves for the next is kept, if it can be written
+    fs::path cache;                    // where what a run leaves for the next is kept, if it can be written; may be ""
     std::vector<std::string> link;     // flags, before the objects
     std::vector<fs::path> archives;    // the child and the framework, in the order of the link
     std::vector<std::string> libraries;                // after them

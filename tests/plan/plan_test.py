@@ -23,7 +23,7 @@ from programs import ROOT, Programs, draw, fragments_in_order, named
 MOST = 1.02  # instructions, as a ratio
 
 # What the stages need besides themselves.
-BESIDE_STAGES = ["tree/bvh", "lamps/lamp_tree", "path", "calls", "plan", "world", "media/regions"]
+BESIDE_STAGES = ["tree/bvh", "lamps/lamp_tree", "lamps/ways", "path", "calls", "plan", "world", "media/regions"]
 
 # What a picture is drawn with.
 SMALL = ["--size", "24x24"]

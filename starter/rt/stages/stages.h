@@ -80,6 +80,18 @@ inline bool is_astray(vec3 way_on, vec3 n, bool enters) { return enters ? dot(wa
 /// The same direction on the other side of a surface.
 inline vec3 turned(vec3 direction, vec3 n) { return direction - 2 * dot(direction, n) * n; }
 
+/// The greatest number of all lanes, at least 0, and whether every lane has it or a negative one.
+struct Met {
+    Index number;
+    bool one;
+};
+inline Met met_by(const Index* numbers) {
+    Index greatest = 0, differ = 0;
+    for (int i = 0; i < lanes; ++i) greatest = numbers[i] > greatest ? numbers[i] : greatest;
+    for (int i = 0; i < lanes; ++i) differ |= Index(numbers[i] >= 0) & Index(numbers[i] != greatest);
+    return {greatest, differ == 0};
+}
+
 /// Calls f with a flag as a compile-time constant.
 template <class F>
 auto with_flag(bool flag, F f) {
