@@ -106,7 +106,7 @@ def main():
     words.add_argument("build", type=pathlib.Path)
     words.add_argument("--all", action="store_true", help="also the sections that take long")
     words.add_argument("sections", nargs="*", help="only those with one of these words in their heading")
-    words = words.parse_args()
+    words = words.parse_intermixed_args()
     with tempfile.TemporaryDirectory() as folder:
         tree = copied(pathlib.Path(folder))
         walk = Walk(tree)
