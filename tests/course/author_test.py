@@ -8,7 +8,8 @@ Runs the page's own blocks, in their order, in a copy of the tree and of its bui
     LANG FILE    is the whole text of that file
 
 The copy is mounted over the tree for these commands alone, since a build holds the paths of its sources. Sections whose
-heading ends in "(long)" are followed with --all alone. Exit status 77: nothing can be mounted here.
+heading ends in "(long)" are followed with --all alone. Exit status 77: nothing can be mounted here, or the page's
+fragments are there.
 """
 
 import argparse
@@ -107,6 +108,11 @@ def main():
     words.add_argument("--all", action="store_true", help="also the sections that take long")
     words.add_argument("sections", nargs="*", help="only those with one of these words in their heading")
     words = words.parse_intermixed_args()
+    page = sections(PAGE.read_text())
+    made = re.findall(r"grade new fragment (\w+)", PAGE.read_text())
+    if there := [name for name in made if (ROOT / f"solution/{name}.cpp").exists()]:
+        print(f"this tree is a course's own: {', '.join(there)} is there already")
+        sys.exit(77)
     with tempfile.TemporaryDirectory() as folder:
         tree = copied(pathlib.Path(folder))
         walk = Walk(tree)
@@ -115,7 +121,7 @@ def main():
             sys.exit(77)
         copy_build(words.build.resolve(), tree)
         count = 0
-        for heading, blocks in sections(PAGE.read_text()).items():
+        for heading, blocks in page.items():
             chosen = not words.sections or any(word in heading for word in words.sections)
             if not chosen or (heading.endswith("(long)") and not words.all):
                 continue
