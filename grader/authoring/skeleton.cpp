@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <regex>
 
 #include "assignment/strip.h"
 #include "files/files.h"
@@ -77,6 +78,14 @@ std::string renamed(std::string text, const std::string& from, const std::string
     return text;
 }
 
+/// Whether the words call a fragment, which a check can only name.
+bool calls_fragment(const std::string& words, const std::string& header) {
+    static const std::regex call("(\\w+)\\(");
+    for (std::sregex_iterator match(words.begin(), words.end(), call), end; match != end; ++match)
+        if (declaration_of((*match)[1], header)) return true;
+    return false;
+}
+
 std::string without_semicolon(const std::string& line) { return line.substr(0, line.size() - 1); }
 
 }  // namespace
@@ -147,6 +156,8 @@ std::string checks_skeleton(const fs::path& project, const Declaration& fragment
     const Signature& signature = fragment.signature;
     std::vector<std::string> lambda;
     for (const std::string& name : names_of(signature)) lambda.push_back("[[maybe_unused]] const auto& " + name);
+    std::string neutral = neutral_of(find_region(solution, signature.fragment).fallback);
+    if (calls_fragment(neutral, must_read(project / "starter/rt/fragments.h"))) neutral = "return {};";
     const bool in_rt = signature.result != "int" && signature.result != "bool";
     return from_template(project, "checks.cpp",
                          {{"name", signature.fragment},
@@ -155,7 +166,7 @@ std::string checks_skeleton(const fs::path& project, const Declaration& fragment
                           {"names", fmt::format("{}", fmt::join(names_of(signature), ", "))},
                           {"lambda", fmt::format("{}", fmt::join(lambda, ", "))},
                           {"result", (in_rt ? "rt::" : "") + signature.result},
-                          {"neutral", neutral_of(find_region(solution, signature.fragment).fallback)}});
+                          {"neutral", neutral}});
 }
 
 std::string check_skeleton(const fs::path& project, const Declaration& fragment, const std::string& name,
