@@ -78,18 +78,37 @@ vec3 point_of(const Emitter& light, vec2 u) {
 }
 
 std::vector<Steps> of_light() {
-    return {steps(
-        "density = distance^2 / (cos * area) for cos > 0, cos = -dot(unit(point - p), unit(normal(light)))",
-        {{"Real", "distance^2"}, {"Real", "cos"}, {"Real", "area"}},
-        +[](const Emitter& light, const vec3& p, const vec2& u) {
-            const vec3 to = point_of(light, u) - p, n = normal(light);
-            return row(dot(to, to), -dot(unit(to), unit(n)), area(light));
-        },
-        +[](const double* s, const Emitter& light, const vec3& p, const vec2& u) {
-            if (light.kind == Emitter::Kind::sphere) return sphere_light(light, p, u);
-            const vec3 to = point_of(light, u) - p;
-            return row(LightSample{unit(to), length(to), s[1] > 0 ? s[0] / (s[1] * s[2]) : 0});
-        })};
+    return {
+        steps(
+            "density = distance^2 / (cos * area) for cos > 0, cos = -dot(unit(point - p), unit(normal(light)))",
+            {{"Real", "distance^2"}, {"Real", "cos"}, {"Real", "area"}},
+            +[](const Emitter& light, const vec3& p, const vec2& u) {
+                const vec3 to = point_of(light, u) - p, n = normal(light);
+                return row(dot(to, to), -dot(unit(to), unit(n)), area(light));
+            },
+            +[](const double* s, const Emitter& light, const vec3& p, const vec2& u) {
+                if (light.kind == Emitter::Kind::sphere) return sphere_light(light, p, u);
+                const vec3 to = point_of(light, u) - p;
+                return row(LightSample{unit(to), length(to), s[1] > 0 ? s[0] / (s[1] * s[2]) : 0});
+            }),
+        steps(
+            "of a sphere, distance = along - half, half = sqrt(radius^2 - beside^2) half of the ray's way through it",
+            {{"Real", "half"}, {"Real", "along"}},
+            +[](const Emitter& light, const vec3& p, const vec2& u) {
+                const auto all = from_row<LightSample>(sphere_light(light, p, u));
+                const Real along = dot(light.sphere.center - p, all.direction);
+                return row(along - all.distance, along);
+            },
+            +[](const double* s, const Emitter& light, const vec3& p, const vec2& u) {
+                auto all = from_row<LightSample>(sphere_light(light, p, u));
+                if (light.kind == Emitter::Kind::sphere) {
+                    all.distance = s[1] - s[0];
+                    return row(all);
+                }
+                const vec3 to = point_of(light, u) - p;
+                const Real cosine = -dot(unit(to), unit(normal(light)));
+                return row(LightSample{unit(to), length(to), cosine > 0 ? dot(to, to) / (cosine * area(light)) : 0});
+            })};
 }
 
 /// A lobe's direction about an axis, and its angle to it.

@@ -21,11 +21,14 @@ std::vector<Steps> of_uniform() {
                     return row(s[0] * sum);
                 }),
             steps(
-                "f(a + i * step + 0.5 * step)", {{"Real", "0.5 * step"}, {"int", "0, the first i"}},
-                +[](const Integrand&, const Real& a, const Real& b, const int& n) { return row(0.5 * (b - a) / n, 0); },
+                "f(a + i * step + 0.5 * step)",
+                {{"Real", "0.5 * step"}, {"bool", "a loop from i = 1"}, {"bool", "a loop that ends one i too early"}},
+                +[](const Integrand&, const Real& a, const Real& b, const int& n) {
+                    return row(0.5 * (b - a) / n, false, false);
+                },
                 +[](const double* s, const Integrand& f, const Real& a, const Real& b, const int& n) {
                     Real sum = 0;
-                    for (int i = int(s[1]); i < n; ++i) sum += f(a + i * (b - a) / n + s[0]);
+                    for (int i = s[1] != 0; i < n - (s[2] != 0); ++i) sum += f(a + i * (b - a) / n + s[0]);
                     return row((b - a) / n * sum);
                 })};
 }
@@ -51,7 +54,7 @@ std::vector<Steps> of_monte_carlo() {
                 const Real weight = s[2] != 0 ? density(x[i]) : s[3] != 0 ? 1 : 1 / density(x[i]);
                 sum += weight * (s[4] != 0 ? 1 : f(x[i]));
             }
-            return row(s[1] > 0 ? sum / s[1] : 0);
+            return row(x.empty() ? 0 : sum / s[1]);
         })};
 }
 

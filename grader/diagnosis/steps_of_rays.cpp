@@ -164,6 +164,39 @@ std::vector<Steps> of_quad() {
                 })};
 }
 
+/// What quads and spheres are measured with: vectors.
+Steps of_quad_vectors() {
+    return steps(
+        "abs(dot(p, u)) <= dot(u, u) && abs(dot(p, v)) <= dot(v, v), p = origin + t * d - center", {{"vec3", "p"}},
+        +[](const Quad& quad, const Ray& ray) {
+            const vec3 n = cross(quad.u, quad.v), to = quad.center - ray.origin;
+            return row(dot(to, n) / dot(ray.direction, n) * ray.direction - to);
+        },
+        +[](const double* s, const Quad& quad, const Ray& ray) {
+            const vec3 n = cross(quad.u, quad.v), p(s[0], s[1], s[2]);
+            const Real t = dot(quad.center - ray.origin, n) / dot(ray.direction, n);
+            const bool inside =
+                std::abs(dot(p, quad.u)) <= dot(quad.u, quad.u) && std::abs(dot(p, quad.v)) <= dot(quad.v, quad.v);
+            return row(inside && t > ray.near && t < ray.far ? t : inf);
+        });
+}
+
+Steps of_sphere_vectors() {
+    return steps(
+        "b = -dot(f, d), c = dot(f', f') - r^2, f = f' = origin - center", {{"vec3", "f"}, {"vec3", "f'"}},
+        +[](const Sphere& sphere, const Ray& ray) {
+            const vec3 f = ray.origin - sphere.center;
+            return row(f, f);
+        },
+        +[](const double* s, const Sphere& sphere, const Ray& ray) {
+            const vec3 f(s[0], s[1], s[2]), other(s[3], s[4], s[5]);
+            const Real a = dot(ray.direction, ray.direction), b = -dot(f, ray.direction);
+            const Real d = b * b - a * (dot(other, other) - sqr(sphere.radius));
+            if (!(d >= 0)) return row(inf);
+            return first_root((b - std::sqrt(d)) / a, (b + std::sqrt(d)) / a, ray);
+        });
+}
+
 std::vector<Steps> of_mirror() {
     return {steps(
         "d - 2 * dot(d, n) * n", {{"Real", "dot(d, n)"}}, +[](const vec3& d, const vec3& n) { return row(dot(d, n)); },
@@ -202,13 +235,18 @@ std::vector<Steps> of_refraction() {
                 })};
 }
 
+std::vector<Steps> joined(std::vector<Steps> all, Steps one) {
+    all.push_back(std::move(one));
+    return all;
+}
+
 }  // namespace
 
 std::vector<Steps> steps_of_rays(const std::string& fragment) {
     if (fragment == "camera_ray") return of_camera();
-    if (fragment == "hit_sphere") return of_sphere();
+    if (fragment == "hit_sphere") return joined(of_sphere(), of_sphere_vectors());
     if (fragment == "hit_triangle") return of_triangle();
-    if (fragment == "hit_quad") return of_quad();
+    if (fragment == "hit_quad") return joined(of_quad(), of_quad_vectors());
     if (fragment == "mirror_direction") return of_mirror();
     if (fragment == "refracted_direction") return of_refraction();
     return {};

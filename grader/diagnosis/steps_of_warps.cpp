@@ -25,6 +25,8 @@ struct OfColumn {
     }
 };
 
+vec2 below(vec2 p) { return {std::min(p.x, below_one), std::min(p.y, below_one)}; }
+
 std::vector<Steps> of_strata_2d() {
     return {steps(
                 "x = (first + u.x * count) / n, y = (row + u.y) / count",
@@ -40,8 +42,8 @@ std::vector<Steps> of_strata_2d() {
                     return row(u.x, u.y, own.first, own.count, i - own.first, false, false);
                 },
                 +[](const double* s, const int&, const int& n, const vec2&) {
-                    return row(vec2(s[5] != 0 ? (s[2] + s[0]) / n : (s[2] + s[0] * s[3]) / n,
-                                    s[6] != 0 ? s[4] / s[3] + s[1] : (s[4] + s[1]) / s[3]));
+                    return row(below(vec2(s[5] != 0 ? (s[2] + s[0]) / n : (s[2] + s[0] * s[3]) / n,
+                                          s[6] != 0 ? s[4] / s[3] + s[1] : (s[4] + s[1]) / s[3])));
                 }),
             steps(
                 "",
@@ -58,15 +60,15 @@ std::vector<Steps> of_strata_2d() {
                     const Real root = std::sqrt(Real(n)), low = std::floor(root), high = std::ceil(root);
                     if (s[0] != 0 || s[1] != 0 || s[3] != 0) {
                         const int c = int(s[1] != 0 ? high : low);
-                        if (s[3] != 0) return row(vec2(i % c, i / c) + u / Real(c));
-                        return row(vec2((i % c + u.x) / c, (i / c + u.y) / c));
+                        if (s[3] != 0) return row(below(vec2(i % c, i / c) + u / Real(c)));
+                        return row(below(vec2((i % c + u.x) / c, (i / c + u.y) / c)));
                     }
                     if (s[4] != 0 || s[5] != 0) {
                         const Real rows = s[4] != 0 ? std::floor(n / low) : n / low, column = std::floor(i / rows);
-                        return row(vec2((column + u.x) / low, (i - column * rows + u.y) / rows));
+                        return row(below(vec2((column + u.x) / low, (i - column * rows + u.y) / rows)));
                     }
                     const OfColumn own(i, n, std::max(1.0, (s[2] != 0 ? high : low) + (s[6] != 0) - (s[7] != 0)));
-                    return row(vec2((own.first + u.x * own.count) / n, (i - own.first + u.y) / own.count));
+                    return row(below(vec2((own.first + u.x * own.count) / n, (i - own.first + u.y) / own.count)));
                 })};
 }
 
@@ -174,22 +176,37 @@ std::vector<Steps> of_scattering() {
         return row(c, c, 2 * pi * u.y, 1 - g * g, 1 + g * g - 2 * g * c, 1.5);
     };
     return {steps(
-        "density = (1 - g * g) / (4 * pi * pow(1 + g * g - 2 * g * c, 1.5))",
-        {{"Real", "c"},
-         {"Real", "c in the density"},
-         {"Real", "phi"},
-         {"Real", "1 - g * g"},
-         {"Real", "1 + g * g - 2 * g * c"},
-         {"Real", "1.5"}},
-        take, +[](const double* s, const vec3& d, const Real& g, const vec2&) {
-            const Real sine = std::sqrt(std::max(0.0, 1 - s[0] * s[0]));
-            const Real usual = 1 + g * g - 2 * g * s[0];
-            const Real base = s[1] != s[0]                        ? 1 + g * g - 2 * g * s[1]
-                              : std::abs(s[4] / usual - 1) < 1e-9 ? usual
-                                                                  : s[4];
-            return row(DirectionSample{frame_about(d).to_world(lifted(sine, turned(s[2]), s[0], 0).direction),
-                                       s[3] / (4 * pi * std::pow(base, s[5]))});
-        })};
+                "density = (1 - g * g) / (4 * pi * pow(1 + g * g - 2 * g * c, 1.5))",
+                {{"Real", "c"},
+                 {"Real", "c in the density"},
+                 {"Real", "phi"},
+                 {"Real", "1 - g * g"},
+                 {"Real", "1 + g * g - 2 * g * c"},
+                 {"Real", "1.5"}},
+                take,
+                +[](const double* s, const vec3& d, const Real& g, const vec2&) {
+                    const Real sine = std::sqrt(std::max(0.0, 1 - s[0] * s[0]));
+                    const Real usual = 1 + g * g - 2 * g * s[0];
+                    const Real base = s[1] != s[0]                        ? 1 + g * g - 2 * g * s[1]
+                                      : std::abs(s[4] / usual - 1) < 1e-9 ? usual
+                                                                          : s[4];
+                    return row(DirectionSample{frame_about(d).to_world(lifted(sine, turned(s[2]), s[0], 0).direction),
+                                               s[3] / (4 * pi * std::pow(base, s[5]))});
+                }),
+            steps(
+                "c = (1 + g * g - q * q) / (2 * g), q = (1 - g * g) / (1 - g + 2 * g * u.x)",
+                {{"Real", "q * q"}, {"Real", "q"}},
+                +[](const vec3&, const Real& g, const vec2& u) {
+                    const Real q = (1 - g * g) / (1 - g + 2 * g * u.x);
+                    return row(q * q, q);
+                },
+                +[](const double* s, const vec3& d, const Real& g, const vec2& u) {
+                    const Real c =
+                        std::abs(g) < 1e-3 ? 2 * u.x - 1 : std::clamp((1 + g * g - s[0]) / (2 * g), -1.0, 1.0);
+                    const vec3 about_z = lifted(std::sqrt(1 - c * c), turned(2 * pi * u.y), c, 0).direction;
+                    return row(DirectionSample{frame_about(d).to_world(about_z),
+                                               (1 - g * g) / (4 * pi * std::pow(1 + g * g - 2 * g * c, 1.5))});
+                })};
 }
 
 }  // namespace
