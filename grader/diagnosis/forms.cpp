@@ -118,6 +118,9 @@ private:
         constexpr std::array<const char*, 3> axis = {"x", "y", "z"}, channel = {"red", "green", "blue"};
         const auto& names = part_.kind == Kind::color ? channel : axis;
         for (std::size_t a = 0; a < size_; ++a) {
+            for (std::size_t b = 0; b < size_; ++b)
+                if (a != b && equals([&](std::size_t k, std::size_t c) { return right(k, c == a ? b : c); }))
+                    return Form{fmt::format("has in {} what belongs into {}", names[a], names[b]), 1.5};
             if (part_.kind != Kind::color &&
                 equals([&](std::size_t k, std::size_t c) { return c == a ? -right(k, c) : right(k, c); }))
                 return Form{fmt::format("has the opposite sign in {}", names[a]), 1.5};

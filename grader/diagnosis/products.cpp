@@ -36,7 +36,7 @@ std::vector<Column> columns_of(const PartOfCalls& of) {
         return q.value(of.calls.rows[k], of.calls.layouts[k], of.calls.mine[k]);
     };
     for (const Quantity& q : quantities)
-        if (q.words != "the answer's " + of.part.name)
+        if (q.words != "the answer's " + of.part.name && q.words != fmt::format("|the answer's {}|", of.part.name))
             add(q.words, [&](std::size_t k) { return std::log(std::abs(at(q, k))); });
     for (const Quantity& q : quantities) {
         const bool is_plain = q.words.find('|') == q.words.npos && q.words.find('(') == q.words.npos &&

@@ -178,6 +178,22 @@ std::vector<Steps> of_translucency() {
             })};
 }
 
+std::vector<Steps> of_flight() {
+    return {steps(
+        "-log(1 - u) / extinction",
+        {{"Real", "log(1 - u)"},
+         {"bool", "log(1 + u) / extinction"},
+         {"bool", "-log(1 + u) / extinction"},
+         {"bool", "exp(-u / extinction)"},
+         {"bool", "exp(-u * extinction)"}},
+        +[](const Real&, const Real& u) { return row(std::log1p(-u), false, false, false, false); },
+        +[](const double* s, const Real& extinction, const Real& u) {
+            if (s[1] != 0 || s[2] != 0) return row((s[1] != 0 ? 1 : -1) * std::log1p(u) / extinction);
+            if (s[3] != 0) return row(std::exp(-u / extinction));
+            return row(s[4] != 0 ? std::exp(-u * extinction) : -s[0] / extinction);
+        })};
+}
+
 std::vector<Steps> of_lens() {
     return {steps(
                 "offset = R * (x * right + y * up), (x, y) of the unit disk", {{"Real", "x"}, {"Real", "y"}},
@@ -211,6 +227,7 @@ std::vector<Steps> steps_of_distribution(const std::string& fragment) {
     if (fragment == "light_sample") return of_light();
     if (fragment == "glossy_reflection") return of_glossy();
     if (fragment == "translucency") return of_translucency();
+    if (fragment == "free_flight") return of_flight();
     if (fragment == "lens_ray") return of_lens();
     return {};
 }

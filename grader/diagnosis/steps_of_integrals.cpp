@@ -63,7 +63,13 @@ Real of_stratum(const double* s, const Integrand& f, const StratumOf& own, Real 
     const Real width = s[0] != 0 ? first_width : own.high - own.low;
     Real sum = 0;
     for (const Real u : own.u)
-        sum += f((s[2] != 0 ? 0 : s[3] != 0 ? own.high : own.low) + (s[1] != 0 ? 1 : width) * (s[4] != 0 ? 0.5 : u));
+        sum += f((s[2] != 0   ? 0
+                  : s[3] != 0 ? own.high
+                              : own.low) +
+                 (s[1] != 0    ? 1
+                  : s[15] != 0 ? own.high
+                               : width) *
+                     (s[4] != 0 ? 0.5 : u));
     return sum;
 }
 
@@ -85,8 +91,9 @@ std::vector<Steps> of_strata() {
          {"bool", "the first stratum left out"},
          {"bool", "the last stratum left out"},
          {"bool", "the square of the number of u"},
-         {"bool", "the width of the last stratum before the sum of all"}},
-        +[](const Integrand&, const List&) { return Row(15); },
+         {"bool", "the width of the last stratum before the sum of all"},
+         {"bool", "f(low + u * high): u multiplied by high"}},
+        +[](const Integrand&, const List&) { return Row(16); },
         +[](const double* s, const Integrand& f, const List& strata) {
             std::size_t all = 0;
             for (const StratumOf& own : strata) all += own.u.size();

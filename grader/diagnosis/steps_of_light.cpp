@@ -212,14 +212,18 @@ std::vector<Steps> of_whitted() {
          {"bool", "glass everywhere"},
          {"bool", "glass nowhere"},
          {"Real", "fresnel before the reflectance"},
-         {"Real", "(1 - fresnel) before the transmittance"}},
-        +[](const Material&, const Real& f) { return row(false, false, false, false, f, 1 - f); },
+         {"Real", "(1 - fresnel) before the transmittance"},
+         {"Color", "the reflectance of glass"},
+         {"Color", "the transmittance of glass"}},
+        +[](const Material& m, const Real& f) {
+            return row(false, false, false, false, f, 1 - f, m.reflectance, m.transmittance);
+        },
         +[](const double* s, const Material& m, const Real&) {
             const vec3 t = m.transmittance;
             const bool any = t.x > 0 || t.y > 0 || t.z > 0, all = t.x > 0 && t.y > 0 && t.z > 0;
             const bool glass = s[2] != 0 || (s[3] == 0 && (s[0] != 0 ? all : s[1] != 0 ? t.x > 0 : any));
             if (!glass) return row(Outgoing{Color(1), m.reflectance, Color(0)});
-            return row(Outgoing{Color(1), s[4] * m.reflectance, s[5] * m.transmittance});
+            return row(Outgoing{Color(1), s[4] * Color(s[6], s[7], s[8]), s[5] * Color(s[9], s[10], s[11])});
         })};
 }
 

@@ -119,6 +119,27 @@ std::vector<Steps> of_triangle() {
         })};
 }
 
+/// As Moller and Trumbore have it.
+Steps of_triangle_vectors() {
+    return steps(
+        "u = dot(s, p) / det, v = dot(d, q) / det, t = dot(e2, q) / det, p = cross(d, e2), q = cross(s, e1), s = o - "
+        "a, "
+        "e1 = b - a, e2 = c - a",
+        {{"vec3", "s"}, {"vec3", "d"}, {"vec3", "e2"}, {"vec3", "e1"}, {"vec3", "p"}, {"vec3", "q"}},
+        +[](const Triangle& triangle, const Ray& ray) {
+            const vec3 e1 = triangle.b - triangle.a, e2 = triangle.c - triangle.a, s = ray.origin - triangle.a;
+            return row(s, ray.direction, e2, e1, cross(ray.direction, e2), cross(s, e1));
+        },
+        +[](const double* s, const Triangle& triangle, const Ray& ray) {
+            const auto step = [s](int i) { return vec3(s[3 * i], s[3 * i + 1], s[3 * i + 2]); };
+            const vec3 e1 = triangle.b - triangle.a, e2 = triangle.c - triangle.a;
+            const Real det = dot(e1, cross(ray.direction, e2));
+            const Real u = dot(step(0), step(4)) / det, v = dot(step(1), step(5)) / det;
+            const Real t = dot(step(2), step(5)) / det;
+            return row(u >= 0 && v >= 0 && u + v <= 1 && t > ray.near && t < ray.far ? t : inf);
+        });
+}
+
 std::vector<Steps> of_quad() {
     return {steps(
                 "t = dot(center - origin, n) / dot(d, n), n = cross(u, v)",
@@ -245,7 +266,7 @@ std::vector<Steps> joined(std::vector<Steps> all, Steps one) {
 std::vector<Steps> steps_of_rays(const std::string& fragment) {
     if (fragment == "camera_ray") return of_camera();
     if (fragment == "hit_sphere") return joined(of_sphere(), of_sphere_vectors());
-    if (fragment == "hit_triangle") return of_triangle();
+    if (fragment == "hit_triangle") return joined(of_triangle(), of_triangle_vectors());
     if (fragment == "hit_quad") return joined(of_quad(), of_quad_vectors());
     if (fragment == "mirror_direction") return of_mirror();
     if (fragment == "refracted_direction") return of_refraction();

@@ -36,14 +36,18 @@ std::vector<Steps> of_strata_2d() {
                  {"Real", "count"},
                  {"Real", "row"},
                  {"bool", "u.x not divided by the number of columns"},
-                 {"bool", "u.y not divided by the number of rows"}},
+                 {"bool", "u.y not divided by the number of rows"},
+                 {"bool", "column + u.x, not divided by the number of columns"},
+                 {"bool", "row + u.y, not divided by the number of rows"}},
                 +[](const int& i, const int& n, const vec2& u) {
                     const OfColumn own(i, n, std::floor(std::sqrt(Real(n))));
-                    return row(u.x, u.y, own.first, own.count, i - own.first, false, false);
+                    return row(u.x, u.y, own.first, own.count, i - own.first, false, false, false, false);
                 },
-                +[](const double* s, const int&, const int& n, const vec2&) {
-                    return row(below(vec2(s[5] != 0 ? (s[2] + s[0]) / n : (s[2] + s[0] * s[3]) / n,
-                                          s[6] != 0 ? s[4] / s[3] + s[1] : (s[4] + s[1]) / s[3])));
+                +[](const double* s, const int& i, const int& n, const vec2&) {
+                    const Real column = OfColumn(i, n, std::floor(std::sqrt(Real(n)))).column;
+                    const Real x = s[5] != 0 ? (s[2] + s[0]) / n : s[7] != 0 ? column + s[0] : (s[2] + s[0] * s[3]) / n;
+                    const Real y = s[6] != 0 ? s[4] / s[3] + s[1] : s[8] != 0 ? s[4] + s[1] : (s[4] + s[1]) / s[3];
+                    return row(below({x, y}));
                 }),
             steps(
                 "",
@@ -101,20 +105,30 @@ vec3 raised_by_steps(const double* s, Real turn) {
 }
 
 std::vector<Steps> of_hemisphere() {
-    return {steps(
-                raised_formula, raised_names, +[](const vec2& u) { return steps_of_raised(std::sqrt(1 - u.x), u.y); },
-                +[](const double* s, const vec2& u) {
-                    return row(DirectionSample{raised_by_steps(s, u.y), s[1] / pi});
-                }),
-            steps(
-                "z = sqrt(1 - u.x), density = cos(theta) / pi",
-                {{"Real", "1 - u.x"}, {"Real", "z"}, {"Real", "cos(theta)"}},
-                +[](const vec2& u) { return row(1 - u.x, std::sqrt(1 - u.x), std::sqrt(1 - u.x)); },
-                +[](const double* s, const vec2& u) {
-                    const bool both = s[0] != 1 - u.x;
-                    const Real z = std::sqrt(s[0]);
-                    return row(lifted(std::sqrt(u.x), turned(2 * pi * u.y), both ? z : s[1], (both ? z : s[2]) / pi));
-                })};
+    return {
+        steps(
+            raised_formula, raised_names, +[](const vec2& u) { return steps_of_raised(std::sqrt(1 - u.x), u.y); },
+            +[](const double* s, const vec2& u) {
+                return row(DirectionSample{raised_by_steps(s, u.y), s[1] / pi});
+            }),
+        steps(
+            "z = sqrt(1 - u.x), density = cos(theta) / pi",
+            {{"Real", "1 - u.x"},
+             {"Real", "z"},
+             {"Real", "cos(theta)"},
+             {"bool", "theta = u.x * pi / 2, uniform in the angle"},
+             {"bool", "theta = u.x * pi, on the whole sphere"},
+             {"bool", "u.x as the cosine, uniform on the hemisphere"}},
+            +[](const vec2& u) { return row(1 - u.x, std::sqrt(1 - u.x), std::sqrt(1 - u.x), false, false, false); },
+            +[](const double* s, const vec2& u) {
+                if (s[3] != 0 || s[4] != 0 || s[5] != 0) {
+                    const Real c = s[5] != 0 ? u.x : std::cos(u.x * pi / (s[3] != 0 ? 2 : 1));
+                    return row(lifted(std::sqrt(1 - c * c), turned(2 * pi * u.y), c, c / pi));
+                }
+                const bool both = s[0] != 1 - u.x;
+                const Real z = std::sqrt(s[0]);
+                return row(lifted(std::sqrt(u.x), turned(2 * pi * u.y), both ? z : s[1], (both ? z : s[2]) / pi));
+            })};
 }
 
 std::vector<Steps> of_lobe() {
