@@ -80,7 +80,8 @@ vec3 point_of(const Emitter& light, vec2 u) {
 std::vector<Steps> of_light() {
     return {
         steps(
-            "density = distance^2 / (cos * area) for cos > 0, cos = -dot(unit(point - p), unit(normal(light)))",
+            "density = distance^2 / (cos * area) for cos > 0, the front side, with cos = -dot(unit(point - p), "
+            "unit(normal(light)))",
             {{"Real", "distance^2"}, {"Real", "cos"}, {"Real", "area"}},
             +[](const Emitter& light, const vec3& p, const vec2& u) {
                 const vec3 to = point_of(light, u) - p, n = normal(light);

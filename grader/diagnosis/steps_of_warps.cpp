@@ -57,9 +57,10 @@ std::vector<Steps> of_strata_2d() {
                  {"bool", "(i % c + u.x / c, i / c + u.y / c): the cell is not divided by c"},
                  {"bool", "columns of n / c cells each, of whole numbers"},
                  {"bool", "columns of n / c cells each, no whole number"},
+                 {"bool", "sqrt(n) columns, which is no whole number: not rounded down"},
                  {"bool", "one column more"},
                  {"bool", "one column less"}},
-                +[](const int&, const int&, const vec2&) { return Row(8); },
+                +[](const int&, const int&, const vec2&) { return Row(9); },
                 +[](const double* s, const int& i, const int& n, const vec2& u) {
                     const Real root = std::sqrt(Real(n)), low = std::floor(root), high = std::ceil(root);
                     if (s[0] != 0 || s[1] != 0 || s[3] != 0) {
@@ -71,7 +72,8 @@ std::vector<Steps> of_strata_2d() {
                         const Real rows = s[4] != 0 ? std::floor(n / low) : n / low, column = std::floor(i / rows);
                         return row(below(vec2((column + u.x) / low, (i - column * rows + u.y) / rows)));
                     }
-                    const OfColumn own(i, n, std::max(1.0, (s[2] != 0 ? high : low) + (s[6] != 0) - (s[7] != 0)));
+                    const Real whole = (s[2] != 0 ? high : low) + (s[7] != 0) - (s[8] != 0);
+                    const OfColumn own(i, n, s[6] != 0 ? root : std::max(1.0, whole));
                     return row(below(vec2((own.first + u.x * own.count) / n, (i - own.first + u.y) / own.count)));
                 })};
 }
@@ -137,6 +139,13 @@ std::vector<Steps> of_lobe() {
                 +[](const Real& n, const vec2& u) { return steps_of_raised(std::pow(u.x, 1 / (n + 1)), u.y); },
                 +[](const double* s, const Real& n, const vec2& u) {
                     return row(DirectionSample{raised_by_steps(s, u.y), (n + 1) / (2 * pi) * std::pow(s[1], n)});
+                }),
+            steps(
+                raised_formula, raised_names,
+                +[](const Real& n, const vec2& u) { return steps_of_raised(std::pow(u.x, 1 / (n + 1)), u.y); },
+                +[](const double* s, const Real& n, const vec2& u) {
+                    const Real density = (n + 1) / (2 * pi) * std::pow(u.x, n / (n + 1));
+                    return row(DirectionSample{raised_by_steps(s, u.y), density});
                 }),
             steps(
                 "cos(alpha) = u.x^(1 / (n + 1)), density = (n + 1) / (2 * pi) * cos(alpha)^n",
