@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "checks/fragment_checks.h"
+#include "asked/shutter_time.h"
 #include "checks/kit/film_view.h"
 #include "checks/kit/kit.h"
 #include "checks/kit/own_numbers.h"

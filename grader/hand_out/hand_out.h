@@ -7,6 +7,9 @@
 
 namespace grade {
 
+/// students: a kit. everybody: the same with archives, for a folder that its users cannot write to, as below /usr.
+enum class For { students, everybody };
+
 /// Writes what students get into a new folder, a kit: starter/ in source with fresh blanks, scenes, the handout, GLM's
 /// headers, and in grader/MACHINE/ the grader, built: program, framework, reference fragments as objects without names
 /// or debug information, and the libraries that a plain system lacks, with their licences.
@@ -18,8 +21,10 @@ namespace grade {
 /// project  the project's folder
 /// built    the toolchain file of the kit's parts: build/release/kit.toml
 /// others   hand-outs from other kinds of machines, whose grader/MACHINE/ come along
+/// whom     who will use it
 void hand_out(const std::filesystem::path& project, const Assignment& assignment, const std::filesystem::path& built,
-              const std::filesystem::path& folder, const std::vector<std::filesystem::path>& others = {});
+              const std::filesystem::path& folder, const std::vector<std::filesystem::path>& others = {},
+              For whom = For::students);
 
 /// "x86_64-linux": the kind of machine this is.
 std::string kind_of_machine();
