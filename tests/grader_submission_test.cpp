@@ -408,6 +408,9 @@ TEST_CASE("what is wrong with an archive is said", "[submission]") {
     CHECK(s.texts.size() == 1);
     CHECK(s.notes == std::vector<std::string>{"1 file was left out: ../phong.cpp leads out of the archive"});
     pack(folder.path() / "outer.zip", {{"work.zip", whole_zip.substr(0, whole_zip.size() / 2)}}, true);
+    CHECK(read_submission(folder.path() / "outer.zip", fragments_of_hand_in).notes ==
+          std::vector<std::string>{"work.zip was read in part: it is cut off or broken"});
+    pack(folder.path() / "outer.zip", {{"work.zip", whole_zip.substr(0, whole_zip.size() / 4)}}, true);
     says(folder.path() / "outer.zip", "outer.zip/work.zip: cannot be unpacked: it is cut off");
 }
 

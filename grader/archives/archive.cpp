@@ -21,7 +21,7 @@ namespace {
 
 constexpr int most_entries = 20'000, most_depth = 2, most_shown = 200;
 constexpr std::int64_t most_unpacked = 256ll << 20, most_taken = 32ll << 20, most_inner = 64ll << 20;
-constexpr std::uintmax_t end_of_zip = 22 + 65535;  // with its comment
+constexpr std::uintmax_t smallest_end = 22, end_of_zip = smallest_end + 65535;  // of a zip; with its comment
 
 /// While it lives, this thread's names are UTF-8, without which the library gives up on all that are not ASCII.
 class NamesInUtf8 {
@@ -79,7 +79,8 @@ Ends ends_of(const std::string& bytes) {
 }
 
 bool is_cut_zip(const Ends& ends) {
-    return ends.first.starts_with("PK\3\4") && ends.last.find("PK\5\6") == ends.last.npos;
+    const std::size_t at = ends.last.rfind("PK\5\6");
+    return ends.first.starts_with("PK\3\4") && (at == ends.last.npos || at + smallest_end > ends.last.size());
 }
 
 /// What is wrong with what cannot be unpacked, and what was expected.

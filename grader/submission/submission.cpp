@@ -208,6 +208,9 @@ void note_copies(const std::vector<Place>& places, const Found& found, Submissio
             submission.notes.push_back(fmt::format(
                 "{} was left out: {}", path,
                 found.broken.find(path) != found.broken.npos ? found.broken : "there are fragments beside it"));
+    for (const std::string& path : found.archives)
+        if (submission.folder.starts_with(path + "/"))
+            submission.notes.push_back(path + " was read in part: it is cut off or broken");
     if (!found.cut.empty())
         submission.notes.push_back(found.cut + ": it is cut off, its end is missing; what could be read was taken");
     if (found.outside > 0)
