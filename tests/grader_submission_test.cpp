@@ -280,6 +280,17 @@ TEST_CASE("of several copies one is taken, and it is said which and why", "[subm
                       Catch::Matchers::ContainsSubstring("another archive, a/hw.rar: unpack it"));
 }
 
+TEST_CASE("a change of what is handed out filled in is told", "[submission]") {
+    const TemporaryFolder folder;
+    for (const char* name : {"moved", "phong", "whitted"})
+        write_text(folder.path() / (std::string(name) + ".cpp"), "a");
+    Submission s{.name = "s", .folder = "fragments/"};
+    s.texts = {{"moved", "a // as it was\n"}, {"phong", "b"}, {"whitted", "b"}};
+    note_given(s, {"whitted"}, folder.path());
+    REQUIRE(s.notes.size() == 1);
+    CHECK(s.notes[0].starts_with("fragments/phong.cpp: handed out filled in, and changed; it is not graded"));
+}
+
 TEST_CASE("archives in a folder are looked into", "[submission]") {
     const TemporaryFolder folder;
     const fs::path top = folder.path() / "Jane Doe_111_assignsubmission_file_", zip = top / "work.zip";

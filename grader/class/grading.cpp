@@ -65,7 +65,9 @@ std::vector<Result> results_of(const std::vector<Entry>& entries, const Assignme
     std::vector<Result> results;
     for (const Entry& entry : entries) {
         Result result{entry.student, entry.path, entry.fault, entry.notes, "", {}, {}};
-        result.notes.insert(result.notes.end(), entry.submission.notes.begin(), entry.submission.notes.end());
+        Submission taken = entry.submission;
+        note_given(taken, assignment.asked(), chain.blanks);
+        result.notes.insert(result.notes.end(), taken.notes.begin(), taken.notes.end());
         note_complaints(entry.submission, result.notes);
         if (entry.fault.empty()) result.key = key_of(entry.submission, assignment, setup);
         for (const auto& [fragment, text] : entry.submission.texts)

@@ -5,13 +5,13 @@
 #include <sys/utsname.h>
 
 #include <array>
-#include <set>
 #include <sstream>
 
 #include "assignment/strip.h"
 #include "files/files.h"
 #include "programs/process.h"
 #include "programs/toolchain.h"
+#include "report/describe.h"
 #include "rt/files/scene_reader.h"
 
 namespace grade {
@@ -19,8 +19,7 @@ namespace grade {
 namespace {
 
 /// What is handed out, by name: nothing that somebody has put beside it.
-constexpr std::array entries = {".editorconfig", ".vscode", "LICENSE", "assignment.toml",
-                                "handout.md",    "scenes",  "starter"};
+constexpr std::array entries = {".editorconfig", ".vscode", "LICENSE", "assignment.toml", "scenes", "starter"};
 
 /// What every system with a C++ compiler has: the C and C++ libraries, and zlib, without which Debian has no dpkg.
 constexpr std::array everywhere = {"linux-vdso.", "ld-linux", "libc.so.",   "libm.so.",      "libgcc_s.so.",
@@ -268,13 +267,14 @@ void hand_out(const fs::path& project, const Assignment& assignment, const fs::p
     const fs::path program =
         built.archives.front().parent_path() / (whom == For::students ? "grade_kit" : "grade_installed");
     if (!fs::exists(program)) throw std::runtime_error(fmt::format("{}: not built yet", program.string()));
-    std::set<std::string> given;
-    for (const Fragment& fragment : assignment.fragments)
-        if (fragment.given) given.insert(fragment.name);
-    const auto blanks = make_starter((project / "solution").string(), given);
+    const auto blanks = make_starter((project / "solution").string(), assignment.asked());
+    // first, for it may be no handout of this assignment
+    const std::string handout =
+        with_new_tables(read_text(project / "handout.md").value_or(""), assignment, (project / "handout.md").string());
 
     fs::create_directories(folder);
     copy_entries(project, folder);
+    write_text(folder / "handout.md", handout);
     fs::copy_file(project / "grader/kit/grade", folder / "grade");
     if (whom == For::students) write_repository(project, folder);
     write_starter(blanks, (folder / "starter/fragments").string());

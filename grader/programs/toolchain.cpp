@@ -5,6 +5,7 @@
 #include <toml++/toml.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
 #include <sstream>
@@ -106,6 +107,13 @@ Toolchain with_sanitizers(const Toolchain& chain) {
                             "-fno-sanitize-recover=all", "-D_GLIBCXX_ASSERTIONS", "-ftrivial-auto-var-init=pattern"});
     checked.link.emplace_back("-fsanitize=address,undefined");
     return checked;
+}
+
+std::vector<std::string> all_fragments(const Toolchain& chain, const Assignment& assignment) {
+    std::vector<std::string> names = assignment.names();
+    for (const auto& [name, object] : chain.solution_objects)
+        if (std::ranges::count(names, name) == 0) names.push_back(name);
+    return names;
 }
 
 Toolchain read_toolchain(const fs::path& path) try {

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "assignment/assignment.h"
+
 namespace grade {
 
 namespace fs = std::filesystem;
@@ -33,6 +35,9 @@ struct Toolchain {
 
 /// The same compiler, with sanitizers that end a program at the first undefined behaviour and say where it is.
 Toolchain with_sanitizers(const Toolchain& chain);
+
+/// The assignment's fragments, in its order, then those that it leaves out.
+std::vector<std::string> all_fragments(const Toolchain& chain, const Assignment& assignment);
 
 /// Paths in the file are relative to its folder. Throws std::runtime_error where the file or what it names is missing,
 /// or made for another processor than this one.

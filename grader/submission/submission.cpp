@@ -254,6 +254,18 @@ std::string no_fragment(const fs::path& path, const Found& found, const std::vec
 
 }  // namespace
 
+void note_given(Submission& submission, const std::set<std::string>& asked, const fs::path& blanks) {
+    for (const auto& [fragment, text] : submission.texts) {
+        if (asked.contains(fragment)) continue;
+        const auto given = read_text(blanks / (fragment + ".cpp"));
+        if (given && code_only(*given) != code_only(text))
+            submission.notes.push_back(
+                fmt::format("{}{}.cpp: handed out filled in, and changed; it is not graded, and gradings use the one "
+                            "that was handed out",
+                            submission.folder, fragment));
+    }
+}
+
 void Found::look_at_name(const std::string& path, const std::vector<std::string>& fragments) {
     const std::string file = fs::path(path).filename().string();
     if (const auto fragment = nearly_named(file, fragments)) near[path] = *fragment;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -35,5 +36,11 @@ constexpr std::uint64_t most_source_bytes = 256u << 10;
 /// which are edited. Throws SubmissionError.
 Submission read_submission(const fs::path& path, const std::vector<std::string>& fragments,
                            const fs::path& framework = {});
+
+/// Adds a note for what was taken of fragments that are handed out filled in, and is not as it was handed out.
+///
+/// asked   the fragments that are not
+/// blanks  the folder of what is handed out
+void note_given(Submission& submission, const std::set<std::string>& asked, const fs::path& blanks);
 
 }  // namespace grade
