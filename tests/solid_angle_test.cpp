@@ -159,6 +159,7 @@ TEST_CASE("solid angle: the same picture, alone and with multiple importance sam
 TEST_CASE("solid angle: less noise near a large lamp") {
     Scene scene = parse_scene(lamps, "lamps.toml");
     scene.shapes.resize(2);
+    scene.solid_angle = false;
     const Real by_area = estimate(scene, Sampler::orthogonal, 10).noise;
     scene.solid_angle = true;
     const Real ratio = by_area / estimate(scene, Sampler::orthogonal, 10).noise;
@@ -189,6 +190,7 @@ TEST_CASE("solid angle: without quads that shine everything stays as it is") {
         return std::holds_alternative<Quad>(s.geometry) &&
                scene.materials[std::size_t(s.material)].emission != Color(0);
     });
+    scene.solid_angle = false;
     const Image without = render(scene, {.samples = 4, .estimate_error = false}).image;
     scene.solid_angle = true;
     CHECK(!make_plan(scene).solid_angle);
