@@ -46,33 +46,25 @@ Statistic regular_sum() {
               [](double right, const Integrand&, double a, double b, int n) { return right * n / (b - a); }}}});
 }
 
-}  // namespace
+/// The probe also says how often f was called, and between which x.
+Statistic points_used() {
+    return property({.id = "I1",
+                     .what = "points used",
+                     .violation =
+                         [](const Row& in, const Row& out) {
+                             return of_arguments<rt::integrate_uniform>(
+                                 [&](const Integrand&, double a, double b, int n) {
+                                     const double h = (b - a) / n;
+                                     return std::max({std::abs(out[1] - n), std::abs(out[2] - (a + h / 2)) / h,
+                                                      std::abs(out[3] - (b - h / 2)) / h});
+                                 })(in);
+                         },
+                     .tolerance = 1e-3,
+                     .says = "f is not evaluated once at each of the N midpoints, from a + D/2N to b - D/2N"});
+}
 
-Checks check_integrate_uniform(Generator&) {
-    const auto inputs = rows_of(64, [](Generator& random) {
-        const double a = between(random, -2, 2), span = between(random, 0.5, 3);
-        const int n = whole_between(random, 3, 60);
-        // slow enough for the sum to be far from zero, or once a point: then the regular points alias
-        const double frequency = chance(random, 0.25) ? n / span * (1 + 1e-3) : between(random, 0.1, 0.4 * n) / span;
-        const Integrand f{Integrand::Kind::cosine,
-                          {between(random, 1, 2), between(random, 0.5, 1), frequency, between(random, 0, 6)}};
-        return row(f, a, a + span, n);
-    });
-
-    // the probe also says how often f was called, and between which x
-    const Statistic points =
-        property({.id = "I1",
-                  .what = "points used",
-                  .violation =
-                      [](const Row& in, const Row& out) {
-                          return of_arguments<rt::integrate_uniform>([&](const Integrand&, double a, double b, int n) {
-                              const double h = (b - a) / n;
-                              return std::max({std::abs(out[1] - n), std::abs(out[2] - (a + h / 2)) / h,
-                                               std::abs(out[3] - (b - h / 2)) / h});
-                          })(in);
-                      },
-                  .tolerance = 1e-3,
-                  .says = "f is not evaluated once at each of the N midpoints, from a + D/2N to b - D/2N"});
+/// The integral of height exp(-rate x), the same functions on each level.
+Check error_by_points() {
     constexpr int repeats = 4;
     const auto more_points = [=](Generator& random) {
         std::vector<Row> functions;
@@ -92,7 +84,6 @@ Checks check_integrate_uniform(Generator&) {
             }
         return rows;
     };
-    // the integral of height exp(-rate x), the same functions on each level
     const Statistic order = error_order(
         "power of N with which the error falls", uniform_levels, repeats,
         of_call<rt::integrate_uniform>([](double sum, const Integrand& f, double a, double b, int) {
@@ -105,14 +96,30 @@ Checks check_integrate_uniform(Generator&) {
                    : value > -0.3 ? off + ": it hardly falls: is each interval counted, once, with its width D/N?"
                                   : off;
         });
+    return probe_check("convergence", more_points, {order});
+}
+
+}  // namespace
+
+Checks check_integrate_uniform(Generator&) {
+    const auto inputs = rows_of(64, [](Generator& random) {
+        const double a = between(random, -2, 2), span = between(random, 0.5, 3);
+        const int n = whole_between(random, 3, 60);
+        // slow enough for the sum to be far from zero, or once a point: then the regular points alias
+        const double frequency = chance(random, 0.25) ? n / span * (1 + 1e-3) : between(random, 0.1, 0.4 * n) / span;
+        const Integrand f{Integrand::Kind::cosine,
+                          {between(random, 1, 2), between(random, 0.5, 1), frequency, between(random, 0, 6)}};
+        return row(f, a, a + span, n);
+    });
+
     // from right to left the integral has the other sign
     const auto backwards = [inputs](Generator& random) {
         Rows rows = inputs(random);
         for (Row& r : rows) std::swap(r[r.size() - 3], r[r.size() - 2]);
         return rows;
     };
-    return {probe_check("regular_points", inputs, {regular_sum(), points}),
-            probe_check("backwards", backwards, {regular_sum()}), probe_check("convergence", more_points, {order})};
+    return {probe_check("regular_points", inputs, {regular_sum(), points_used()}),
+            probe_check("backwards", backwards, {regular_sum()}), error_by_points()};
 }
 
 }  // namespace grade

@@ -80,19 +80,44 @@ Statistic linear_mean() {
              {"only the last sample counts", [](const Colors& c, const Weights&) { return c.back(); }}}});
 }
 
+struct ThinLamp {
+    double radiance, cover;  // the share of each pixel of its row that it covers
+    int row;
+};
+
+/// What the pixels read that a lamp covers in part.
+Statistic reading_of(const ThinLamp& lamp, int samples) {
+    const double due = lamp.radiance * lamp.cover;
+    const std::string what =
+        fmt::format("pixels that a lamp of {:.3g} covers to {:.0f} %", lamp.radiance, 100 * lamp.cover);
+    return of_picture(
+        {.id = "G4",
+         .what = what + ", over what they must be",
+         .number =
+             [=](const rt::Image& image) {
+                 return brightness(region_mean(image, {0, lamp.row, image.width, 1})) / due;
+             },
+         .delta = 0.08,
+         .hint =
+             by_ratio(what, {{1 / lamp.radiance, "is a sample clamped to 1 before the mean?"},
+                             {1 / due, "is the mean clamped to 1?"},
+                             {std::pow(lamp.radiance, 1 / 2.2 - 1), "does each sample get a gamma of 2.2?"},
+                             {std::pow(due, 1 / 2.2 - 1), "does the mean get a gamma of 2.2?"},
+                             {double(samples), "is the sum not divided by the number of samples?"},
+                             {std::sqrt(double(samples)), "is the sum divided by the root of the number of samples?"},
+                             {samples / 25.0, "is the sum divided by floor(sqrt n)^2? There are n samples"},
+                             {1 / lamp.cover, "does any sample that meets the lamp count for all?"}})});
+}
+
 /// Lamps of very different brightness, each thinner than the pixels that it crosses: a lamp of 10 that covers 30
 /// percent of a pixel reads 3.
 Check thin_lamps(Generator& random) {
     const Place place = any_place(random);
     const rt::ivec2 size(48, 24);
     constexpr int samples = 32;
-    struct Lamp {
-        double radiance, cover;
-        int row;
-    };
-    const std::array<Lamp, 3> lamps = {Lamp{between(random, 0.2, 0.6), between(random, 0.4, 0.6), 4},
-                                       Lamp{between(random, 5, 12), between(random, 0.25, 0.4), 12},
-                                       Lamp{between(random, 100, 300), between(random, 0.4, 0.6), 20}};
+    const std::array<ThinLamp, 3> lamps = {ThinLamp{between(random, 0.2, 0.6), between(random, 0.4, 0.6), 4},
+                                           ThinLamp{between(random, 5, 12), between(random, 0.25, 0.4), 12},
+                                           ThinLamp{between(random, 100, 300), between(random, 0.4, 0.6), 20}};
     std::string scene = scene_table("[render]", {{"exposure", 0.1}}) + toml(film_view(place, size));
     for (std::size_t k = 0; k < lamps.size(); ++k) {
         const std::string name = fmt::format("lamp{}", k);
@@ -101,32 +126,11 @@ Check thin_lamps(Generator& random) {
     }
 
     std::vector<Statistic> statistics;
-    for (const Lamp& lamp : lamps) {
-        const double due = lamp.radiance * lamp.cover;
-        const std::string what =
-            fmt::format("pixels that a lamp of {:.3g} covers to {:.0f} %", lamp.radiance, 100 * lamp.cover);
-        statistics.push_back(of_picture(
-            {.id = "G4",
-             .what = what + ", over what they must be",
-             .number =
-                 [=](const rt::Image& image) {
-                     return brightness(region_mean(image, {0, lamp.row, image.width, 1})) / due;
-                 },
-             .delta = 0.08,
-             .hint = by_ratio(what,
-                              {{1 / lamp.radiance, "is a sample clamped to 1 before the mean?"},
-                               {1 / due, "is the mean clamped to 1?"},
-                               {std::pow(lamp.radiance, 1 / 2.2 - 1), "does each sample get a gamma of 2.2?"},
-                               {std::pow(due, 1 / 2.2 - 1), "does the mean get a gamma of 2.2?"},
-                               {double(samples), "is the sum not divided by the number of samples?"},
-                               {std::sqrt(double(samples)), "is the sum divided by the root of the number of samples?"},
-                               {samples / 25.0, "is the sum divided by floor(sqrt n)^2? There are n samples"},
-                               {1 / lamp.cover, "does any sample that meets the lamp count for all?"}})}));
-    }
+    for (const ThinLamp& lamp : lamps) statistics.push_back(reading_of(lamp, samples));
     // independent samples: N Var = p (1 - p)
     const auto noise = [=](const rt::Image& image) {
         double off = 0, due = 0;
-        for (const Lamp& lamp : lamps)
+        for (const ThinLamp& lamp : lamps)
             for (int x = 0; x < image.width; ++x) {
                 off += rt::sqr(brightness(image.at(x, lamp.row)) / lamp.radiance - lamp.cover) * samples;
                 due += lamp.cover * (1 - lamp.cover);

@@ -124,90 +124,133 @@ bool ignores_seed(const Check& check, const Observation& first, const Observatio
     return is_render(check) && is_same(first, second) && reference.noisy();
 }
 
-CheckRecord judge_check(const Check& check, Runner& runner, Reference& reference, const CheckSettings& settings) {
-    CheckRecord record = blank_record(check);
-    const auto seed = [&](int replicate) {
-        return replicate_seed(settings.seed, check, Stream::submission, replicate);
-    };
-    double fastest = std::numeric_limits<double>::infinity(), counted = 0;
-    int answers = 0;
-    // Notes what an answer has cost, and what is wrong with that.
-    const auto spend = [&]() -> std::optional<Fault> {
-        ++answers;
-        record.cpu_seconds += runner.seconds();
-        fastest = std::min(fastest, runner.seconds());
-        const double all = runner.seconds_in_all();
-        if (!settings.budget ||
-            settings.budget->covers(counted, all, [&] { return answers * reference.cpu_seconds(); }))
+namespace {
+
+/// One check of one submission, from its first answer to its record.
+class Trial {
+public:
+    Trial(const Check& check, Runner& runner, Reference& reference, const CheckSettings& settings)
+        : check_(check),
+          runner_(runner),
+          reference_(reference),
+          settings_(settings),
+          judge_(check, settings.statistics),
+          record_(blank_record(check)) {}
+
+    CheckRecord run() {
+        if (const auto fault = begin()) return broken(*fault);
+        if (const auto fault = repeat()) return broken(*fault);
+        conclude();
+        return std::move(record_);
+    }
+
+private:
+    /// A fault where the answers so far have cost more than the fragment's budget.
+    std::optional<Fault> overspent() {
+        const double all = runner_.seconds_in_all();
+        if (!settings_.budget ||
+            settings_.budget->covers(counted_, all, [&] { return answers_ * reference_.cpu_seconds(); }))
             return std::nullopt;
         return Fault{Verdict::timed_out,
                      fmt::format("its answers take too long in all, in this check {:.2g} s for {}; a fragment has {:g} "
-                                 "s for all its checks, and "
-                                 "{:g} times what the solution needs",
-                                 all, answers, Budget::free_seconds, Budget::times),
+                                 "s for all its checks, and {:g} times what the solution needs",
+                                 all, answers_, Budget::free_seconds, Budget::times),
                      {}};
-    };
-    const auto give_up = [&](Fault fault) {
-        record.verdict = fault.verdict;
-        record.message = advice(fault, reference);
-        record.trouble = fault.trouble;
-        record.excerpt = fault.excerpt;
-        return record;
-    };
-
-    // the first replicate, twice: the same must come back
-    auto outcome = observe(runner, check, seed(0));
-    if (const Fault* fault = std::get_if<Fault>(&outcome)) return give_up(*fault);
-    const Observation first = std::move(std::get<Observation>(outcome));
-    if (const auto fault = spend()) return give_up(*fault);
-    std::vector<rt::Image> shown;
-    const auto show = [&](const Observation& observation) {
-        if (!settings.pictures || !is_render(check) || shown.size() >= most_pictures) return;
-        add_picture(record.picture, observation.image, shown.size());
-        shown.push_back(observation.image);
-    };
-    show(first);
-    auto repeated = observe(runner, check, seed(0));
-    if (const Fault* fault = std::get_if<Fault>(&repeated)) return give_up(*fault);
-    if (const auto fault = spend()) return give_up(*fault);
-    if (const auto fault = unfit(check, first, std::get<Observation>(repeated), reference)) return give_up(*fault);
-
-    // as many replicates as it takes
-    CheckJudge judge(check, settings.statistics);
-    const auto scalars_of = [&](const Observation& observation) {
-        return [&](std::size_t i) { return measured(check.statistics[i], observation); };
-    };
-    judge.add(scalars_of(first), [&](std::size_t i) { return reference.exact()[i]; });
-    int own = 1, theirs = 0;
-    bool seed_ignored = false;
-    while (const int wanted = judge.wanted()) {
-        const bool needs_reference = judge.needs_reference();
-        for (; own < wanted; ++own) {
-            auto next = observe(runner, check, seed(own));
-            if (const Fault* fault = std::get_if<Fault>(&next)) return give_up(*fault);
-            if (const auto fault = spend()) return give_up(*fault);
-            const Observation& observation = std::get<Observation>(next);
-            if (own == 1) seed_ignored = ignores_seed(check, first, observation, reference);
-            show(observation);
-            judge.add(scalars_of(observation));
-        }
-        for (; needs_reference && theirs < wanted; ++theirs) {
-            const std::vector<double> values = reference.replicate(theirs);
-            judge.add_reference([&](std::size_t i) { return values[i]; });
-        }
     }
 
-    record.verdict = judge.verdict();
-    for (std::size_t i = 0; i < check.statistics.size(); ++i)
-        record.statistics.push_back(record_of(check.statistics[i], *judge.judgements()[i], first));
-    // a picture without noise is wrong whatever its mean; what the statistics say about it is closer to the cause
-    if (seed_ignored && record.verdict != Verdict::failed) {
-        record.verdict = Verdict::failed;
-        record.message = "two seeds give one picture: are the random numbers that the fragment is handed used?";
+    Outcome<Observation> ask(int replicate) {
+        const std::uint64_t seed = replicate_seed(settings_.seed, check_, Stream::submission, replicate);
+        Outcome<Observation> answer = observe(runner_, check_, seed);
+        if (std::holds_alternative<Fault>(answer)) return answer;
+        ++answers_;
+        record_.cpu_seconds += runner_.seconds();
+        fastest_ = std::min(fastest_, runner_.seconds());
+        if (auto fault = overspent()) return *fault;
+        return answer;
     }
-    if (is_render(check)) add_picture_costs(record, first.image, fastest, reference);
-    if (settings.pictures && is_render(check)) add_solution_picture(record, shown, reference);
-    return record;
+
+    void take(const Observation& observation) {
+        judge_.add([&](std::size_t i) { return measured(check_.statistics[i], observation); });
+    }
+
+    void show(const Observation& observation) {
+        if (!settings_.pictures || !is_render(check_) || shown_.size() >= most_pictures) return;
+        add_picture(record_.picture, observation.image, shown_.size());
+        shown_.push_back(observation.image);
+    }
+
+    /// The first replicate, twice: the same must come back.
+    std::optional<Fault> begin() {
+        Outcome<Observation> answer = ask(0);
+        if (const Fault* fault = std::get_if<Fault>(&answer)) return *fault;
+        first_ = std::move(std::get<Observation>(answer));
+        show(first_);
+        const Outcome<Observation> again = ask(0);
+        if (const Fault* fault = std::get_if<Fault>(&again)) return *fault;
+        return unfit(check_, first_, std::get<Observation>(again), reference_);
+    }
+
+    /// As many replicates as it takes.
+    std::optional<Fault> repeat() {
+        judge_.add([&](std::size_t i) { return measured(check_.statistics[i], first_); },
+                   [&](std::size_t i) { return reference_.exact()[i]; });
+        int own = 1, theirs = 0;
+        while (const int wanted = judge_.wanted()) {
+            const bool needs_reference = judge_.needs_reference();
+            for (; own < wanted; ++own) {
+                const Outcome<Observation> answer = ask(own);
+                if (const Fault* fault = std::get_if<Fault>(&answer)) return *fault;
+                const Observation& observation = std::get<Observation>(answer);
+                if (own == 1) seed_ignored_ = ignores_seed(check_, first_, observation, reference_);
+                show(observation);
+                take(observation);
+            }
+            for (; needs_reference && theirs < wanted; ++theirs) {
+                const std::vector<double> values = reference_.replicate(theirs);
+                judge_.add_reference([&](std::size_t i) { return values[i]; });
+            }
+        }
+        return std::nullopt;
+    }
+
+    void conclude() {
+        record_.verdict = judge_.verdict();
+        for (std::size_t i = 0; i < check_.statistics.size(); ++i)
+            record_.statistics.push_back(record_of(check_.statistics[i], *judge_.judgements()[i], first_));
+        // a picture without noise is wrong whatever its mean; what the statistics say about it is closer to the cause
+        if (seed_ignored_ && record_.verdict != Verdict::failed) {
+            record_.verdict = Verdict::failed;
+            record_.message = "two seeds give one picture: are the random numbers that the fragment is handed used?";
+        }
+        if (is_render(check_)) add_picture_costs(record_, first_.image, fastest_, reference_);
+        if (settings_.pictures && is_render(check_)) add_solution_picture(record_, shown_, reference_);
+    }
+
+    CheckRecord broken(const Fault& fault) {
+        record_.verdict = fault.verdict;
+        record_.message = advice(fault, reference_);
+        record_.trouble = fault.trouble;
+        record_.excerpt = fault.excerpt;
+        return std::move(record_);
+    }
+
+    const Check& check_;
+    Runner& runner_;
+    Reference& reference_;
+    const CheckSettings& settings_;
+    CheckJudge judge_;
+    CheckRecord record_;
+    Observation first_;
+    std::vector<rt::Image> shown_;  // the first replicates' pictures
+    double fastest_ = std::numeric_limits<double>::infinity(), counted_ = 0;
+    int answers_ = 0;
+    bool seed_ignored_ = false;
+};
+
+}  // namespace
+
+CheckRecord judge_check(const Check& check, Runner& runner, Reference& reference, const CheckSettings& settings) {
+    return Trial(check, runner, reference, settings).run();
 }
 
 int noisy_statistics(const std::vector<Check>& checks) {

@@ -27,14 +27,14 @@ struct Decades {
 };
 
 struct Family {
-    std::string name;                    // "far_sphere"
-    std::vector<std::string> fragments;  // that it calls; the first one is tested, the others take part
-    std::string swept;                   // x, in words: "distance of a sphere / its radius"
-    std::string error;                   // what is measured, in words: "error of the hit / its distance"
-    double tolerance = 0;                // largest error that a picture forgives, for the decades of ordinary scenes
-    double bound = 0;                    // largest error beyond them
-    std::vector<int> decades;            // of x, ascending
-    Decades scored;                      // those of ordinary scenes
+    std::string name;                      // "far_sphere"
+    std::vector<std::string> fragments;    // that it calls; the first one is tested, the others take part
+    std::string swept;                     // x, in words: "distance of a sphere / its radius"
+    std::string error = "relative error";  // what is measured, in words: "error of the hit / its distance"
+    double tolerance = 1e-5;               // largest error that a picture forgives, for the decades of ordinary scenes
+    double bound = 0;                      // largest error beyond them
+    std::vector<int> decades;              // of x, ascending
+    Decades scored{-3, 3};                 // those of ordinary scenes
     std::function<double(double x, Generator&, const Asker&)> measure;  // the greatest error at x; inf: a wrong verdict
 
     double allowed(int decade) const { return scored.holds(decade) ? tolerance : bound; }

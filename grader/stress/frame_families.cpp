@@ -68,7 +68,6 @@ std::vector<Family> frame_families() {
                        .fragments = {turning.fragment},
                        .swept = "angle of the axis from a pole",
                        .error = "error of length and angle",
-                       .tolerance = 1e-5,
                        .bound = 32 * rt::roundoff,
                        .decades = sweep(-16, -1),
                        .scored = {-3, -1},

@@ -135,25 +135,20 @@ double faint(double x, Generator& random, const Asker& ask) {
     });
 }
 
-}  // namespace
-
-std::vector<Family> glass_families() {
+std::vector<Family> direction_families() {
     constexpr double u = rt::roundoff;
     return {
         {.name = "mirror_length",
          .fragments = {"mirror_direction"},
          .swept = "length of the direction",
          .error = "error / length",
-         .tolerance = 1e-5,
          .bound = 16 * u,
          .decades = sweep(-60, 60, 3),
-         .scored = {-3, 3},
          .measure = mirror_length},
         {.name = "refracted_critical",
          .fragments = {"refracted_direction"},
          .swept = "distance from the critical angle",
          .error = "error x root of x",
-         .tolerance = 1e-5,
          .bound = 32 * u,
          .decades = sweep(-13, -1),
          .scored = {-3, -1},
@@ -162,7 +157,6 @@ std::vector<Family> glass_families() {
          .fragments = {"refracted_direction"},
          .swept = "cosine of the incoming ray",
          .error = "error",
-         .tolerance = 1e-5,
          .bound = 16 * u,
          .decades = sweep(-15, -1),
          .scored = {-3, -1},
@@ -171,7 +165,6 @@ std::vector<Family> glass_families() {
          .fragments = {"refracted_direction"},
          .swept = "angle between ray and normal",
          .error = "error",
-         .tolerance = 1e-5,
          .bound = 16 * u,
          .decades = sweep(-16, -1),
          .scored = {-3, -1},
@@ -180,16 +173,20 @@ std::vector<Family> glass_families() {
          .fragments = {"refracted_direction"},
          .swept = "difference of the indices",
          .error = "error",
-         .tolerance = 1e-5,
          .bound = 16 * u,
          .decades = sweep(-17, -1),
          .scored = {-3, -1},
          .measure = refracted_even},
+    };
+}
+
+std::vector<Family> weight_families() {
+    constexpr double u = rt::roundoff;
+    return {
         {.name = "fresnel_critical",
          .fragments = {"fresnel_dielectric"},
          .swept = "distance from the critical angle",
          .error = "error x root of x",
-         .tolerance = 1e-5,
          .bound = 64 * u,
          .decades = sweep(-13, -1),
          .scored = {-3, -1},
@@ -198,7 +195,6 @@ std::vector<Family> glass_families() {
          .fragments = {"fresnel_dielectric"},
          .swept = "cosine of the incoming ray",
          .error = "error",
-         .tolerance = 1e-5,
          .bound = 16 * u,
          .decades = sweep(-15, -1),
          .scored = {-3, -1},
@@ -207,7 +203,6 @@ std::vector<Family> glass_families() {
          .fragments = {"fresnel_dielectric"},
          .swept = "difference of the indices",
          .error = "error",
-         .tolerance = 1e-5,
          .bound = 16 * u,
          .decades = sweep(-17, -1),
          .scored = {-3, -1},
@@ -215,13 +210,19 @@ std::vector<Family> glass_families() {
         {.name = "whitted_faint",
          .fragments = {"whitted"},
          .swept = "transmittance",
-         .error = "relative error",
-         .tolerance = 1e-5,
          .bound = 8 * u,
          .decades = sweep(-60, 0, 3),
          .scored = {-3, 0},
          .measure = faint},
     };
+}
+
+}  // namespace
+
+std::vector<Family> glass_families() {
+    std::vector<Family> all = direction_families();
+    for (Family& family : weight_families()) all.push_back(std::move(family));
+    return all;
 }
 
 }  // namespace grade::stress

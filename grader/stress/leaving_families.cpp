@@ -119,7 +119,6 @@ std::vector<Family> leaving_families() {
                        .error = "share of rays that meet the surface they leave",
                        .tolerance = 0.01,
                        .decades = sweep(-60, 60, 3),
-                       .scored = {-3, 3},
                        .measure = [=](double x, Generator& random, const Asker& ask) {
                            return self_hits(kind, x, random, ask);
                        }});
@@ -131,7 +130,6 @@ std::vector<Family> leaving_families() {
                             .tolerance = 5e-3,
                             .bound = 1e-9,
                             .decades = sweep(-60, 60, 3),
-                            .scored = {-3, 3},
                             .measure = shadow_offset},
                            {.name = "shadow_end",
                             .fragments = {"shadow_ray"},
@@ -140,7 +138,6 @@ std::vector<Family> leaving_families() {
                             .tolerance = 5e-3,
                             .bound = 1e-6,
                             .decades = sweep(-60, 60, 3),
-                            .scored = {-3, 3},
                             .measure = shadow_end}});
     return all;
 }

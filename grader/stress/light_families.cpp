@@ -130,7 +130,6 @@ std::vector<Family> light_families() {
          .fragments = {"light_sample"},
          .swept = "gap to a sphere light / its radius",
          .error = "distance of a sample from the light / distance",
-         .tolerance = 1e-5,
          .bound = 1e-9,
          .decades = sweep(-13, 14),
          .scored = {0, 3},
@@ -157,10 +156,8 @@ std::vector<Family> light_families() {
          .fragments = {"light_sample"},
          .swept = "size of light and scene [m]",
          .error = "error against that at 1 m",
-         .tolerance = 1e-5,
          .bound = 256 * u,
          .decades = sweep(-60, 60, 3),
-         .scored = {-3, 3},
          .measure = light_size},
     };
 }

@@ -88,7 +88,6 @@ std::vector<Family> lobe_families() {
          .fragments = {"sphere_cone"},
          .swept = "distance of a sphere / its radius",
          .error = "error of density or length",
-         .tolerance = 1e-5,
          .bound = 32 * u,
          .decades = sweep(0, 20),
          .scored = {0, 3},

@@ -62,15 +62,14 @@ std::vector<Family> picture_families() {
          .tolerance = 5e-3,
          .bound = 5e-3,
          .decades = sweep(-30, 30, 3),
-         .scored = {-3, 3},
          .measure = scene_size},
         {.name = "furnace",
          .fragments = {"color_bleeding", "camera_ray", "hit_quad", "emission_counts", "cosine_hemisphere"},
          .swept = "1 - albedo of a closed box",
-         .error = "relative error",
          .tolerance = 1e-10,
          .bound = 1e-10,
          .decades = sweep(-5, -1),
+         .scored = {},
          .measure = furnace},
     };
 }
