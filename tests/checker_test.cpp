@@ -15,8 +15,8 @@ namespace {
 constexpr int side = 96;
 constexpr Real square = 0.31;
 
-/// Shapes under light from the camera, 10 m before the origin; of the material "tiles". A pixel is its albedo, where it faces the
-/// light.
+/// Shapes of the material "tiles" under light from the camera, 10 m before the origin. A pixel is its albedo, where it
+/// faces the light.
 Image picture(const std::string& shapes, const std::string& more = "") {
     const Scene scene = parse_scene(
         "[render]\nsamples = 1\n[camera]\neye = [0, 0, 10]\ntarget = [0, 0, 0]\nvfov = 20\n"
