@@ -33,7 +33,8 @@ constexpr std::array header_packages = {"libglm-dev", "libcli11-dev", "nlohmann-
 /// Hidden files, what builds leave behind, and what needs the solution stay here.
 bool is_left_out(const fs::path& path) {
     const std::string name = path.filename().string();
-    return name.starts_with(".") || name.starts_with("build") || name.starts_with("__") || name == "render_pictures";
+    return name.starts_with(".") || name.starts_with("build") || name.starts_with("__") || name == "render_pictures" ||
+           name == "take_screenshot";
 }
 
 void copy_folder(const fs::path& from, const fs::path& to) {
@@ -248,6 +249,8 @@ void hand_out(const fs::path& project, const Assignment& assignment, const fs::p
         else
             fs::copy_file(from, to);
     }
+    if (const fs::path page = built_toolchain.parent_path() / "handout.html"; fs::exists(page))
+        fs::copy_file(page, folder / "handout.html");
     fs::copy_file(project / "grader/kit/grade", folder / "grade");
     fs::create_directories(folder / ".github/workflows");
     fs::copy_file(project / "grader/kit/github/grade.yml", folder / ".github/workflows/grade.yml");
