@@ -9,6 +9,7 @@
 #include "checks/kit/render_check.h"
 #include "judging/experiment.h"
 #include "rt/files/scene_reader.h"
+#include "rt/plan.h"
 #include "rt/render.h"
 #include "statistics/moments.h"
 
@@ -47,6 +48,18 @@ TEST_CASE("the scenes of ten grading seeds can be read, and another seed draws o
         CAPTURE(name);
         CHECK(drawn.size() == 10);
     }
+}
+
+TEST_CASE("pictures of checks find lamps as fragments do: all, by light_sample or by the lobe alone") {
+    for (std::uint64_t seed = 1; seed <= 10; ++seed)
+        for (const Check& check : all_checks(seed))
+            if (const auto* render = std::get_if<Render>(&check.experiment)) {
+                CAPTURE(seed, check.fragment, check.name);
+                const rt::RenderPlan plan = rt::make_plan(rt::parse_scene(render->scene, check.name));
+                CHECK(!plan.solid_angle);
+                CHECK(!plan.one_lamp);
+                CHECK(!plan.weigh);
+            }
 }
 
 TEST_CASE("one seed gives one set of checks") {

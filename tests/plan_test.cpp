@@ -255,3 +255,53 @@ TEST_CASE("the plan names the fragments that its stages call") {
     CHECK(names("environment", {1, false, Sampler::sobol}) ==
           Names{"camera_ray", "hit_sphere", "hit_quad", "cosine_hemisphere", "shadow_ray"});
 }
+
+TEST_CASE("lamps are sampled as the scene says, and where it says nothing as saves time") {
+    const std::string view = R"(
+[camera]
+eye = [0, 2, 6]
+target = [0, 0.5, 0]
+[materials.floor]
+albedo = 0.5
+[materials.lobe]
+reflectance = 0.9
+exponent = 50
+[materials.lamp]
+emission = 5
+[[shape]]
+type = "quad"
+u = [9, 0, 0]
+v = [0, 0, -9]
+material = "floor"
+)";
+    const auto quad = [](Real x, Real y, Real half) {
+        return fmt::format(
+            "[[shape]]\ntype = \"quad\"\ncenter = [{}, {}, 0]\nu = [{}, 0, 0]\nv = [0, 0, {}]\nmaterial = \"lamp\"\n",
+            x, y, half, half);
+    };
+    const std::string ball = "[[shape]]\ntype = \"sphere\"\ncenter = [0, 0.6, 1]\nradius = 0.6\nmaterial = \"lobe\"\n",
+                      far = quad(0, 5, 0.3), near = quad(0, 0.4, 1);
+    std::string row;
+    for (int k = 0; k < 40; ++k) row += quad(0.4 * (k - 20), 2, 0.1);
+
+    const auto plan = [&](const std::string& text) { return make_plan(parse_scene(text, "scene.toml")); };
+    CHECK(!plan(view + far).solid_angle);
+    CHECK(plan(view + near).solid_angle);
+    CHECK(!plan(view + far + near).one_lamp);
+    CHECK(plan(view + row).one_lamp);
+    CHECK(!plan(view + far).weigh);
+    CHECK(plan(view + ball + far).weigh);
+
+    const std::string all = "[render]\nsolid_angle = true\none_lamp = true\nmultiple_importance = true\n",
+                      none = "[render]\nsolid_angle = false\none_lamp = false\nmultiple_importance = false\n";
+    const RenderPlan on = plan(all + view + ball + far + near), off = plan(none + view + ball + near + row);
+    CHECK((on.solid_angle && on.one_lamp && on.weigh));
+    CHECK((!off.solid_angle && !off.one_lamp && !off.weigh));
+
+    const Scene scene = parse_scene(view + ball + near, "scene.toml");
+    const std::string text = describe(make_plan(scene), scene);
+    for (const char* reason : {"by area a variance of", "no two lamps", "without, a variance of"}) {
+        CAPTURE(reason, text);
+        CHECK(text.find(reason) != text.npos);
+    }
+}

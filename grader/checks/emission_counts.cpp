@@ -1,4 +1,4 @@
-#include "checks/fragment_checks.h"
+#include "asked/emission_counts.h"
 #include "checks/kit/kit.h"
 #include "statistics/irradiance.h"
 
@@ -65,7 +65,7 @@ Check floor_under_lamp(Generator& random, const FloorUnderLamp& setting) {
                         between(random, 0.6, 0.9) * place.axes.x, -between(random, 0.6, 0.9) * place.axes.y};
     const View view{place({2.5, 0, 0.8}), place({0, 0, 0}), place.turned({0, 0, 1}), 12, {24, 24}};
     const double radiance = between(random, 1, 4), albedo = between(random, 0.5, 0.9);
-    std::string scene = scene_table("[render]", {{"bounces", 2}}) + toml(view) +
+    std::string scene = scene_table("[render]", {{"bounces", 2}, {"solid_angle", false}}) + toml(view) +
                         material("floor", {{"albedo", albedo}}) +
                         material("lamp", {{"emission", radiance}, {"sampled", setting.sampled}}) +
                         place.floor("floor", 3) + quad("lamp", lamp);

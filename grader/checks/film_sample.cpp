@@ -1,4 +1,4 @@
-#include "checks/fragment_checks.h"
+#include "asked/film_sample.h"
 #include "checks/kit/convergence.h"
 #include "checks/kit/film_view.h"
 #include "checks/kit/horizon.h"

@@ -78,8 +78,9 @@ public:
         ProgressLine line;
         progress_ = std::make_unique<Progress>(
             [&](int done, int all, const std::string& doing) { line.show(done, all, doing); });
-        const Submission submission =
-            read_submission(chosen_.submission, assignment_.names(), chain_.source / "starter");
+        Submission submission =
+            read_submission(chosen_.submission, all_fragments(chain_, assignment_), chain_.source / "starter");
+        note_given(submission, assignment_.asked(), chain_.blanks);
         settings_.provenance = provenance_.get();
         programs_ = std::make_unique<Programs>(submission, chain_, settings_.build, *progress_);
         Record record = grade_programs(*programs_, assignment_, chain_, checks_, settings_, *progress_);

@@ -86,6 +86,8 @@ private:
     std::optional<Form> constant_value() const {
         const std::size_t first = scope_.front();
         if (!equals([&](std::size_t, std::size_t c) { return mine(first, c); })) return std::nullopt;
+        for (std::size_t c = 0; c < size_; ++c)
+            if (std::isnan(mine(first, c))) return std::nullopt;
         if (size_ == 1 && part_.kind == Kind::number && is_named(mine(first, 0)))
             return Form{"is always " + constant(mine(first, 0)), 1.5};
         return Form{"is always " + value_in_words(part_, calls_.mine[first]), 1.5};
@@ -99,7 +101,8 @@ private:
             return Form{"has length 1, whatever its length must be", 1.5};
         if (part_.kind == Kind::vector && equals([&](std::size_t k, std::size_t c) {
                 const rt::vec3 v(mine(k, 0), mine(k, 1), mine(k, 2)), r(right(k, 0), right(k, 1), right(k, 2));
-                return (r * (std::sqrt(rt::dot(v, v) / std::max(rt::dot(r, r), 1e-300))))[int(c)];
+                const double length = std::sqrt(rt::dot(v, v) / std::max(rt::dot(r, r), 1e-300));
+                return std::isfinite(length) ? length * r[int(c)] : rt::inf;
             }))
             return Form{"points the right way, but has another length", 1.9};
         if (size_ < 2) return std::nullopt;

@@ -29,6 +29,7 @@ inline constexpr Function scalar_functions[] = {
     {"abs({})", 1.2, [](double x) { return std::abs(x); }},
     {"max({}, 0)", 1.3, [](double x) { return std::max(x, 0.0); }},
     {"min({}, 1)", 1.3, [](double x) { return std::min(x, 1.0); }},
+    {"max({}, 1)", 1.4, [](double x) { return std::max(x, 1.0); }},
     {"0", 1.3, [](double) { return 0.0; }},
     {"1", 1.3, [](double) { return 1.0; }},
     {"0.5", 1.4, [](double) { return 0.5; }},

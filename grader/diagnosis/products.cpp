@@ -42,9 +42,12 @@ std::vector<Column> columns_of(const PartOfCalls& of) {
         const bool is_plain = q.words.find('|') == q.words.npos && q.words.find('(') == q.words.npos &&
                               q.words.find('\'') == q.words.npos;
         if (!is_plain) continue;
-        for (const int more : {1, 2, -1})
-            add(fmt::format("({} {} {})", q.words, more > 0 ? "+" : "-", std::abs(more)),
+        for (const int more : {1, 2})
+            add(fmt::format("({} + {})", q.words, more),
                 [&](std::size_t k) { return std::log(std::abs(at(q, k) + more)); });
+        const bool is_small = std::ranges::all_of(of.scope, [&](std::size_t k) { return at(q, k) <= 1; });
+        add(is_small ? fmt::format("(1 - {})", q.words) : fmt::format("({} - 1)", q.words),
+            [&](std::size_t k) { return std::log(std::abs(at(q, k) - 1)); });
         add(fmt::format("sqrt(1 - {0} * {0})", q.words),
             [&](std::size_t k) { return std::log(1 - at(q, k) * at(q, k)) / 2; });
         for (const Quantity& base : quantities)

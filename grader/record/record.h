@@ -55,8 +55,9 @@ struct CheckRecord {
 
     Tiles tiles;  // of a picture that is shown and fails: where it is wrong
 
-    // for the page only
+    // for the page only; drawn: as picture_parts gave them, of a record that has been read again
     rt::Image picture, solution_picture;
+    std::string drawn;
 };
 
 /// What calls of a fragment show, whichever it is; empty where they show nothing.

@@ -65,6 +65,7 @@ std::string tile_map(const CheckRecord& check) {
 }
 
 std::string pictures(const CheckRecord& check) {
+    if (!check.drawn.empty()) return check.drawn;
     if (check.picture.pixels.empty()) return {};
     // both alike, so that most of what is right can be seen
     const double exposure =
@@ -247,6 +248,15 @@ std::string version_of(const Record& record) {
 }
 
 }  // namespace
+
+std::map<std::string, std::string> picture_parts(const Record& record) {
+    std::map<std::string, std::string> parts;
+    for (const FragmentRecord& fragment : record.fragments)
+        for (const CheckRecord& check : fragment.checks)
+            if (std::string text = pictures(check); !text.empty())
+                parts[fragment.name + "/" + check.name] = std::move(text);
+    return parts;
+}
 
 std::string page(const Record& record, const std::string& handout) {
     const double share = record.max_score() > 0 ? record.score() / record.max_score() : 0;

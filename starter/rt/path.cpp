@@ -23,12 +23,15 @@ void Worker::first_wave(const std::vector<PixelWork>& pixels, Pattern pattern, i
     int pixel = 0, sample = 0;
     for (int slot = 0; slot < all; slot += lanes) {
         const int count = std::min(lanes, all - slot);
-        for (int i = 0; i < count; ++i) {
+        for (int i = 0; i < count;) {
             const PixelWork& of = pixels[std::size_t(pixel)];
-            extents[i] = {vec2(of.x, of.y), vec2(of.x + 1, of.y + 1)};
-            keys[i] = of.key;
-            samples[i] = from + sample;
-            if (++sample == n) sample = 0, ++pixel;
+            const int end = std::min(count, i + n - sample);
+            for (; i < end; ++i, ++sample) {
+                extents[i] = {vec2(of.x, of.y), vec2(of.x + 1, of.y + 1)};
+                keys[i] = of.key;
+                samples[i] = from + sample;
+            }
+            if (sample == n) sample = 0, ++pixel;
         }
         const CameraWork work{extents, keys, samples, slot, count, pattern};
         camera_stage(world, work, first, chunk);

@@ -82,6 +82,16 @@ void add_shapes(const Scene& scene, RenderPlan& plan) {
     plan.bvh = count > shapes_without_tree;
 }
 
+/// Whether lamps are sampled, and how.
+void decide_lamps(const Scene& scene, RenderPlan& plan) {
+    const bool lobe = plan.lobe && !plan.lamps.empty(), lit = (plan.diffuse || plan.phong) && !plan.lamps.empty();
+    if (lobe || lit) plan.ways = choose_ways(scene, plan.lamps);
+    plan.weigh = lobe && plan.ways.multiple_importance.on;
+    plan.light = lit || plan.weigh;
+    plan.solid_angle = plan.light && plan.ways.solid_angle.on && has_quad_lamp(plan, scene);
+    plan.one_lamp = plan.light && plan.ways.one_lamp.on && plan.lamps.size() > 1;
+}
+
 /// Numbers the dimensions that are drawn, without gaps.
 void number_pairs(RenderPlan& plan) {
     plan.pairs.assign(std::size_t(plan.camera_dimensions + plan.wave_dimensions), -1);
@@ -107,6 +117,19 @@ std::string row(const char* what, bool on, const std::string& yes, const std::st
     return fmt::format("  {:<14} {:<4} {}\n", what, on ? "on" : "-", on ? yes : no);
 }
 
+/// How lamps are sampled, and why.
+std::string describe_lamps(const RenderPlan& plan, const Scene& scene) {
+    const LampWays& ways = plan.ways;
+    const bool quad = plan.light && has_quad_lamp(plan, scene), several = plan.light && plan.lamps.size() > 1,
+               lobe = plan.lobe && !plan.lamps.empty();
+    return row("solid angle", plan.solid_angle, "of quads: " + ways.solid_angle.why,
+               quad ? "quads by area: " + ways.solid_angle.why : "no quad that is sampled") +
+           row("one lamp", plan.one_lamp, "chosen at each point: " + ways.one_lamp.why,
+               several ? "all at each point: " + ways.one_lamp.why : "no two lamps") +
+           row("weigh", plan.weigh, "lamps against glossy lobes: " + ways.multiple_importance.why,
+               lobe ? "lobes alone find lamps: " + ways.multiple_importance.why : "no glossy lobe, or no emitter");
+}
+
 std::string describe_integrals(const RenderPlan& plan, const Scene& scene) {
     const Sampling& sampling = plan.sampling;
     return "integrals\n" +
@@ -116,14 +139,11 @@ std::string describe_integrals(const RenderPlan& plan, const Scene& scene) {
            row("lens", plan.lens, fmt::format("radius {:g} m", scene.camera.lens_radius), "a pinhole") +
            row("time", plan.time, fmt::format("{:g} s to {:g} s", scene.shutter.open, scene.shutter.close),
                "nothing moves while the shutter is open") +
-           row("light", plan.light,
-               fmt::format("{} emitters{}{}", plan.lamps.size(), plan.solid_angle ? ", quads by solid angle" : "",
-                           plan.one_lamp ? ", one of them chosen" : ""),
+           row("light", plan.light, fmt::format("{} emitters", plan.lamps.size()),
                "no emitter that lights a diffuse surface") +
+           describe_lamps(plan, scene) +
            row("environment", plan.environment_lit, "lights the diffuse surfaces",
                "no environment that lights a diffuse surface") +
-           row("weigh", plan.weigh, "lamps against glossy lobes",
-               scene.multiple_importance ? "no glossy lobe, or no emitter" : "not asked for: multiple_importance") +
            row("lobe", plan.lobe, "glossy or translucent surfaces", "no glossy or translucent surface") +
            row("bounce", plan.bounce, fmt::format("up to {}", scene.bounces),
                "no diffuse surface, or no bounces asked for") +
@@ -194,10 +214,7 @@ RenderPlan make_plan(const Scene& scene, const Sampling& sampling) {
     plan.lens = scene.camera.lens_radius > 0;
     plan.time = plan.time && scene.shutter.close > scene.shutter.open;
     plan.point_lights = !scene.lights.empty();
-    plan.weigh = scene.multiple_importance && plan.lobe && !plan.lamps.empty();
-    plan.light = (plan.diffuse || plan.phong || plan.weigh) && !plan.lamps.empty();
-    plan.solid_angle = scene.solid_angle && plan.light && has_quad_lamp(plan, scene);
-    plan.one_lamp = scene.one_lamp && plan.light && plan.lamps.size() > 1;
+    decide_lamps(scene, plan);
     plan.environment = scene.environment != Color(0);
     plan.environment_lit = plan.environment && plan.diffuse;
     plan.bounce = plan.diffuse && scene.bounces > 0;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "rt/lamps/ways.h"
 #include "rt/scene.h"
 
 namespace rt {
@@ -68,6 +69,7 @@ struct RenderPlan {
     bool mirrors = false, glass = false, glossy = false, translucent = false;  // and the depth of paths allows for them
 
     std::vector<int> lamps;  // the shapes that shadow rays look for, by their places in the scene
+    LampWays ways;           // why they are sampled so
 
     // the dimensions of one sample: where each integral's random numbers start
     int camera_dimensions = 0;  // pixel, lens, time

@@ -4,11 +4,14 @@
 #include <bit>
 #include <cstdint>
 
-#include "rt/fragments.h"
+#include "rt/answers.h"
 
 /// Random numbers and sampling patterns. A number depends only on where it is used: the pixel's key, the sample's index
 /// and the dimension. Nothing is stored, so any thread can draw any number.
 namespace rt {
+
+// Of fragments.h, which this file does not include: each new fragment would compile the whole framework again.
+vec2 stratified_2d(int i, int n, vec2 u);
 
 using Bits = std::uint64_t;
 
@@ -137,8 +140,8 @@ inline std::uint32_t mixed(std::uint32_t i, int m, std::uint32_t key) {
     std::uint32_t u = i & ((1u << h) - 1);
     for (int k = 0; k < 8; ++k) u ^= (a & (1u << k)) != 0 ? std::uint32_t(dimension.products >> (8 * k)) & 0xff : 0;
     const std::uint32_t v = u ^ a;
-    const std::uint32_t second_u = std::uint32_t(Bits(reversed(u)) >> (32 - (m - h))),
-                        second_v = std::uint32_t(Bits(reversed(v)) >> (32 - (m - h)));
+    const int rest = 31 - (m - h);  // and 1: no shift by 32, and no number wider than the lanes
+    const std::uint32_t second_u = reversed(u) >> 1 >> rest, second_v = reversed(v) >> 1 >> rest;
     const Bits seeds = combine(key, dimension.number);
     const std::uint32_t x = reversed(scrambled(u | second_v << h, std::uint32_t(seeds)));
     const std::uint32_t y = reversed(scrambled(v | second_u << h, std::uint32_t(seeds >> 32)));

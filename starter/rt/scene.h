@@ -178,10 +178,11 @@ struct Scene {
     int bounces = 0;   // diffuse bounces after the first surface
     int depth = 16;    // mirrors, glass and lobes on one path
     Sampler sampler = Sampler::orthogonal;
-    bool multiple_importance = false;  // lamps are sampled for glossy lobes too, and both ways are weighed
-    bool solid_angle = false;          // quads are sampled by solid angle, not by area
-    bool one_lamp = false;             // of many lamps one is chosen at each point, at random
-    Real exposure = 1;                 // factor for previews only
+    // How lamps are sampled. Not said: the plan decides.
+    std::optional<bool> multiple_importance;  // for glossy lobes too, and both ways are weighed
+    std::optional<bool> solid_angle;          // quads by solid angle, not by area
+    std::optional<bool> one_lamp;             // of many lamps one is chosen at each point, at random
+    Real exposure = 1;                        // factor for previews only
 };
 
 }  // namespace rt

@@ -89,7 +89,7 @@ Imf::FrameBuffer frame(std::vector<float>& samples, const Imath::Box2i& window) 
 std::uint8_t to_srgb(Real linear) {
     const Real x = linear > 0 ? std::min(linear, 1.0) : 0;
     const Real encoded = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
-    return std::uint8_t(encoded * 255 + 0.5);
+    return std::uint8_t(std::lround(encoded * 255));
 }
 
 void write_exr(const std::string& path, const Image& image, const Label& label) {
@@ -137,7 +137,7 @@ Label read_label(const std::string& path) {
     try {
         const Imf::InputFile file(path.c_str());
         const Imf::Header& header = file.header();
-        const Imath::Box2i display = header.displayWindow(), data = header.dataWindow();
+        const Imath::Box2i &display = header.displayWindow(), &data = header.dataWindow();
         Label label{{data.min.x - display.min.x, data.min.y - display.min.y},
                     {display.max.x - display.min.x + 1, display.max.y - display.min.y + 1}};
         for (auto it = header.begin(); it != header.end(); ++it) {

@@ -33,9 +33,12 @@ void read_settings(const Table& settings, Scene& scene) {
     scene.bounces = settings.integer("bounces", 0, 1 << 24, scene.bounces);
     scene.depth = settings.integer("depth", 0, 1 << 24, scene.depth);
     scene.sampler = Sampler(settings.choice("sampler", sampler_names, int(scene.sampler)));
-    scene.multiple_importance = settings.flag("multiple_importance", scene.multiple_importance);
-    scene.solid_angle = settings.flag("solid_angle", scene.solid_angle);
-    scene.one_lamp = settings.flag("one_lamp", scene.one_lamp);
+    const auto if_said = [&](std::string_view key, std::optional<bool>& option) {
+        if (settings.has(key)) option = settings.flag(key, false);
+    };
+    if_said("multiple_importance", scene.multiple_importance);
+    if_said("solid_angle", scene.solid_angle);
+    if_said("one_lamp", scene.one_lamp);
     scene.exposure = settings.number("exposure", positive, scene.exposure);
 }
 

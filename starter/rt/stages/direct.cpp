@@ -1,5 +1,6 @@
 #include "rt/lamps/importance.h"
 #include "rt/stages/lamps.h"
+#include "rt/stages/outgoing.h"
 
 /// The light that surfaces reflect straight from the lamps. Each lamp adds one sample of its integral:
 ///
@@ -148,8 +149,8 @@ void ambient_light(const World& world, const Batch& b, const Surfaces& s, Colors
     }
 }
 
-/// Returns whether any lane reflects.
-bool look_up_reflectances(const World& world, int count, const Surfaces& s, Reflectances& r) {
+/// What each lane's material reflects; black where there is no surface. Returns whether any lane reflects.
+[[gnu::noinline]] bool look_up_each(const World& world, int count, const Surfaces& s, Reflectances& r) {
     const Reflectance* table = world.reflectances.data();
     const Index last = count;
     Index any = 0;
@@ -165,6 +166,30 @@ bool look_up_reflectances(const World& world, int count, const Surfaces& s, Refl
         r.shininess[i] = m.shininess;
     }
     return any != 0;
+}
+
+/// The same where all lanes that are on a surface have one material.
+[[gnu::noinline]] bool spread(const Reflectance& in_memory, bool phong, int count, const Surfaces& s, Reflectances& r) {
+    const Reflectance m = in_memory;
+    const Index last = count;
+    Index any = 0;
+    for (Index i = 0; i < lanes; ++i) {
+        const bool on = bool(i < last) & bool(s.material[i] >= 0);
+        any |= on;
+        r.albedo.set(int(i), {on ? m.albedo.x : 0, on ? m.albedo.y : 0, on ? m.albedo.z : 0});
+    }
+    for (Index i = 0; phong && i < lanes; ++i) {
+        const bool on = bool(i < last) & bool(s.material[i] >= 0);
+        r.specular.set(int(i), {on ? m.specular.x : 0, on ? m.specular.y : 0, on ? m.specular.z : 0});
+        r.shininess[i] = m.shininess;
+    }
+    return m.reflects != 0 && any != 0;
+}
+
+bool look_up_reflectances(const World& world, int count, const Surfaces& s, Reflectances& r) {
+    const auto [material, one] = met_by(s.material);
+    if (!one || world.scene.materials.empty()) return look_up_each(world, count, s, r);
+    return spread(world.reflectances[std::size_t(material) + 1], world.plan.phong, count, s, r);
 }
 
 /// The lobes of the lanes whose rays go on, where lamps are weighed against them. Returns whether there is any.

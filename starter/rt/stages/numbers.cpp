@@ -20,12 +20,20 @@ auto with_sampler(Sampler sampler, F f) {
     }
 }
 
-template <Sampler sampler>
+/// Whether all lanes have one key, as the samples of one pixel do: what is made of it is then made once.
+bool is_one(const Bits* keys, int count) {
+    Bits differ = 0;
+    for (int i = 0; i < count; ++i) differ |= keys[i] ^ keys[0];
+    return differ == 0;
+}
+
+template <Sampler sampler, bool one_key>
 [[gnu::noinline]] void draw_pairs(int n, Dimension dimension, const Bits* keys, const int* samples, int count,
                                   Numbers& u) {
+    const Bits first = keys[0];
 #pragma GCC ivdep
     for (int i = 0; i < count; ++i) {
-        const vec2 point = pattern_2d<sampler>(keys[i], samples[i], n, dimension);
+        const vec2 point = pattern_2d<sampler>(one_key ? first : keys[i], samples[i], n, dimension);
         u.x[i] = point.x, u.y[i] = point.y;
     }
 }
@@ -40,8 +48,10 @@ template <Sampler sampler>
 }  // namespace
 
 void draw_2d(Pattern pattern, Dimension dimension, const Bits* keys, const int* samples, int count, Numbers& u) {
-    with_sampler(pattern.sampler,
-                 [&](auto sampler) { draw_pairs<sampler()>(pattern.n, dimension, keys, samples, count, u); });
+    with_sampler(pattern.sampler, [&](auto sampler) {
+        with_flag(is_one(keys, count),
+                  [&](auto one) { draw_pairs<sampler(), one()>(pattern.n, dimension, keys, samples, count, u); });
+    });
 }
 
 void draw_1d(Pattern pattern, Dimension dimension, const Bits* keys, const int* samples, int count, Numbers& u) {

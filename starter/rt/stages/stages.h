@@ -72,16 +72,6 @@ constexpr bool is_sharp(WayOn way) { return way == WayOn::mirror || way == WayOn
 /// To the other side of the surface.
 constexpr bool leads_inside(WayOn way) { return way == WayOn::glass || way == WayOn::translucent; }
 
-/// What leaves the surface of lane i towards the viewer, and with which weights.
-inline Outgoing outgoing(const Material& m, const Batch& b, const Surfaces& s, int i) {
-    Real fresnel = 0;
-    if (m.transmittance != Color(0)) {
-        const Real cosine = -dot(b.direction.at(i), s.normal(i));
-        fresnel = s.behind[i] ? fresnel_dielectric(cosine, m.ior, 1) : fresnel_dielectric(cosine, 1, m.ior);
-    }
-    return whitted(m, fresnel);
-}
-
 /// Whether a way on from a surface leads to the wrong side of it.
 ///
 /// n  normal of the surface, on the side that the ray came from
@@ -89,6 +79,18 @@ inline bool is_astray(vec3 way_on, vec3 n, bool enters) { return enters ? dot(wa
 
 /// The same direction on the other side of a surface.
 inline vec3 turned(vec3 direction, vec3 n) { return direction - 2 * dot(direction, n) * n; }
+
+/// The greatest number of all lanes, at least 0, and whether every lane has it or a negative one.
+struct Met {
+    Index number;
+    bool one;
+};
+inline Met met_by(const Index* numbers) {
+    Index greatest = 0, differ = 0;
+    for (int i = 0; i < lanes; ++i) greatest = numbers[i] > greatest ? numbers[i] : greatest;
+    for (int i = 0; i < lanes; ++i) differ |= Index(numbers[i] >= 0) & Index(numbers[i] != greatest);
+    return {greatest, differ == 0};
+}
 
 /// Calls f with a flag as a compile-time constant.
 template <class F>

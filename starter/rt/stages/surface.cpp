@@ -1,3 +1,4 @@
+#include "rt/fragments.h"
 #include "rt/stages/stages.h"
 
 namespace rt {
@@ -43,13 +44,15 @@ bool is_totally_reflected(const Material& m, bool behind, Real cosine) {
     return (to - from) * (to + from) + sqr(from * cosine) < 0;
 }
 
-template <bool time>
-void find_surfaces(const World& world, const Batch& b, Surfaces& s) {
+/// one  whether all rays that meet anything meet the same shape, `first`: then its record is read once
+template <bool time, bool one>
+[[gnu::noinline]] void find_surfaces(const World& world, Index first, const Batch& b, Surfaces& s) {
     const SurfaceRecord* records = world.surfaces.data();
+    const SurfaceRecord of_first = records[first];
 #pragma GCC ivdep
     for (int i = 0; i < lanes; ++i) {
         const bool hit = b.shape[i] >= 0;
-        const SurfaceRecord& record = records[hit ? b.shape[i] : 0];
+        const SurfaceRecord& record = one ? of_first : records[hit ? b.shape[i] : 0];
         const vec3 origin = b.origin.at(i), direction = b.direction.at(i);
         const Real t = hit ? b.far[i] : 0;
         const vec3 reached = origin + t * direction;
@@ -133,7 +136,10 @@ void surface_stage(const World& world, const Batch& batch, Surfaces& surfaces) {
         for (int i = 0; i < lanes; ++i) surfaces.material[i] = nothing, surfaces.shines[i] = 0;
         return;
     }
-    with_flag(world.plan.time, [&](auto time) { find_surfaces<time()>(world, batch, surfaces); });
+    const auto [first, one_shape] = met_by(batch.shape);
+    with_flag(world.plan.time, [&](auto time) {
+        with_flag(one_shape, [&](auto one) { find_surfaces<time(), one()>(world, first, batch, surfaces); });
+    });
     if (world.plan.smooth) find_smooth_normals(world, batch, surfaces);
     if (world.plan.checker) find_squares(world, batch, surfaces);
 }

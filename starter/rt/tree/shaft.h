@@ -23,7 +23,7 @@ struct Shaft {
 inline Shaft shaft_of(const Batch& b) {
     // Several lanes in one number, an extension of GCC and Clang: no compiler vectorises a minimum by itself.
     constexpr int width = 8;
-    typedef Real Reals __attribute__((vector_size(width * sizeof(Real))));
+    using Reals __attribute__((vector_size(width * sizeof(Real)))) = Real;
     const Reals none = Reals{} + inf;
     const Real* from[7] = {b.origin.x, b.origin.y, b.origin.z, b.direction.x, b.direction.y, b.direction.z, b.near};
     Reals low[7], high[7];

@@ -1,0 +1,207 @@
+#include "rt/lamps/ways.h"
+
+#include <fmt/format.h>
+
+#include "rt/lamps/importance.h"
+#include "rt/sampler.h"
+
+/// Which way is the best depends on the noise that each adds. That is reckoned at some points that are seen, from what
+/// the lamps send there: without shadows, and before any ray is sent. Each is a variance over the square of the light.
+namespace rt {
+namespace {
+
+/// From where on quads are sampled by solid angle, which takes up to a third longer; where one lamp is chosen, less.
+constexpr Real worth_solid_angle = 0.2, worth_solid_angle_of_one = 0.02;
+
+/// From so many lamps on one of them is chosen; twice as many for each bounce: in few places a bounced ray meets a lamp
+/// that is near and that the choice had not expected.
+int lamps_to_choose(int bounces) { return 5 << std::min(bounces, 4); }
+
+/// From where on lamps are sampled for lobes, too: for each lamp, which takes a shadow ray.
+constexpr Real worth_weighing = 0.4;
+
+/// Lines of sight times shapes, and points times parts of lamps: a plan takes milliseconds.
+constexpr Real most_work = 2e5;
+
+struct Point {
+    vec3 place, normal, to_viewer;  // unit; the normal is on the viewer's side [world]
+    const Material* material;
+};
+
+/// A line of sight. Where it meets a shape, and the normal there; inf: nowhere. Not by fragments: the plan must not
+/// depend on them. Triangles are left out: what lies about them is as near to the lamps.
+struct Sight {
+    vec3 origin, direction;
+
+    std::pair<Real, vec3> meets(const Sphere& s) const {
+        const vec3 to = s.center - origin;
+        const Real middle = dot(to, direction), square = sqr(middle) - dot(to, to) + sqr(s.radius);
+        return {square > 0 ? middle - std::sqrt(square) : inf, unit((middle - safe_sqrt(square)) * direction - to)};
+    }
+    std::pair<Real, vec3> meets(const Quad& q) const {
+        const vec3 n = unit(cross(q.u, q.v));
+        const Real t = to_plane(q.center, n);
+        const vec3 p = origin + t * direction - q.center;
+        return {std::abs(dot(p, q.u)) <= dot(q.u, q.u) && std::abs(dot(p, q.v)) <= dot(q.v, q.v) ? t : inf, n};
+    }
+    std::pair<Real, vec3> meets(const Disc& d) const {
+        const Real t = to_plane(d.center, d.normal);
+        const vec3 p = origin + t * direction - d.center;
+        return {dot(p, p) <= sqr(d.radius) ? t : inf, d.normal};
+    }
+    std::pair<Real, vec3> meets(const Triangle&) const { return {inf, vec3(0)}; }
+
+private:
+    Real to_plane(vec3 center, vec3 n) const { return dot(center - origin, n) / dot(direction, n); }
+};
+
+void add_first_met(const Scene& scene, const Sight& sight, std::vector<Point>& points) {
+    Real nearest = inf;
+    Point point{};
+    for (const Shape& shape : scene.shapes) {
+        const auto [t, n] = std::visit([&](const auto& s) { return sight.meets(s); }, shape.geometry);
+        if (!(t > 1e-6 && t < nearest)) continue;
+        nearest = t;
+        point.normal = dot(n, sight.direction) > 0 ? -n : n;
+        point.material = &scene.materials[std::size_t(shape.material)];
+    }
+    point.place = sight.origin + nearest * sight.direction, point.to_viewer = -sight.direction;
+    if (nearest < inf) points.push_back(point);
+}
+
+/// Some triangles of a mesh that face the eye, whether or not something is before them.
+void add_mesh(const Scene& scene, const Mesh& mesh, std::size_t most, std::vector<Point>& points) {
+    const std::size_t step = mesh.triangles.size() / most + 1;
+    for (std::size_t k = 0; k < mesh.triangles.size(); k += step) {
+        const glm::ivec3 corners = mesh.triangles[k];
+        const vec3 a = mesh.vertices[std::size_t(corners.x)], b = mesh.vertices[std::size_t(corners.y)],
+                   c = mesh.vertices[std::size_t(corners.z)];
+        const vec3 place = (a + b + c) / 3.0, n = unit(cross(b - a, c - a)), to_viewer = unit(scene.camera.eye - place);
+        if (dot(n, to_viewer) > 0)
+            points.push_back({place, n, to_viewer, &scene.materials[std::size_t(mesh.material)]});
+    }
+}
+
+/// What the camera sees at the middles of side x side parts of the film; and where light bounces, what is seen from there.
+std::vector<Point> points_in_sight(const Scene& scene, int side) {
+    const Camera& c = scene.camera;
+    std::vector<Point> points;
+    for (int k = 0; k < side * side; ++k) {
+        const vec2 film{(2 * (k % side) + 1.0) / side - 1, 1 - (2 * (k / side) + 1.0) / side};
+        const vec2 slope = c.tan_half_fov * vec2(film.x * c.size.x / c.size.y, film.y);
+        add_first_met(scene, {c.eye, unit(slope.x * c.right + slope.y * c.up - c.back)}, points);
+    }
+    for (const Mesh& mesh : scene.meshes) add_mesh(scene, mesh, std::size_t(side * side), points);
+    const std::size_t seen = scene.bounces > 0 ? points.size() : 0;
+    for (std::size_t k = 0; k < seen; ++k) {
+        const vec2 u = sobol_2d(1, std::uint32_t(k), 0), circle = std::sqrt(u.x) * unit_circle(u.y);
+        const Point from = points[k];
+        add_first_met(scene, {from.place, frame_about(from.normal).to_world({circle, std::sqrt(1 - u.x)})}, points);
+    }
+    return points;
+}
+
+/// A lamp as a quad of its area, which faces the point where it is a ball.
+Quad as_quad(const Emitter& lamp, vec3 p) {
+    if (lamp.kind == Emitter::Kind::quad) return lamp.quad;
+    const Frame frame = frame_about(lamp.kind == Emitter::Kind::disc ? lamp.disc.normal : unit(p - lamp.sphere.center));
+    const Real half = std::sqrt(area(lamp)) / 2;
+    return {center(lamp), half * frame.x, half * frame.y};
+}
+
+/// What a lamp of radiance 1 sends to a point.
+struct Light {
+    Real mean = 0;    // irradiance
+    Real excess = 0;  // variance of a sample by area beyond that of one by solid angle
+    Real share = 0;   // of the rays of a lobe, that find it
+};
+
+Light light_of(const Emitter& lamp, const Point& p) {
+    constexpr int side = 4;
+    const Quad quad = as_quad(lamp, p.place);
+    const vec3 n = unit(cross(quad.u, quad.v));
+    const bool lobe = p.material->exponent < inf && p.material->reflectance != Color(0);
+    const Real whole = area(lamp), part = whole / (side * side);
+    Real angle = 0, by_area = 0, by_angle = 0;
+    Light light;
+    for (int k = 0; k < side * side; ++k) {
+        const vec2 at{(2 * (k % side) + 1.0) / side - 1, (2 * (k / side) + 1.0) / side - 1};
+        const vec3 to = quad.center + at.x * quad.u + at.y * quad.v - p.place;
+        const Real square = dot(to, to), cosine = dot(p.normal, to) / std::sqrt(square);
+        const Real seen = -dot(n, to) / (square * std::sqrt(square));
+        if (!(cosine > 0 && seen > 0)) continue;
+        angle += part * seen, light.mean += part * cosine * seen;
+        by_area += part * whole * sqr(cosine * seen), by_angle += part * sqr(cosine) * seen;
+        if (lobe) light.share += part * seen * lobe_density(p.material->exponent, unit(to), p.normal, p.to_viewer);
+    }
+    if (lamp.kind == Emitter::Kind::quad) light.excess = std::max<Real>(by_area - angle * by_angle, 0);
+    light.share = std::min<Real>(light.share, 1);
+    return light;
+}
+
+Real sum(Color c) { return c.x + c.y + c.z; }
+
+/// What samples by area, and lobes alone, have more of in all that is in sight.
+struct Noise {
+    Real by_area = 0, by_lobes = 0;
+};
+
+Noise noise_of(const Scene& scene, const std::vector<Emitter>& lamps) {
+    const Real work = Real(scene.shapes.size() + 16 * lamps.size());
+    Noise noise;
+    Real all = 0;
+    for (const Point& p : points_in_sight(scene, std::clamp(int(std::sqrt(most_work / work)), 4, 24))) {
+        const Real diffuse = sum(p.material->albedo + p.material->specular) / pi, lobe = sum(p.material->reflectance);
+        Real light = 0;
+        for (const Emitter& lamp : lamps) {
+            const Light from = light_of(lamp, p);
+            const Real by_surface = diffuse * sum(lamp.radiance), by_lobe = lobe * sum(lamp.radiance);
+            light += by_surface * from.mean + by_lobe * from.share;
+            noise.by_area += sqr(by_surface) * from.excess;
+            noise.by_lobes += sqr(by_lobe) * from.share * (1 - from.share);
+        }
+        all += sqr(light);
+    }
+    return all > 0 ? Noise{noise.by_area / all, noise.by_lobes / all} : Noise{};
+}
+
+Emitter emitter_of(const Scene& scene, int lamp) {
+    const Shape& shape = scene.shapes[std::size_t(lamp)];
+    Emitter emitter;
+    if (const auto* quad = std::get_if<Quad>(&shape.geometry)) emitter.quad = *quad;
+    if (const auto* disc = std::get_if<Disc>(&shape.geometry)) emitter.kind = Emitter::Kind::disc, emitter.disc = *disc;
+    if (const auto* sphere = std::get_if<Sphere>(&shape.geometry))
+        emitter.kind = Emitter::Kind::sphere, emitter.sphere = *sphere;
+    emitter.radiance = scene.materials[std::size_t(shape.material)].emission;
+    return emitter;
+}
+
+/// A way that the scene asks for or forbids, or that the rule is for.
+LampWays::Way way(std::optional<bool> said, bool rule, const std::string& why) {
+    return {said.value_or(rule), said ? "the scene says so" : why};
+}
+
+}  // namespace
+
+LampWays choose_ways(const Scene& scene, const std::vector<int>& lamps) {
+    Noise noise;
+    if (!scene.solid_angle || !scene.multiple_importance) {
+        std::vector<Emitter> emitters;
+        for (const int lamp : lamps) emitters.push_back(emitter_of(scene, lamp));
+        noise = noise_of(scene, emitters);
+    }
+    LampWays ways;
+    ways.one_lamp =
+        way(scene.one_lamp, int(lamps.size()) >= lamps_to_choose(scene.bounces),
+            fmt::format("with {} bounces worth it from {} lamps", scene.bounces, lamps_to_choose(scene.bounces)));
+    const Real least = ways.one_lamp.on ? worth_solid_angle_of_one : worth_solid_angle,
+               least_of_lobes = worth_weighing * (ways.one_lamp.on ? 1 : Real(lamps.size()));
+    ways.solid_angle = way(scene.solid_angle, noise.by_area > least,
+                           fmt::format("by area a variance of {:.2g} more; worth it from {:g}", noise.by_area, least));
+    ways.multiple_importance =
+        way(scene.multiple_importance, noise.by_lobes > least_of_lobes,
+            fmt::format("without, a variance of {:.2g} more; worth it from {:.2g}", noise.by_lobes, least_of_lobes));
+    return ways;
+}
+
+}  // namespace rt
