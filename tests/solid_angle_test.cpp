@@ -160,6 +160,7 @@ TEST_CASE("solid angle: the same picture, alone and with multiple importance sam
 TEST_CASE("solid angle: less noise near a large lamp") {
     Scene scene = parse_scene(lamps, "lamps.toml");
     scene.shapes.resize(2);
+    scene.solid_angle = false;
     const Real by_area = estimate(scene, Sampler::orthogonal, 10).noise;
     scene.solid_angle = true;
     const Real ratio = by_area / estimate(scene, Sampler::orthogonal, 10).noise;

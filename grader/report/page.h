@@ -12,7 +12,8 @@ namespace grade {
 /// handout  where the page finds the handout, to which its hints link; empty: nowhere
 std::string page(const Record& record, const std::string& handout = "handout.md");
 
-/// By FRAGMENT/CHECK: its pictures as the page shows them, for CheckRecord::drawn of the same record, read from its file.
+/// By FRAGMENT/CHECK: its pictures as the page shows them, for CheckRecord::drawn of the same record, read from its
+/// file.
 std::map<std::string, std::string> picture_parts(const Record& record);
 
 }  // namespace grade

@@ -26,6 +26,7 @@ constexpr Real most_work = 2e5;
 struct Point {
     vec3 place, normal, to_viewer;  // unit; the normal is on the viewer's side [world]
     const Material* material;
+    const Shape* shape;  // none: a mesh
 };
 
 /// A line of sight. Where it meets a shape, and the normal there; inf: nowhere. Not by fragments: the plan must not
@@ -55,13 +56,14 @@ private:
     Real to_plane(vec3 center, vec3 n) const { return dot(center - origin, n) / dot(direction, n); }
 };
 
-void add_first_met(const Scene& scene, const Sight& sight, std::vector<Point>& points) {
+/// from  the shape on which the line starts
+void add_first_met(const Scene& scene, const Sight& sight, const Shape* from, std::vector<Point>& points) {
     Real nearest = inf;
     Point point{};
     for (const Shape& shape : scene.shapes) {
         const auto [t, n] = std::visit([&](const auto& s) { return sight.meets(s); }, shape.geometry);
-        if (!(t > 1e-6 && t < nearest)) continue;
-        nearest = t;
+        if (!(t > 0 && t < nearest) || &shape == from) continue;
+        nearest = t, point.shape = &shape;
         point.normal = dot(n, sight.direction) > 0 ? -n : n;
         point.material = &scene.materials[std::size_t(shape.material)];
     }
@@ -78,7 +80,7 @@ void add_mesh(const Scene& scene, const Mesh& mesh, std::size_t most, std::vecto
                    c = mesh.vertices[std::size_t(corners.z)];
         const vec3 place = (a + b + c) / 3.0, n = unit(cross(b - a, c - a)), to_viewer = unit(scene.camera.eye - place);
         if (dot(n, to_viewer) > 0)
-            points.push_back({place, n, to_viewer, &scene.materials[std::size_t(mesh.material)]});
+            points.push_back({place, n, to_viewer, &scene.materials[std::size_t(mesh.material)], nullptr});
     }
 }
 
@@ -89,14 +91,15 @@ std::vector<Point> points_in_sight(const Scene& scene, int side) {
     for (int k = 0; k < side * side; ++k) {
         const vec2 film{(2 * (k % side) + 1.0) / side - 1, 1 - (2 * (k / side) + 1.0) / side};
         const vec2 slope = c.tan_half_fov * vec2(film.x * c.size.x / c.size.y, film.y);
-        add_first_met(scene, {c.eye, unit(slope.x * c.right + slope.y * c.up - c.back)}, points);
+        add_first_met(scene, {c.eye, unit(slope.x * c.right + slope.y * c.up - c.back)}, nullptr, points);
     }
     for (const Mesh& mesh : scene.meshes) add_mesh(scene, mesh, std::size_t(side * side), points);
     const std::size_t seen = scene.bounces > 0 ? points.size() : 0;
     for (std::size_t k = 0; k < seen; ++k) {
         const vec2 u = sobol_2d(1, std::uint32_t(k), 0), circle = std::sqrt(u.x) * unit_circle(u.y);
         const Point from = points[k];
-        add_first_met(scene, {from.place, frame_about(from.normal).to_world({circle, std::sqrt(1 - u.x)})}, points);
+        add_first_met(scene, {from.place, frame_about(from.normal).to_world({circle, std::sqrt(1 - u.x)})}, from.shape,
+                      points);
     }
     return points;
 }
