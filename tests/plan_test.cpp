@@ -104,7 +104,6 @@ intensity = [9, 9, 9]
 [[shape]]
 type = "quad"
 center = [0, 0, 0]
-center = [0, 0, 0]
 u = [9, 0, 0]
 v = [0, 0, -9]
 material = "grey"
@@ -271,6 +270,7 @@ exponent = 50
 emission = 5
 [[shape]]
 type = "quad"
+center = [0, 0, 0]
 u = [9, 0, 0]
 v = [0, 0, -9]
 material = "floor"
