@@ -353,7 +353,7 @@ TEST_CASE("of fragments and an archive beside them the fuller one is taken", "[s
     write_text(top / "work.zip", "PK\3\4");
     s = read();
     CHECK(s.texts == std::map<std::string, std::string>{{"moved", "beside"}});
-    CHECK(s.notes.at(0).find("work.zip: cannot be unpacked: it is cut off") != std::string::npos);
+    CHECK(s.notes.at(0).starts_with("work.zip was left out: work.zip: cannot be unpacked: it is cut off"));
     std::vector<Entry> entries;
     for (int i = 0; i < 200; ++i)
         entries.push_back({std::to_string(i) + "/moved.cpp", std::string(most_source_bytes, ' ')});
@@ -385,14 +385,21 @@ TEST_CASE("what is wrong with an archive is said", "[submission]") {
     REQUIRE(fault(zip) == "none");
     REQUIRE(fault(tar) == "none");
     const std::string whole_zip = read_text(zip).value(), whole_tar = read_text(tar).value();
-    for (const double share : {0.01, 0.4, 0.5, 0.8}) {
+    for (const double share : {0.01, 0.4, 0.7, 0.9}) {
         write_text(zip, whole_zip.substr(0, std::size_t(share * double(whole_zip.size()))));
         says(zip, "cannot be unpacked: it is cut off, its end is missing; expected the whole .zip");
         write_text(tar, whole_tar.substr(0, std::size_t(share * double(whole_tar.size()))));
         says(tar, "cannot be unpacked: it is cut off");
     }
-    write_text(zip, whole_zip.substr(0, whole_zip.find("PK\3\4", 4)));  // between two files
-    says(zip, "cannot be unpacked: it is cut off");
+    // between two files: whatever is read of it, it is said
+    write_text(zip, whole_zip.substr(0, whole_zip.find("PK\3\4", 4)));
+    if (fault(zip) == "none")
+        CHECK(read_submission(zip, fragments_of_hand_in).notes.at(0).find("it is cut off") != std::string::npos);
+    else
+        says(zip, "it is cut off");
+    write_text(zip, whole_zip.substr(0, whole_zip.size() - 10));  // all is there but the end
+    CHECK(read_submission(zip, fragments_of_hand_in).texts.size() == 2);
+    CHECK(read_submission(zip, fragments_of_hand_in).notes.at(0).find("it is cut off") != std::string::npos);
     write_text(zip, "");
     says(zip, "it is empty: 0 bytes");
     write_text(zip, "<!doctype html><title>Sign in</title>");
@@ -412,6 +419,9 @@ TEST_CASE("what is wrong with an archive is said", "[submission]") {
     CHECK(s.texts.size() == 1);
     CHECK(s.notes == std::vector<std::string>{"1 file was left out: ../phong.cpp leads out of the archive"});
     pack(folder.path() / "outer.zip", {{"work.zip", whole_zip.substr(0, whole_zip.size() / 2)}}, true);
+    CHECK(read_submission(folder.path() / "outer.zip", fragments_of_hand_in).notes ==
+          std::vector<std::string>{"work.zip was read in part: it is cut off or broken"});
+    pack(folder.path() / "outer.zip", {{"work.zip", whole_zip.substr(0, whole_zip.size() / 4)}}, true);
     says(folder.path() / "outer.zip", "outer.zip/work.zip: cannot be unpacked: it is cut off");
 }
 

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int most_entries = 20'000, most_depth = 2, most_shown = 200;
 constexpr std::int64_t most_unpacked = 256ll << 20, most_taken = 32ll << 20, most_inner = 64ll << 20;
-constexpr std::uintmax_t end_of_zip = 22 + 65535;  // with its comment
+constexpr std::uintmax_t smallest_end = 22, end_of_zip = smallest_end + 65535;  // of a zip; with its comment
 
 /// While it lives, this thread's names are UTF-8, without which the library gives up on all that are not ASCII.
 class NamesInUtf8 {
@@ -78,14 +78,19 @@ Ends ends_of(const std::string& bytes) {
             bytes.size()};
 }
 
+bool is_cut_zip(const Ends& ends) {
+    const std::size_t at = ends.last.rfind("PK\5\6");
+    return ends.first.starts_with("PK\3\4") && (at == ends.last.npos || at + smallest_end > ends.last.size());
+}
+
 /// What is wrong with what cannot be unpacked, and what was expected.
 std::string what_is_wrong(const Ends& ends, const std::string& why) {
     const std::string& first = ends.first;
     if (ends.size == 0) return "it is empty: 0 bytes; expected a .zip or a .tar.gz";
     if (why.find("assphrase") != why.npos) return "it is encrypted; expected one without a password";
-    const bool ends_early = first.starts_with("PK\3\4") ? ends.last.find("PK\5\6") == ends.last.npos
-                                                        : why.empty() || why.find("runcated") != why.npos;
-    if (ends_early) return "it is cut off, its end is missing; expected the whole .zip or .tar.gz, uploaded again";
+    const bool is_zip = first.starts_with("PK\3\4");
+    if (is_cut_zip(ends) || (!is_zip && (why.empty() || why.find("runcated") != why.npos)))
+        return "it is cut off, its end is missing; expected the whole .zip or .tar.gz, uploaded again";
     const auto is = [&](std::string_view start) { return first.starts_with(start); };
     const char* kind = why.find("nrecognized") != why.npos ? "no archive" : nullptr;
     if (is("Rar!")) kind = "a .rar";
@@ -122,10 +127,9 @@ private:
 
     [[noreturn]] void fail(archive* in) const {
         const char* why = archive_error_string(in);
-        throw SubmissionError(
-            fmt::format("{}: cannot be unpacked: {}", shown_,
-                        what_is_wrong(bytes_ ? ends_of(*bytes_) : ends_of(fs::path(shown_)), why ? why : "")));
+        throw SubmissionError(fmt::format("{}: cannot be unpacked: {}", shown_, what_is_wrong(ends(), why ? why : "")));
     }
+    Ends ends() const { return bytes_ ? ends_of(*bytes_) : ends_of(fs::path(shown_)); }
     void look_at(archive* in, archive_entry* entry, const std::string& name, int depth);
     void take(archive* in, const std::string& name);
     std::optional<std::string> read(archive* in, std::size_t most) const;
@@ -223,7 +227,10 @@ void Look::into(const std::string& prefix, const std::string* bytes, int depth) 
     for (;; ++entries_) {
         archive_entry* entry = nullptr;
         const int status = archive_read_next_header(in.get(), &entry);
-        if (status == ARCHIVE_EOF) return;
+        if (status == ARCHIVE_EOF) {
+            if (is_cut_zip(ends())) found.cut = fs::path(shown_).filename().string();
+            return;
+        }
         if (status < ARCHIVE_WARN) fail(in.get());
         if (entries_ >= most_entries)
             throw SubmissionError(fmt::format("{}: holds more than {} files", shown_, most_entries));

@@ -61,6 +61,9 @@ void look_beside(const fs::path& folder, const std::vector<std::string>& fragmen
     } catch (const SubmissionError& error) {
         found.broken = error.what();
     }
+    // a note goes into tables, where the place on this machine says nothing
+    const std::string place = (folder / "").string();
+    for (std::size_t at; (at = found.broken.find(place)) != found.broken.npos;) found.broken.erase(at, place.size());
 }
 
 /// Where fragments are expected, and in archives that lie beside them; where there is none, in all folders within; and
@@ -205,6 +208,11 @@ void note_copies(const std::vector<Place>& places, const Found& found, Submissio
             submission.notes.push_back(fmt::format(
                 "{} was left out: {}", path,
                 found.broken.find(path) != found.broken.npos ? found.broken : "there are fragments beside it"));
+    for (const std::string& path : found.archives)
+        if (submission.folder.starts_with(path + "/"))
+            submission.notes.push_back(path + " was read in part: it is cut off or broken");
+    if (!found.cut.empty())
+        submission.notes.push_back(found.cut + ": it is cut off, its end is missing; what could be read was taken");
     if (found.outside > 0)
         submission.notes.push_back(fmt::format("{} file{} left out: {}", found.outside,
                                                found.outside > 1 ? "s were" : " was", leads_out(found)));
@@ -229,6 +237,10 @@ std::string around(const std::string& folder) {
 std::string no_fragment(const fs::path& path, const Found& found, const std::vector<std::string>& fragments) {
     const std::string expected =
         fmt::format("expected files such as fragments/{}.cpp", fragments.empty() ? "NAME" : fragments.front());
+    if (!found.cut.empty())
+        return fmt::format(
+            "{}: holds no fragment; {} is cut off, its end is missing; expected all of it, uploaded again",
+            path.string(), found.cut);
     if (!found.broken.empty()) return fmt::format("{}: holds no fragment; {}", path.string(), found.broken);
     if (!found.archives.empty())
         return fmt::format("{}: holds no fragment, but another archive, {}: unpack it; {}", path.string(),
