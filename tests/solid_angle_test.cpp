@@ -191,6 +191,7 @@ TEST_CASE("solid angle: without quads that shine everything stays as it is") {
         return std::holds_alternative<Quad>(s.geometry) &&
                scene.materials[std::size_t(s.material)].emission != Color(0);
     });
+    scene.solid_angle = false;
     const Image without = render(scene, {.samples = 4, .estimate_error = false}).image;
     scene.solid_angle = true;
     CHECK(!make_plan(scene).solid_angle);

@@ -72,6 +72,8 @@ int run_hand_out(const HandOutArguments& arguments, const std::string& toolchain
     hand_out(chain.source, assignment, fs::path(toolchain).parent_path() / "kit.toml", arguments.folder,
              {arguments.others.begin(), arguments.others.end()}, arguments.installed ? For::everybody : For::students);
     fmt::print("{}\n", arguments.folder);
+    if (!fs::exists(fs::path(arguments.folder) / "handout.html"))
+        fmt::print("without a page of the handout, which pandoc makes: students read handout.md\n");
     if (!arguments.gradescope.empty()) {
         std::random_device device;
         write_gradescope(chain.source, arguments.folder, arguments.seed ? *arguments.seed : device() % 1'000'000 + 1,

@@ -26,6 +26,13 @@ namespace grade {
 
 namespace {
 
+/// The handout as a page where there is one: beside a kit, or in the project's build folder.
+fs::path handout_in(const fs::path& root) {
+    for (const char* page : {"handout.html", "build/release/handout.html"})
+        if (fs::exists(root / page)) return root / page;
+    return root / "handout.md";
+}
+
 /// Of every grading of what its user edits: what has not changed comes out as it did.
 constexpr std::uint64_t own_seed = 1;
 
@@ -107,7 +114,7 @@ public:
                 record.own_picture_scene = own_scene_.filename().string();
                 record.own_picture_fault = error.what();
             }
-        const fs::path handout = fs::relative(chain_.source / "handout.md", html_);
+        const fs::path handout = fs::relative(handout_in(chain_.source), html_);
         write_text(html_ / "index.html", page(record, handout.generic_string()));
         line.clear();
         fmt::print("page: {}\n", (html_ / "index.html").string());

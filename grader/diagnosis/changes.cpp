@@ -58,6 +58,8 @@ public:
         for (const std::size_t i : changed(vectors_)) add_vector(i, vectors_, vector_functions, of_two_vectors);
         for (const std::size_t i : changed(colors_)) add_vector(i, colors_, color_functions, of_two_colors);
         for (const std::size_t i : changed(vectors_)) add_scaled(i, 2.2);
+        if (!of_arguments())
+            for (const std::size_t i : changed(vectors_)) add_made_of_two(i);
         for (const std::size_t i : changed(colors_)) add_scaled(i, 1.9);
         if (of_arguments())
             add_joint();
@@ -139,6 +141,27 @@ private:
                         return true;
                     });
         }
+    }
+
+    /// A step in place of which stands what else is made of two vectors: one mirrored at another, or between both.
+    void add_made_of_two(std::size_t i) {
+        for (const std::size_t a : vectors_)
+            for (const std::size_t b : vectors_) {
+                if (a == b || a == i || b == i) continue;
+                add(in_place(filled("2 * dot({0}, {1}) * {0} - {1}", name(a), name(b)), name(i)), 1.9,
+                    [=](Row& row, const Layout& l) {
+                        const vec3 n = vector_at(row, l.parts[a].at), v = vector_at(row, l.parts[b].at);
+                        put(row, l.parts[i].at, 2 * rt::dot(n, v) * n - v);
+                        return true;
+                    });
+                if (a < b)
+                    add(in_place(filled("unit({0} + {1})", name(a), name(b)), name(i)), 1.9,
+                        [=](Row& row, const Layout& l) {
+                            put(row, l.parts[i].at,
+                                rt::unit(vector_at(row, l.parts[a].at) + vector_at(row, l.parts[b].at)));
+                            return true;
+                        });
+            }
     }
 
     template <class Functions, class TwoFunctions>

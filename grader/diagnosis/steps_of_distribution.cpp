@@ -78,18 +78,38 @@ vec3 point_of(const Emitter& light, vec2 u) {
 }
 
 std::vector<Steps> of_light() {
-    return {steps(
-        "density = distance^2 / (cos * area) for cos > 0, cos = -dot(unit(point - p), unit(normal(light)))",
-        {{"Real", "distance^2"}, {"Real", "cos"}, {"Real", "area"}},
-        +[](const Emitter& light, const vec3& p, const vec2& u) {
-            const vec3 to = point_of(light, u) - p, n = normal(light);
-            return row(dot(to, to), -dot(unit(to), unit(n)), area(light));
-        },
-        +[](const double* s, const Emitter& light, const vec3& p, const vec2& u) {
-            if (light.kind == Emitter::Kind::sphere) return sphere_light(light, p, u);
-            const vec3 to = point_of(light, u) - p;
-            return row(LightSample{unit(to), length(to), s[1] > 0 ? s[0] / (s[1] * s[2]) : 0});
-        })};
+    return {
+        steps(
+            "density = distance^2 / (cos * area) for cos > 0, the front side, with cos = -dot(unit(point - p), "
+            "unit(normal(light)))",
+            {{"Real", "distance^2"}, {"Real", "cos"}, {"Real", "area"}},
+            +[](const Emitter& light, const vec3& p, const vec2& u) {
+                const vec3 to = point_of(light, u) - p, n = normal(light);
+                return row(dot(to, to), -dot(unit(to), unit(n)), area(light));
+            },
+            +[](const double* s, const Emitter& light, const vec3& p, const vec2& u) {
+                if (light.kind == Emitter::Kind::sphere) return sphere_light(light, p, u);
+                const vec3 to = point_of(light, u) - p;
+                return row(LightSample{unit(to), length(to), s[1] > 0 ? s[0] / (s[1] * s[2]) : 0});
+            }),
+        steps(
+            "of a sphere, distance = along - half, half = sqrt(radius^2 - beside^2) half of the ray's way through it",
+            {{"Real", "half"}, {"Real", "along"}},
+            +[](const Emitter& light, const vec3& p, const vec2& u) {
+                const auto all = from_row<LightSample>(sphere_light(light, p, u));
+                const Real along = dot(light.sphere.center - p, all.direction);
+                return row(along - all.distance, along);
+            },
+            +[](const double* s, const Emitter& light, const vec3& p, const vec2& u) {
+                auto all = from_row<LightSample>(sphere_light(light, p, u));
+                if (light.kind == Emitter::Kind::sphere) {
+                    all.distance = s[1] - s[0];
+                    return row(all);
+                }
+                const vec3 to = point_of(light, u) - p;
+                const Real cosine = -dot(unit(to), unit(normal(light)));
+                return row(LightSample{unit(to), length(to), cosine > 0 ? dot(to, to) / (cosine * area(light)) : 0});
+            })};
 }
 
 /// A lobe's direction about an axis, and its angle to it.
@@ -159,6 +179,22 @@ std::vector<Steps> of_translucency() {
             })};
 }
 
+std::vector<Steps> of_flight() {
+    return {steps(
+        "-log(1 - u) / extinction",
+        {{"Real", "log(1 - u)"},
+         {"bool", "log(1 + u) / extinction"},
+         {"bool", "-log(1 + u) / extinction"},
+         {"bool", "exp(-u / extinction)"},
+         {"bool", "exp(-u * extinction)"}},
+        +[](const Real&, const Real& u) { return row(std::log1p(-u), false, false, false, false); },
+        +[](const double* s, const Real& extinction, const Real& u) {
+            if (s[1] != 0 || s[2] != 0) return row((s[1] != 0 ? 1 : -1) * std::log1p(u) / extinction);
+            if (s[3] != 0) return row(std::exp(-u / extinction));
+            return row(s[4] != 0 ? std::exp(-u * extinction) : -s[0] / extinction);
+        })};
+}
+
 std::vector<Steps> of_lens() {
     return {steps(
                 "offset = R * (x * right + y * up), (x, y) of the unit disk", {{"Real", "x"}, {"Real", "y"}},
@@ -192,6 +228,7 @@ std::vector<Steps> steps_of_distribution(const std::string& fragment) {
     if (fragment == "light_sample") return of_light();
     if (fragment == "glossy_reflection") return of_glossy();
     if (fragment == "translucency") return of_translucency();
+    if (fragment == "free_flight") return of_flight();
     if (fragment == "lens_ray") return of_lens();
     return {};
 }

@@ -21,11 +21,14 @@ std::vector<Steps> of_uniform() {
                     return row(s[0] * sum);
                 }),
             steps(
-                "f(a + i * step + 0.5 * step)", {{"Real", "0.5 * step"}, {"int", "0, the first i"}},
-                +[](const Integrand&, const Real& a, const Real& b, const int& n) { return row(0.5 * (b - a) / n, 0); },
+                "f(a + i * step + 0.5 * step)",
+                {{"Real", "0.5 * step"}, {"bool", "a loop from i = 1"}, {"bool", "a loop that ends one i too early"}},
+                +[](const Integrand&, const Real& a, const Real& b, const int& n) {
+                    return row(0.5 * (b - a) / n, false, false);
+                },
                 +[](const double* s, const Integrand& f, const Real& a, const Real& b, const int& n) {
                     Real sum = 0;
-                    for (int i = int(s[1]); i < n; ++i) sum += f(a + i * (b - a) / n + s[0]);
+                    for (int i = s[1] != 0; i < n - (s[2] != 0); ++i) sum += f(a + i * (b - a) / n + s[0]);
                     return row((b - a) / n * sum);
                 })};
 }
@@ -51,7 +54,7 @@ std::vector<Steps> of_monte_carlo() {
                 const Real weight = s[2] != 0 ? density(x[i]) : s[3] != 0 ? 1 : 1 / density(x[i]);
                 sum += weight * (s[4] != 0 ? 1 : f(x[i]));
             }
-            return row(s[1] > 0 ? sum / s[1] : 0);
+            return row(x.empty() ? 0 : sum / s[1]);
         })};
 }
 
@@ -60,7 +63,13 @@ Real of_stratum(const double* s, const Integrand& f, const StratumOf& own, Real 
     const Real width = s[0] != 0 ? first_width : own.high - own.low;
     Real sum = 0;
     for (const Real u : own.u)
-        sum += f((s[2] != 0 ? 0 : s[3] != 0 ? own.high : own.low) + (s[1] != 0 ? 1 : width) * (s[4] != 0 ? 0.5 : u));
+        sum += f((s[2] != 0   ? 0
+                  : s[3] != 0 ? own.high
+                              : own.low) +
+                 (s[1] != 0    ? 1
+                  : s[15] != 0 ? own.high
+                               : width) *
+                     (s[4] != 0 ? 0.5 : u));
     return sum;
 }
 
@@ -82,8 +91,9 @@ std::vector<Steps> of_strata() {
          {"bool", "the first stratum left out"},
          {"bool", "the last stratum left out"},
          {"bool", "the square of the number of u"},
-         {"bool", "the width of the last stratum before the sum of all"}},
-        +[](const Integrand&, const List&) { return Row(15); },
+         {"bool", "the width of the last stratum before the sum of all"},
+         {"bool", "f(low + u * high): u multiplied by high"}},
+        +[](const Integrand&, const List&) { return Row(16); },
         +[](const double* s, const Integrand& f, const List& strata) {
             std::size_t all = 0;
             for (const StratumOf& own : strata) all += own.u.size();

@@ -35,14 +35,24 @@ struct Surface {
 };
 
 Row steps_of_surface(vec3 n, vec3 to_light, vec3 to_viewer) {
-    return row(dot(n, to_light), dot(n, to_light), cosine_of_highlight(n, to_light, to_viewer), false, false);
+    Row taken = row(dot(n, to_light), dot(n, to_light), cosine_of_highlight(n, to_light, to_viewer));
+    taken.resize(10);
+    return taken;
 }
 
 /// Of the steps of a surface, the light that it reflects: n . d before the albedo, n . d in the test, r . c.
 Color reflected_by_steps(const double* s, const Material& material) {
     if (!(s[1] > 0) && s[4] == 0) return Color(0);
     const Surface surface{material, s[1] > 0 ? s[0] : 0, s[2]};
-    return surface.reflected(s[3] != 0 ? std::max(s[2], 0.0) * material.shininess : surface.power_of(s[2]));
+    const Real a = material.shininess, power = surface.power_of(s[2]);
+    if (s[3] != 0) return surface.reflected(std::max(s[2], 0.0) * a);
+    const Real before = s[5] != 0   ? (a + 2) / (2 * pi)
+                        : s[6] != 0 ? (a + 1) / (2 * pi)
+                        : s[7] != 0 ? (a + 8) / (8 * pi)
+                        : s[8] != 0 ? 1 / pi
+                        : s[9] != 0 ? s[0]
+                                    : 1;
+    return surface.reflected(before * power);
 }
 
 const std::vector<Signature::Argument> surface_names = {
@@ -50,7 +60,12 @@ const std::vector<Signature::Argument> surface_names = {
     {"Real", "dot(n, d) in the test"},
     {"Real", "dot(r, c)"},
     {"bool", "a product in place of the power: max(dot(r, c), 0) * shininess"},
-    {"bool", "the highlight where dot(n, d) <= 0 as well"}};
+    {"bool", "the highlight where dot(n, d) <= 0 as well"},
+    {"bool", "a factor (shininess + 2) / (2 * pi) before the highlight"},
+    {"bool", "a factor (shininess + 1) / (2 * pi) before the highlight"},
+    {"bool", "a factor (shininess + 8) / (8 * pi) before the highlight"},
+    {"bool", "a factor 1 / pi before the highlight"},
+    {"bool", "a factor dot(n, d) before the highlight"}};
 
 constexpr const char* surface_formula = "dot(n, d) / pi * albedo + pow(max(dot(r, c), 0), shininess) * specular";
 
@@ -150,15 +165,42 @@ std::vector<Steps> of_fresnel() {
                     return row(fresnel_of(one(s[0], s[2], s[4], e1 * c1, e2), one(s[1], s[3], s[5], e2 * c1, e1)));
                 }),
             steps(
-                "(s^2 + p^2) / 2", {{"Real", "s^2"}, {"Real", "p^2"}, {"Real", "2"}},
+                "F = (s * s + p * p) / 2 of c1 and c2", {{"Real", "c2"}},
+                +[](const Real& c1, const Real& e1, const Real& e2) {
+                    return row(std::sqrt(1 - sqr(e1 / e2) * (1 - c1 * c1)));
+                },
+                +[](const double* s, const Real& c1, const Real& e1, const Real& e2) {
+                    if (!(s[0] == s[0])) return row(1.0);
+                    return row(e1 == e2 ? 0.0
+                                        : fresnel_of((e1 * c1 - e2 * s[0]) / (e1 * c1 + e2 * s[0]),
+                                                     (e2 * c1 - e1 * s[0]) / (e2 * c1 + e1 * s[0])));
+                }),
+            steps(
+                "F = (s * s + p * p) / 2",
+                {{"Real", "s"},
+                 {"Real", "p"},
+                 {"bool", "s * p in place of the squares"},
+                 {"bool", "no squares: (s + p) / 2"},
+                 {"bool", "no squares: (abs(s) + abs(p)) / 2"},
+                 {"bool", "the square of the mean: ((s + p) / 2)^2"},
+                 {"bool", "no half: s * s + p * p"},
+                 {"bool", "s * s - p * p in place of the sum"}},
                 +[](const Real& c1, const Real& e1, const Real& e2) {
                     const Real c2 = std::sqrt(1 - sqr(e1 / e2) * (1 - c1 * c1));
-                    return row(sqr((e1 * c1 - e2 * c2) / (e1 * c1 + e2 * c2)),
-                               sqr((e2 * c1 - e1 * c2) / (e2 * c1 + e1 * c2)), 2.0);
+                    Row taken =
+                        row((e1 * c1 - e2 * c2) / (e1 * c1 + e2 * c2), (e2 * c1 - e1 * c2) / (e2 * c1 + e1 * c2));
+                    taken.resize(8);
+                    return taken;
                 },
                 +[](const double* s, const Real&, const Real& e1, const Real& e2) {
                     if (!(s[0] == s[0])) return row(1.0);
-                    return row(e1 == e2 ? 0.0 : (s[0] + s[1]) / s[2]);
+                    if (e1 == e2) return row(0.0);
+                    if (s[2] != 0) return row(s[0] * s[1]);
+                    if (s[3] != 0) return row((s[0] + s[1]) / 2);
+                    if (s[4] != 0) return row((std::abs(s[0]) + std::abs(s[1])) / 2);
+                    if (s[5] != 0) return row(sqr((s[0] + s[1]) / 2));
+                    if (s[7] != 0) return row((s[0] * s[0] - s[1] * s[1]) / 2);
+                    return row(fresnel_of(s[0], s[1]) * (s[6] != 0 ? 2 : 1));
                 })};
 }
 
@@ -170,14 +212,18 @@ std::vector<Steps> of_whitted() {
          {"bool", "glass everywhere"},
          {"bool", "glass nowhere"},
          {"Real", "fresnel before the reflectance"},
-         {"Real", "(1 - fresnel) before the transmittance"}},
-        +[](const Material&, const Real& f) { return row(false, false, false, false, f, 1 - f); },
+         {"Real", "(1 - fresnel) before the transmittance"},
+         {"Color", "the reflectance of glass"},
+         {"Color", "the transmittance of glass"}},
+        +[](const Material& m, const Real& f) {
+            return row(false, false, false, false, f, 1 - f, m.reflectance, m.transmittance);
+        },
         +[](const double* s, const Material& m, const Real&) {
             const vec3 t = m.transmittance;
             const bool any = t.x > 0 || t.y > 0 || t.z > 0, all = t.x > 0 && t.y > 0 && t.z > 0;
             const bool glass = s[2] != 0 || (s[3] == 0 && (s[0] != 0 ? all : s[1] != 0 ? t.x > 0 : any));
             if (!glass) return row(Outgoing{Color(1), m.reflectance, Color(0)});
-            return row(Outgoing{Color(1), s[4] * m.reflectance, s[5] * m.transmittance});
+            return row(Outgoing{Color(1), s[4] * Color(s[6], s[7], s[8]), s[5] * Color(s[9], s[10], s[11])});
         })};
 }
 

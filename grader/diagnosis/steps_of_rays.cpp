@@ -119,6 +119,27 @@ std::vector<Steps> of_triangle() {
         })};
 }
 
+/// As Moller and Trumbore have it.
+Steps of_triangle_vectors() {
+    return steps(
+        "u = dot(s, p) / det, v = dot(d, q) / det, t = dot(e2, q) / det, p = cross(d, e2), q = cross(s, e1), s = o - "
+        "a, "
+        "e1 = b - a, e2 = c - a",
+        {{"vec3", "s"}, {"vec3", "d"}, {"vec3", "e2"}, {"vec3", "e1"}, {"vec3", "p"}, {"vec3", "q"}},
+        +[](const Triangle& triangle, const Ray& ray) {
+            const vec3 e1 = triangle.b - triangle.a, e2 = triangle.c - triangle.a, s = ray.origin - triangle.a;
+            return row(s, ray.direction, e2, e1, cross(ray.direction, e2), cross(s, e1));
+        },
+        +[](const double* s, const Triangle& triangle, const Ray& ray) {
+            const auto step = [s](int i) { return vec3(s[3 * i], s[3 * i + 1], s[3 * i + 2]); };
+            const vec3 e1 = triangle.b - triangle.a, e2 = triangle.c - triangle.a;
+            const Real det = dot(e1, cross(ray.direction, e2));
+            const Real u = dot(step(0), step(4)) / det, v = dot(step(1), step(5)) / det;
+            const Real t = dot(step(2), step(5)) / det;
+            return row(u >= 0 && v >= 0 && u + v <= 1 && t > ray.near && t < ray.far ? t : inf);
+        });
+}
+
 std::vector<Steps> of_quad() {
     return {steps(
                 "t = dot(center - origin, n) / dot(d, n), n = cross(u, v)",
@@ -164,6 +185,39 @@ std::vector<Steps> of_quad() {
                 })};
 }
 
+/// What quads and spheres are measured with: vectors.
+Steps of_quad_vectors() {
+    return steps(
+        "abs(dot(p, u)) <= dot(u, u) && abs(dot(p, v)) <= dot(v, v), p = origin + t * d - center", {{"vec3", "p"}},
+        +[](const Quad& quad, const Ray& ray) {
+            const vec3 n = cross(quad.u, quad.v), to = quad.center - ray.origin;
+            return row(dot(to, n) / dot(ray.direction, n) * ray.direction - to);
+        },
+        +[](const double* s, const Quad& quad, const Ray& ray) {
+            const vec3 n = cross(quad.u, quad.v), p(s[0], s[1], s[2]);
+            const Real t = dot(quad.center - ray.origin, n) / dot(ray.direction, n);
+            const bool inside =
+                std::abs(dot(p, quad.u)) <= dot(quad.u, quad.u) && std::abs(dot(p, quad.v)) <= dot(quad.v, quad.v);
+            return row(inside && t > ray.near && t < ray.far ? t : inf);
+        });
+}
+
+Steps of_sphere_vectors() {
+    return steps(
+        "b = -dot(f, d), c = dot(f', f') - r^2, f = f' = origin - center", {{"vec3", "f"}, {"vec3", "f'"}},
+        +[](const Sphere& sphere, const Ray& ray) {
+            const vec3 f = ray.origin - sphere.center;
+            return row(f, f);
+        },
+        +[](const double* s, const Sphere& sphere, const Ray& ray) {
+            const vec3 f(s[0], s[1], s[2]), other(s[3], s[4], s[5]);
+            const Real a = dot(ray.direction, ray.direction), b = -dot(f, ray.direction);
+            const Real d = b * b - a * (dot(other, other) - sqr(sphere.radius));
+            if (!(d >= 0)) return row(inf);
+            return first_root((b - std::sqrt(d)) / a, (b + std::sqrt(d)) / a, ray);
+        });
+}
+
 std::vector<Steps> of_mirror() {
     return {steps(
         "d - 2 * dot(d, n) * n", {{"Real", "dot(d, n)"}}, +[](const vec3& d, const vec3& n) { return row(dot(d, n)); },
@@ -202,13 +256,18 @@ std::vector<Steps> of_refraction() {
                 })};
 }
 
+std::vector<Steps> joined(std::vector<Steps> all, Steps one) {
+    all.push_back(std::move(one));
+    return all;
+}
+
 }  // namespace
 
 std::vector<Steps> steps_of_rays(const std::string& fragment) {
     if (fragment == "camera_ray") return of_camera();
-    if (fragment == "hit_sphere") return of_sphere();
-    if (fragment == "hit_triangle") return of_triangle();
-    if (fragment == "hit_quad") return of_quad();
+    if (fragment == "hit_sphere") return joined(of_sphere(), of_sphere_vectors());
+    if (fragment == "hit_triangle") return joined(of_triangle(), of_triangle_vectors());
+    if (fragment == "hit_quad") return joined(of_quad(), of_quad_vectors());
     if (fragment == "mirror_direction") return of_mirror();
     if (fragment == "refracted_direction") return of_refraction();
     return {};

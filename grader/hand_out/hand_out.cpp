@@ -35,7 +35,8 @@ constexpr std::array header_packages = {"libglm-dev", "libcli11-dev", "nlohmann-
 /// Hidden files, what builds leave behind, and what needs the solution stay here.
 bool is_left_out(const fs::path& path) {
     const std::string name = path.filename().string();
-    return name.starts_with(".") || name.starts_with("build") || name.starts_with("__") || name == "render_pictures";
+    return name.starts_with(".") || name.starts_with("build") || name.starts_with("__") || name == "render_pictures" ||
+           name == "take_screenshot";
 }
 
 void copy_folder(const fs::path& from, const fs::path& to) {
@@ -275,6 +276,10 @@ void hand_out(const fs::path& project, const Assignment& assignment, const fs::p
     fs::create_directories(folder);
     copy_entries(project, folder);
     write_text(folder / "handout.md", handout);
+    // of this very text
+    if (const fs::path page = built_toolchain.parent_path() / "handout.html";
+        fs::exists(page) && read_text(project / "handout.md") == handout)
+        fs::copy_file(page, folder / "handout.html");
     fs::copy_file(project / "grader/kit/grade", folder / "grade");
     if (whom == For::students) write_repository(project, folder);
     write_starter(blanks, (folder / "starter/fragments").string());

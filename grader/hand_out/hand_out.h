@@ -10,8 +10,9 @@ namespace grade {
 /// students: a kit. everybody: the same with archives, for a folder that its users cannot write to, as below /usr.
 enum class For { students, everybody };
 
-/// Writes what students get into a new folder, a kit: starter/ in source with fresh blanks, scenes, the handout, GLM's
-/// headers, and in grader/MACHINE/ the grader, built: program, framework, reference fragments as objects without names
+/// Writes what students get into a new folder, a kit: starter/ in source with fresh blanks, scenes, the handout
+/// (and the page that the build makes of it, where there is one), GLM's headers, and in grader/MACHINE/ the grader,
+/// built: program, framework, reference fragments as objects without names
 /// or debug information, and the libraries that a plain system lacks, with their licences.
 ///
 /// Throws rt::InputError where the folder is not empty, or another hand-out is of another assignment;

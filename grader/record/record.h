@@ -122,6 +122,7 @@ struct Record {
     // a whole picture, as the submission's fragments draw it and as the solution's do, for the page only
     rt::Image own_picture, own_picture_right;
     std::string own_picture_scene, own_picture_fault;
+    bool own_picture_of_some = false;   // of the graded fragments alone, between right ones
     std::vector<std::string> left_out;  // fragments that crash or do not end: their blanks stand in
     double own_picture_exposure = 1;
 

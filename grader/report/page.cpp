@@ -210,16 +210,20 @@ std::string own_picture(const Record& record) {
             "{}</p></section>\n",
             html(record.own_picture_fault));
     if (record.own_picture.pixels.empty()) return {};
+    const char* made_of =
+        record.own_picture_of_some
+            ? "with the fragments that were graded, and right ones in place of the others"
+            : "with all fragments of the submission; blanks stand in for those that are missing or do "
+              "not build";
     return fmt::format(
-        "<h2>The submission's own picture</h2><section class=\"card own\">{}<p class=\"soft\">{}, with all fragments "
-        "of "
-        "the submission; blanks stand in for those that are missing or do not build{}.</p></section>\n",
+        "<h2>The submission's own picture</h2><section class=\"card own\">{}<p class=\"soft\">{}, "
+        "{}{}.</p></section>\n",
         three_pictures(record.own_picture, record.own_picture_right, record.own_picture_exposure,
                        "of " + record.own_picture_scene),
-        html(record.own_picture_scene),
+        html(record.own_picture_scene), made_of,
         record.left_out.empty()
             ? ""
-            : html(fmt::format(", and for {}, which crashed or did not end", fmt::join(record.left_out, ", "))));
+            : html(fmt::format("; without {}, which crashed or did not end", fmt::join(record.left_out, ", "))));
 }
 
 /// What has changed since the last grading.

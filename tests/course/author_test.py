@@ -8,7 +8,8 @@ Runs the page's own blocks, in their order, in a copy of the tree and of its bui
     LANG FILE    is the whole text of that file
 
 The copy is mounted over the tree for these commands alone, since a build holds the paths of its sources. Sections whose
-heading ends in "(long)" are followed with --all alone. Exit status 77: nothing can be mounted here.
+heading ends in "(long)" are followed with --all alone. Exit status 77: nothing can be mounted here, or the page's
+fragments are there.
 """
 
 import argparse
@@ -28,13 +29,13 @@ NOT_COPIED = {"tests", "calibration", "report", "kept"}
 
 
 def sections(text):
-    """Headings of the second level, and their blocks: where it begins, the words of its fence, its text."""
-    found, heading, lines = {}, None, text.splitlines()
+    """Headings of the first two levels, and their blocks: where it begins, the words of its fence, its text."""
+    found, heading, lines = {}, "", text.splitlines()
     for number, line in enumerate(lines, 1):
-        if line.startswith("## "):
-            heading = line.removeprefix("## ")
+        if line.startswith(("# ", "## ")):
+            heading = line.lstrip("# ")
             found[heading] = []
-        elif re.match(r"```\w", line) and heading:
+        elif re.match(r"```\w", line):
             end = lines.index("```", number)
             found[heading].append((number, line.removeprefix("```").split(), "\n".join(lines[number:end]) + "\n"))
     return found
@@ -56,6 +57,11 @@ def copy_build(build, tree):
             subprocess.run(["cp", "-a", entry, target], check=True)
 
 
+def cpu_seconds():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
 class Walk:
     def __init__(self, tree):
         self.tree = tree
@@ -72,7 +78,9 @@ class Walk:
         print(f"{PAGE.relative_to(ROOT)}:{number}:1: {what}\n{said[-4000:]}", flush=True)
 
     def run(self, number, command, said_too=""):
+        before = cpu_seconds()
         done = subprocess.run([*self.inside, "bash", "-ec", command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        print(f"{cpu_seconds() - before:6.1f} s  {command[:90]}", flush=True)
         if done.returncode != 0:
             self.fail(number, f"{command}: ended with {done.returncode}; expected 0", done.stdout)
         elif said_too not in done.stdout:
@@ -99,7 +107,12 @@ def main():
     words.add_argument("build", type=pathlib.Path)
     words.add_argument("--all", action="store_true", help="also the sections that take long")
     words.add_argument("sections", nargs="*", help="only those with one of these words in their heading")
-    words = words.parse_args()
+    words = words.parse_intermixed_args()
+    page = sections(PAGE.read_text())
+    made = re.findall(r"grade new fragment (\w+)", PAGE.read_text())
+    if there := [name for name in made if (ROOT / f"solution/{name}.cpp").exists()]:
+        print(f"this tree is a course's own: {', '.join(there)} is there already")
+        sys.exit(77)
     with tempfile.TemporaryDirectory() as folder:
         tree = copied(pathlib.Path(folder))
         walk = Walk(tree)
@@ -108,17 +121,15 @@ def main():
             sys.exit(77)
         copy_build(words.build.resolve(), tree)
         count = 0
-        for heading, blocks in sections(PAGE.read_text()).items():
+        for heading, blocks in page.items():
             chosen = not words.sections or any(word in heading for word in words.sections)
             if not chosen or (heading.endswith("(long)") and not words.all):
                 continue
-            before = resource.getrusage(resource.RUSAGE_CHILDREN)
+            before = cpu_seconds()
             for block in blocks:
                 walk.follow(*block)
                 count += 1
-            after = resource.getrusage(resource.RUSAGE_CHILDREN)
-            used = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-            print(f"{heading}: {len(blocks)} blocks, {used:.0f} s of one processor", flush=True)
+            print(f"{heading}: {len(blocks)} blocks, {cpu_seconds() - before:.0f} s of one processor", flush=True)
     print(f"{count} blocks, {walk.wrong} not as the page says")
     sys.exit(walk.wrong > 0 or count < 5)
 

@@ -15,10 +15,10 @@ constexpr Real worth_solid_angle = 0.2, worth_solid_angle_of_one = 0.02;
 
 /// From so many lamps on one of them is chosen; twice as many for each bounce: in few places a bounced ray meets a lamp
 /// that is near and that the choice had not expected.
-int lamps_to_choose(int bounces) { return 5 << std::min(bounces, 4); }
+int lamps_to_choose(int bounces) { return 4 << std::min(bounces, 4); }
 
-/// From where on lamps are sampled for lobes, too: for each lamp, which takes a shadow ray.
-constexpr Real worth_weighing = 0.4;
+/// From where on lamps are sampled for lobes, too: for each lamp, which takes a shadow ray; and where one is chosen.
+constexpr Real worth_weighing = 0.3, worth_weighing_one = 0.55;
 
 /// Lines of sight times shapes, and points times parts of lamps: a plan takes milliseconds.
 constexpr Real most_work = 2e5;
@@ -154,7 +154,8 @@ Noise noise_of(const Scene& scene, const std::vector<Emitter>& lamps) {
     Noise noise;
     Real all = 0;
     for (const Point& p : points_in_sight(scene, std::clamp(int(std::sqrt(most_work / work)), 4, 24))) {
-        const Real diffuse = sum(p.material->albedo + p.material->specular) / pi, lobe = sum(p.material->reflectance);
+        const Real diffuse = sum(largest_albedo(*p.material) + p.material->specular) / pi,
+                   lobe = sum(p.material->reflectance);
         Real light = 0;
         for (const Emitter& lamp : lamps) {
             const Light from = light_of(lamp, p);
@@ -198,7 +199,7 @@ LampWays choose_ways(const Scene& scene, const std::vector<int>& lamps) {
         way(scene.one_lamp, int(lamps.size()) >= lamps_to_choose(scene.bounces),
             fmt::format("with {} bounces worth it from {} lamps", scene.bounces, lamps_to_choose(scene.bounces)));
     const Real least = ways.one_lamp.on ? worth_solid_angle_of_one : worth_solid_angle,
-               least_of_lobes = worth_weighing * (ways.one_lamp.on ? 1 : Real(lamps.size()));
+               least_of_lobes = ways.one_lamp.on ? worth_weighing_one : worth_weighing * Real(lamps.size());
     ways.solid_angle = way(scene.solid_angle, noise.by_area > least,
                            fmt::format("by area a variance of {:.2g} more; worth it from {:g}", noise.by_area, least));
     ways.multiple_importance =
