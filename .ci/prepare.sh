@@ -12,6 +12,7 @@ test_packages="catch2: clang:clang++ clang-format: patch:patch python3:python3 p
 mitsuba_packages="python3-venv:"
 page_packages="chromium:chromium pandoc:pandoc python3-jsonschema:"  # pages in a browser, the handout as one, schemas
 tidy_packages="clang-tidy:clang-tidy"
+class_packages="munge: parallel: slurm-wlm:"  # a class on several machines
 compiler=${CXX:-c++}
 
 build=$root/build/release

@@ -3,6 +3,8 @@
 #include <utility>
 #include <vector>
 
+#include "authoring/audit_command.h"
+#include "authoring/new_command.h"
 #include "calibration/command.h"
 #include "class/again_command.h"
 #include "class/command.h"
@@ -30,6 +32,8 @@ struct Arguments {
     course::MergeArguments merge;
     course::AgainArguments again;
     course::CompareArguments compare;
+    authoring::NewArguments new_part;
+    authoring::AuditArguments audit;
 
     /// That of this program, where none is named.
     const std::string& chain() { return toolchain.empty() ? toolchain = own_toolchain().string() : toolchain; }
@@ -52,6 +56,8 @@ Commands add_commands(CLI::App& app, Arguments& a) {
         {course::add_class_command(app, a.whole_class), [&] { return course::run_class(a.whole_class, a.chain()); }},
         {course::add_replay_command(app, a.again), [&] { return course::run_replay(a.again, a.chain(), a.command); }},
         {course::add_verify_command(app, a.again), [&] { return course::run_verify(a.again, a.chain(), a.command); }},
+        {authoring::add_new_command(app, a.new_part), [&] { return authoring::run_new(a.new_part, a.chain()), 0; }},
+        {authoring::add_audit_command(app, a.audit), [&] { return authoring::run_audit(a.audit, a.chain()); }},
     };
 }
 

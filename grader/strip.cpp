@@ -6,7 +6,8 @@
 #include "assignment/strip.h"
 
 /// strip_solution [--check] SOLUTION STARTER [ASSIGNMENT]: makes the starter's fragments from the solution's, or with
-/// --check says where they differ from what it would make. Those that assignment.toml gives are filled in.
+/// --check says where they differ from what it would make. Those that assignment.toml gives, or leaves out, are
+/// filled in.
 int main(int argc, char** argv) {
     const bool check = argc > 1 && std::string_view(argv[1]) == "--check";
     if (check) --argc, ++argv;
@@ -17,10 +18,7 @@ int main(int argc, char** argv) {
     const std::string solution = argv[1], starter = argv[2], assignment = argc == 4 ? argv[3] : "assignment.toml";
 
     try {
-        std::set<std::string> given;
-        for (const auto& fragment : grade::read_assignment(assignment).fragments)
-            if (fragment.given) given.insert(fragment.name);
-        const auto files = grade::make_starter(solution, given);
+        const auto files = grade::make_starter(solution, grade::read_assignment(assignment).asked());
         if (!check) {
             grade::write_starter(files, starter);
             return 0;

@@ -10,6 +10,7 @@
 #include "diagnosis/diagnosis.h"
 #include "diagnosis/explain.h"
 #include "diagnosis/sanitizer.h"
+#include "diagnosis/steps.h"
 #include "protocol/rows.h"
 
 using namespace grade;
@@ -88,6 +89,9 @@ TEST_CASE("arguments are printed by name, without those at their defaults, and r
     const Row told = row(some, rt::vec2(0, 0.5));
     CHECK(arguments_in_words(camera, told) == "camera.size = (2, 2), film = (0, 0.5)");
     CHECK(arguments_from_words(camera, arguments_in_words(camera, told)) == told);
+    std::vector<bool> always(camera.of_arguments(told).parts.size());
+    always[7] = true;
+    CHECK_THAT(arguments_in_words(camera, told, {{}, always}), ContainsSubstring("camera.focus = inf"));
     CHECK_THROWS_WITH(arguments_from_words(camera, "camera.size = 2"),
                       ContainsSubstring("camera.size is 1 numbers; expected 2"));
     CHECK_THROWS_WITH(arguments_from_words(camera, "size = (2, 2)"), ContainsSubstring("camera.tan_half_fov"));
@@ -102,7 +106,7 @@ TEST_CASE("a mistake in the arguments of any formula is named") {
                ContainsSubstring("`d` and `n` exchanged"));
     const auto one_number = [](Row& in) { in[1] = in[0]; };
     CHECK_THAT(found("cosine_hemisphere", squares(), answers("cosine_hemisphere", one_number)).how,
-               ContainsSubstring("`u.x` in place of `u.y`"));
+               ContainsSubstring("`u.x` in place of `u.y`: one number is used for both"));
     const auto no_root = [](Row& in) { in[0] *= in[0]; };
     CHECK_THAT(found("uniform_disk", squares(), answers("uniform_disk", no_root)).how,
                ContainsSubstring("`u.x * u.x` in place of `u.x`"));
@@ -110,6 +114,113 @@ TEST_CASE("a mistake in the arguments of any formula is named") {
     const std::string both = found("uniform_disk", squares(), answers("uniform_disk", two)).how;
     CHECK_THAT(both, ContainsSubstring("`sqrt(u.x)`"));
     CHECK_THAT(both, ContainsSubstring("`u.y / 2`"));
+}
+
+TEST_CASE("the steps of a formula make the solution's answers, and each step that may be changed changes one") {
+    std::size_t formulas = 0;
+    std::ifstream file("starter/rt/fragments.h");
+    const std::regex declaration("^[A-Za-z0-9]+ ([a-z_0-9]+)\\(.*\\);$");
+    std::smatch found;
+    for (std::string line; std::getline(file, line);) {
+        if (!std::regex_match(line, found, declaration)) continue;
+        const std::string name = found[1];
+        Generator random(7);
+        Rows rows;
+        for (const Check& check : checks_of(name, 7))
+            if (const auto* one = std::get_if<Probe>(&check.experiment))
+                for (Row& row : one->inputs(random)) rows.push_back(std::move(row));
+        for (const Steps& steps : steps_of(name)) {
+            INFO(name << " " << steps.formula);
+            std::size_t close = 0;
+            bool moves = false;
+            for (const Row& row : rows) {
+                const Row right = probe(name, row), taken = steps.take(row);
+                Row all = row;
+                all.insert(all.end(), taken.begin(), taken.end());
+                const Row answer = steps.finish(all);
+                const auto equal = [](double x, double y) {
+                    return x == y || std::abs(x - y) <= 1e-4 * std::max(1.0, std::abs(y));
+                };
+                close +=
+                    answer.size() <= right.size() && std::equal(answer.begin(), answer.end(), right.begin(), equal);
+                for (std::size_t i = row.size(); i < all.size() && !moves; ++i) {
+                    Row other = all;
+                    other[i] = 0.7 * other[i] + 1;
+                    moves = steps.finish(other) != answer;
+                }
+            }
+            CHECK(double(close) > 0.9 * double(rows.size()));
+            CHECK(moves);
+            ++formulas;
+        }
+    }
+    CHECK(formulas > 40);
+}
+
+TEST_CASE("a mistake in the middle of a formula is named, in the words of its documentation") {
+    const Rows indices = calls(
+        [](Generator& random) { return row(between(random, 0.05, 1), between(random, 1, 2), between(random, 1, 2)); });
+    const Ask no_square = [](const Rows& rows) {
+        Rows all;
+        for (const Row& in : rows) {
+            const double c1 = in[0], e1 = in[1], e2 = in[2], squared = 1 - e1 / e2 * (1 - c1 * c1);
+            const double c2 = std::sqrt(std::max(squared, 0.0));
+            const double s = (e1 * c1 - e2 * c2) / (e1 * c1 + e2 * c2), p = (e2 * c1 - e1 * c2) / (e2 * c1 + e1 * c2);
+            all.push_back({squared < 0 ? 1 : e1 == e2 ? 0 : (s * s + p * p) / 2});
+        }
+        return all;
+    };
+    CHECK_THAT(found("fresnel_dielectric", indices, no_square).how,
+               ContainsSubstring("`sqrt(e^2)` in place of `e^2`") && ContainsSubstring("c2 = sqrt("));
+    const Rows strata = calls([](Generator& random) {
+        std::vector<StratumOf> list;
+        for (int k = 0; k < 3; ++k) list.push_back({0.3 * k * k, 0.3 * (k + 1) * (k + 1), {}});
+        for (StratumOf& own : list)
+            for (int i = 0; i < 3; ++i) own.u.push_back(between(random, 0, 1));
+        return row(Integrand{Integrand::Kind::polynomial, {between(random, 1, 2), between(random, 1, 2)}}, list);
+    });
+    const Ask never_reset = [](const Rows& rows) {
+        Rows all = answers("integrate_stratified")(rows);
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            const double c0 = rows[k][2], c1 = rows[k][3];
+            double total = 0, sum = 0;
+            for (std::size_t at = 5; at < rows[k].size(); at += 6) {
+                const double low = rows[k][at], width = rows[k][at + 1] - low;
+                for (std::size_t i = 0; i < 3; ++i) sum += c0 + c1 * (low + rows[k][at + 3 + i] * width);
+                total += width * sum / 3;
+            }
+            all[k][0] = total;
+        }
+        return all;
+    };
+    CHECK_THAT(found("integrate_stratified", strata, never_reset).how, ContainsSubstring("not set back to 0"));
+    const Ask negated = answers("refracted_direction", {}, {});
+    const Rows rays = calls([](Generator& random) {
+        const rt::vec3 n = direction(random);
+        return row(-tilted(random, n, 0.3), n, between(random, 1, 1.4), between(random, 1.4, 2));
+    });
+    const Ask sign = [negated](const Rows& asked) {
+        Rows all = negated(asked);
+        for (std::size_t k = 0; k < asked.size(); ++k) {
+            const rt::vec3 d(asked[k][0], asked[k][1], asked[k][2]), n(asked[k][3], asked[k][4], asked[k][5]);
+            const double twice = 2 * asked[k][6] / asked[k][7] * rt::dot(d, n);
+            for (int c = 0; c < 3; ++c) all[k][std::size_t(c)] += twice * n[c];
+        }
+        return all;
+    };
+    CHECK_THAT(found("refracted_direction", rays, sign).how, ContainsSubstring("`-e * c` in place of `e * c`"));
+}
+
+TEST_CASE("numbers of a sum are told as its terms") {
+    const Rows times = calls(
+        [](Generator& random) { return row(between(random, -2, 2), between(random, 3, 5), between(random, 0, 1)); });
+    const Ask sum = [](const Rows& rows) {
+        Rows all;
+        for (const Row& in : rows) all.push_back({in[0] + in[2] * (in[1] + in[0])});
+        return all;
+    };
+    const std::string how = found("shutter_time", times, sum).how;
+    CHECK_THAT(how, ContainsSubstring("must be `shutter.open - shutter.open * u + shutter.close * u`"));
 }
 
 TEST_CASE("a mistake in the answer is named, with constants by their names and ratios that are not 1") {
@@ -123,7 +234,7 @@ TEST_CASE("a mistake in the answer is named, with constants by their names and r
           "`direction` has y and z exchanged");
     const auto cosine = [](Row& out) { out.back() *= out[2]; };
     CHECK_THAT(found("cosine_hemisphere", squares(), answers("cosine_hemisphere", {}, cosine)).how,
-               ContainsSubstring("the answer's direction.z"));
+               ContainsSubstring("`cos(theta) * cos(theta)` in place of `cos(theta)`"));
 }
 
 TEST_CASE("a constant that is no usual one is found") {
@@ -267,6 +378,75 @@ TEST_CASE("where calls are wrong, and the simplest of them") {
     CHECK(finding.arguments == "point = (0, 0, 1), velocity = (0, 0, 1), time = -1");
     CHECK(finding.answer == "(0, 0, 1)");
     CHECK(finding.right == "(0, 0, 0)");
+}
+
+TEST_CASE("answers that are no number are told as such, and which they are") {
+    const Rows rows = calls(
+        [](Generator& random) { return row(box(random, -5, 5), box(random, -3, 3), between(random, -2, 4)); }, 120);
+    const Ask right = answers("moved");
+    const Ask mine = [right](const Rows& asked) {
+        Rows all = right(asked);
+        for (std::size_t k = 0; k < all.size(); ++k)
+            if (asked[k][6] < 0) all[k] = {NAN, NAN, NAN};
+        return all;
+    };
+    const Finding finding = found("moved", rows, mine);
+    CHECK(finding.how == "some answers are nan where the right one is a number");
+    CHECK_THAT(finding.where, ContainsSubstring("calls are nan, those where `time < 0`"));
+    CHECK(finding.answer == "(nan, nan, nan)");
+}
+
+TEST_CASE("the call that is shown is of the region that is told, and is what it says") {
+    const Signature phong = declared("phong");
+    const Rows lit = calls(
+        [](Generator& random) {
+            rt::Material m;
+            m.ambient = box(random, 0.1, 1), m.albedo = box(random, 0.1, 1);
+            const rt::vec3 n = direction(random);
+            return row(m, box(random, 0.1, 1), box(random, 0.5, 2), n, direction(random), tilted(random, n, 0.3));
+        },
+        200);
+    const auto at = [](const Row& in, const Layout& layout, const char* name) {
+        const std::size_t first = std::ranges::find(layout.parts, name, &Field::name)->at;
+        return rt::vec3(in[first], in[first + 1], in[first + 2]);
+    };
+    const auto cosine = [=](const Row& in) {
+        const Layout layout = phong.of_arguments(in);
+        return rt::dot(at(in, layout, "n"), at(in, layout, "to_light"));
+    };
+    const Ask right = answers("phong");
+    const Ask black = [=](const Rows& asked) {
+        Rows all = right(asked);
+        for (std::size_t k = 0; k < all.size(); ++k)
+            if (cosine(asked[k]) <= 0) all[k] = {0, 0, 0};
+        return all;
+    };
+    const Finding finding = found("phong", lit, black);
+    CHECK(finding.how.find("negative") == std::string::npos);
+    CHECK_THAT(finding.where, ContainsSubstring("`dot(n, to_light) < 0`"));
+    const Row shown = arguments_from_words(phong, finding.arguments);
+    CHECK(cosine(shown) < 0);
+    CHECK(result_in_words(phong, right({shown})[0]) == finding.right);
+}
+
+TEST_CASE("the call that is shown hangs on no rounding") {
+    const Signature light = declared("light_sample");
+    const Rows lamps = calls([](Generator& random) {
+        rt::Emitter lamp;
+        lamp.quad.center = box(random, -2, 2);
+        lamp.quad.u = between(random, 0.1, 0.3) * direction(random);
+        lamp.quad.v = between(random, 0.1, 0.3) * rt::unit(rt::cross(lamp.quad.u, direction(random)));
+        const rt::vec3 n = rt::unit(normal(lamp));
+        return row(lamp, lamp.quad.center + between(random, 1, 3) * tilted(random, n, 0.5), square(random));
+    });
+    const Ask right = answers("light_sample");
+    const Ask mine = answers("light_sample", {}, [](Row& out) { out.back() *= 20; });
+    const Finding finding = found("light_sample", lamps, mine);
+    const Row shown = arguments_from_words(light, finding.arguments);
+    const std::vector<bool> density{false, false, true};
+    CHECK(result_in_words(light, right({shown})[0], density) == finding.right);
+    CHECK(result_in_words(light, mine({shown})[0], density) == finding.answer);
+    CHECK(right({shown})[0].back() < 1e6);
 }
 
 TEST_CASE("a sure cause goes before the relation, which goes before what a deviation usually means") {

@@ -20,4 +20,14 @@ for name in ("tasks.json", "launch.json"):
 for pattern, schema in files["settings.json"]["evenBetterToml.schema.associations"].items():
     assert pathlib.Path(schema).exists(), schema
     assert any(re.fullmatch(pattern, f"/project/{p}") for p in pathlib.Path(".").rglob("*.toml")), pattern
+container = json.loads(pathlib.Path(".devcontainer/devcontainer.json").read_text())
+assert (pathlib.Path(".devcontainer") / container["build"]["dockerfile"]).exists(), container["build"]
+extensions = container["customizations"]["vscode"]["extensions"]
+assert extensions == files["extensions.json"]["recommendations"], extensions
 END
+
+# The container's packages are those of the script that it sources: it names them, and has what installs them.
+# shellcheck disable=SC2016
+bash -euo pipefail -c 'root=/tmp; . "./$(sed -n "s/^COPY \([^ ]*\) .*/\1/p" .devcontainer/Dockerfile)"
+    declare -F install_packages >/dev/null
+    for list in $(grep -o "[$][a-z_]*packages" .devcontainer/Dockerfile); do list=${list#?}; [ -n "${!list}" ]; done' || exit 1

@@ -154,6 +154,17 @@ TEST_CASE("the solution's fragments get all points, whatever helpers they define
     }
 }
 
+TEST_CASE("a fragment without a check is the instructor's error, and no verdict") {
+    GradingSettings settings;
+    settings.only = {"phong"};
+    settings.time_limit = 1;
+    Submission one{.name = "test"};
+    one.texts["phong"] = solution("phong");
+    CHECK_THROWS_WITH(
+        grade_submission(one, read_assignment("assignment.toml"), toolchain(), ready(toy_checks()), settings),
+        Catch::Matchers::ContainsSubstring("assignment.toml lists phong, and this grader has no check of it"));
+}
+
 TEST_CASE("a blank is not started, and costs only itself") {
     const FragmentRecord fragment = graded_mirror(mirror("// nothing yet\nreturn not_started(d);"));
     CHECK(fragment.verdict == Verdict::not_started);

@@ -280,7 +280,18 @@ TEST_CASE("of several copies one is taken, and it is said which and why", "[subm
                       Catch::Matchers::ContainsSubstring("another archive, a/hw.rar: unpack it"));
 }
 
-TEST_CASE("archives in a folder are looked into where it holds no fragments", "[submission]") {
+TEST_CASE("a change of what is handed out filled in is told", "[submission]") {
+    const TemporaryFolder folder;
+    for (const char* name : {"moved", "phong", "whitted"})
+        write_text(folder.path() / (std::string(name) + ".cpp"), "a");
+    Submission s{.name = "s", .folder = "fragments/"};
+    s.texts = {{"moved", "a // as it was\n"}, {"phong", "b"}, {"whitted", "b"}};
+    note_given(s, {"whitted"}, folder.path());
+    REQUIRE(s.notes.size() == 1);
+    CHECK(s.notes[0].starts_with("fragments/phong.cpp: handed out filled in, and changed; it is not graded"));
+}
+
+TEST_CASE("archives in a folder are looked into", "[submission]") {
     const TemporaryFolder folder;
     const fs::path top = folder.path() / "Jane Doe_111_assignsubmission_file_", zip = top / "work.zip";
     fs::create_directories(top);
@@ -318,7 +329,100 @@ TEST_CASE("archives in a folder are looked into where it holds no fragments", "[
     write_text(top / "moved.cpp", "beside");
     s = read();
     CHECK(s.texts == std::map<std::string, std::string>{{"moved", "beside"}});
-    CHECK(s.notes.at(0) == "inner.tar.gz was left out: there are fragments beside it");
+    CHECK(s.complaints.at("phong") == "not in the top folder; there is inner.tar.gz/phong.cpp: put it there");
+}
+
+TEST_CASE("of fragments and an archive beside them the fuller one is taken", "[submission]") {
+    const TemporaryFolder folder;
+    const fs::path top = folder.path() / "Jane Doe_111_assignsubmission_file_";
+    fs::create_directories(top);
+    const auto read = [&] { return read_submission(top, fragments_of_hand_in, "starter"); };
+    const std::string blank = "namespace rt { vec3 moved(vec3 p) { return not_started(p); } }";
+    write_text(top / "moved.cpp", "beside");
+    pack(top / "work.zip", {{"hw/moved.cpp", "moved"}, {"hw/phong.cpp", "phong"}}, true);
+    Submission s = read();
+    CHECK(s.texts == std::map<std::string, std::string>{{"moved", "moved"}, {"phong", "phong"}});
+    CHECK(s.notes == std::vector<std::string>{"moved.cpp is in work.zip/hw/ and in the top folder; what is in "
+                                              "work.zip/hw/ was taken: it holds more fragments"});
+    // what was handed out is not the fuller one, however many blanks it has
+    pack(top / "work.zip", {{"hw/moved.cpp", blank}, {"hw/phong.cpp", blank}}, true);
+    s = read();
+    CHECK(s.texts.at("moved") == "beside");
+    CHECK(s.notes.at(0).ends_with("what is in the top folder was taken: more of its fragments are filled in"));
+    // what cannot be read, or is too large, is nobody's loss
+    write_text(top / "work.zip", "PK\3\4");
+    s = read();
+    CHECK(s.texts == std::map<std::string, std::string>{{"moved", "beside"}});
+    CHECK(s.notes.at(0).starts_with("work.zip was left out: work.zip: cannot be unpacked: it is cut off"));
+    std::vector<Entry> entries;
+    for (int i = 0; i < 200; ++i)
+        entries.push_back({std::to_string(i) + "/moved.cpp", std::string(most_source_bytes, ' ')});
+    pack(top / "work.zip", entries, true);
+    s = read();
+    CHECK(s.texts == std::map<std::string, std::string>{{"moved", "beside"}});
+    CHECK(s.notes.at(0).find("work.zip: holds more than 32 MiB") != std::string::npos);
+}
+
+TEST_CASE("what is wrong with an archive is said", "[submission]") {
+    const TemporaryFolder folder;
+    const fs::path zip = folder.path() / "work.zip", tar = folder.path() / "work.tar.gz";
+    const auto fault = [&](const fs::path& file) -> std::string {
+        try {
+            read_submission(file, fragments_of_hand_in);
+        } catch (const SubmissionError& error) {
+            return error.what();
+        }
+        return "none";
+    };
+    const auto says = [&](const fs::path& file, const char* words) {
+        INFO(fault(file));
+        CHECK(fault(file).find(words) != std::string::npos);
+    };
+    std::string text;
+    for (int i = 0; i < 5000; ++i) text += std::to_string(i * i);
+    pack(zip, {{"moved.cpp", text}, {"phong.cpp", text}}, true);
+    pack(tar, {{"moved.cpp", text}, {"phong.cpp", text}}, false);
+    REQUIRE(fault(zip) == "none");
+    REQUIRE(fault(tar) == "none");
+    const std::string whole_zip = read_text(zip).value(), whole_tar = read_text(tar).value();
+    for (const double share : {0.01, 0.4, 0.7, 0.9}) {
+        write_text(zip, whole_zip.substr(0, std::size_t(share * double(whole_zip.size()))));
+        says(zip, "cannot be unpacked: it is cut off, its end is missing; expected the whole .zip");
+        write_text(tar, whole_tar.substr(0, std::size_t(share * double(whole_tar.size()))));
+        says(tar, "cannot be unpacked: it is cut off");
+    }
+    // between two files: whatever is read of it, it is said
+    write_text(zip, whole_zip.substr(0, whole_zip.find("PK\3\4", 4)));
+    if (fault(zip) == "none")
+        CHECK(read_submission(zip, fragments_of_hand_in).notes.at(0).find("it is cut off") != std::string::npos);
+    else
+        says(zip, "it is cut off");
+    write_text(zip, whole_zip.substr(0, whole_zip.size() - 10));  // all is there but the end
+    CHECK(read_submission(zip, fragments_of_hand_in).texts.size() == 2);
+    CHECK(read_submission(zip, fragments_of_hand_in).notes.at(0).find("it is cut off") != std::string::npos);
+    write_text(zip, "");
+    says(zip, "it is empty: 0 bytes");
+    write_text(zip, "<!doctype html><title>Sign in</title>");
+    says(zip, "by its contents it is a page of the web; expected a .zip");
+    write_text(zip, "Rar!\x1a\x07 and more");
+    says(zip, "by its contents it is a .rar");
+    write_text(zip, "my fragments are on a stick");
+    says(zip, "by its contents it is no archive");
+
+    for (const char* name : {"../moved.cpp", "/home/me/moved.cpp", "..\\moved.cpp"}) {
+        pack(zip, {{name, text}}, true);
+        says(zip, "holds nothing that can be taken");
+        says(zip, "moved.cpp leads out of the archive; expected files such as fragments/");
+    }
+    pack(zip, {{"moved.cpp", text}, {"../phong.cpp", text}}, true);
+    const Submission s = read_submission(zip, fragments_of_hand_in);
+    CHECK(s.texts.size() == 1);
+    CHECK(s.notes == std::vector<std::string>{"1 file was left out: ../phong.cpp leads out of the archive"});
+    pack(folder.path() / "outer.zip", {{"work.zip", whole_zip.substr(0, whole_zip.size() / 2)}}, true);
+    CHECK(read_submission(folder.path() / "outer.zip", fragments_of_hand_in).notes ==
+          std::vector<std::string>{"work.zip was read in part: it is cut off or broken"});
+    pack(folder.path() / "outer.zip", {{"work.zip", whole_zip.substr(0, whole_zip.size() / 4)}}, true);
+    says(folder.path() / "outer.zip", "outer.zip/work.zip: cannot be unpacked: it is cut off");
 }
 
 TEST_CASE("an unpacked archive is found in its only folder", "[submission]") {

@@ -5,6 +5,7 @@
 #include "catch.h"
 #include "estimate.h"
 #include "rt/files/scene_reader.h"
+#include "rt/fragments.h"
 #include "rt/sampler.h"
 
 using namespace rt;

@@ -34,10 +34,10 @@ std::set<std::string> sources(const fs::path& folder) {
 
 }  // namespace
 
-TEST_CASE("what fragments.h declares is what the assignment lists, with a solution and a file of checks for each") {
+TEST_CASE("what the assignment lists is declared in fragments.h, with a solution and a file of checks for each") {
     const std::set<std::string> fragments = declared("starter/rt/fragments.h");
     const auto names = read_assignment("assignment.toml").names();
-    CHECK(std::set<std::string>(names.begin(), names.end()) == fragments);
+    for (const std::string& name : names) CHECK(fragments.contains(name));
     CHECK(sources("solution") == fragments);
     CHECK(sources("grader/checks") == fragments);
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# lists_test.sh: the lists of fragments that the build makes follow fragments.h, assignment.toml and checks/; where these do
+# lists_test.sh: the lists of fragments that the build makes follow fragments.h, assignment.toml, solution/ and checks/; where these do
 # not agree, the build says so.
 set -uo pipefail
 # shellcheck source=tests/expect.sh
@@ -8,6 +8,7 @@ set -uo pipefail
 # A project of its own with nothing but the lists.
 mkdir -p "$work/starter/rt" "$work/grader"
 cp -r grader/checks grader/child grader/cmake "$work/grader"
+cp -r solution "$work"
 cat >"$work/CMakeLists.txt" <<'CMAKE'
 cmake_minimum_required(VERSION 3.22)
 project(lists NONE)
@@ -30,9 +31,14 @@ expect 0 "${#solutions[@]}" grep -c 'visit("\(.*\)", rt::\1);' "$functions"
 declare_one() { sed -i 's|^// 3 sampling|Real fog(Real extinction, Real way);\n&|' "$work/starter/rt/fragments.h"; }
 assign_one() { sed -i 's|.*name = "whitted", points.*|&\n  { points = 2, name = "fog" }, # { name = "mist" }|' "$work/assignment.toml"; }
 declare_one
-expect 1 'assignment.toml: does not list the fragment fog of fragments.h; expected { name = "fog", points = ... }' "${configure[@]}"
+expect 1 'solution/fog.cpp: is missing; expected the solution of the fragment fog of fragments.h' "${configure[@]}"
+touch "$work/solution/fog.cpp"
 expect 1 'grader/checks/fog.cpp: is missing; expected the checks of the fragment fog of fragments.h' "${configure[@]}"
 touch "$work/grader/checks/fog.cpp"
+# without a line of the assignment it is left out: in the lists, but last
+expect 0 'assignment.toml leaves fog out: handed out filled in, not graded' "${configure[@]}"
+expect 0 'Checks check_fog(Generator& random);' cat "$work/build/grader/asked/fog.h"
+expect 0 $'visit("scatter_direction", rt::scatter_direction);\n    visit("fog", rt::fog);' cat "$functions"
 assign_one
 expect 0 "Generating done" "${configure[@]}"
 expect 0 'Checks check_fog(Generator& random);' cat "$checks"
@@ -44,6 +50,14 @@ expect 1 'grader/checks/fog.cpp: no fragment is named fog; expected one of fragm
 assign_one
 expect 1 'starter/rt/fragments.h: does not declare the fragment fog of assignment.toml; expected it, on one line' "${configure[@]}"
 rm "$work/grader/checks/fog.cpp"
+fresh
+expect 1 'solution/fog.cpp: no fragment is named fog; expected one that starter/rt/fragments.h declares' "${configure[@]}"
+rm "$work/solution/fog.cpp"
+
+# a fragment that a course leaves out, also where another one has its name in it
+sed -i '/name = "moved"/d' "$work/assignment.toml"
+expect 0 'assignment.toml leaves moved out' "${configure[@]}"
+expect 0 $'{"scatter_direction", check_scatter_direction},\n    {"moved", check_moved},' cat "$checks"
 
 # the order is the assignment's
 fresh

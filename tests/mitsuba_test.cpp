@@ -87,3 +87,15 @@ TEST_CASE("triangles go into one PLY file for each material") {
     CHECK(files.meshes[1].contents.find("element face 1\n") != std::string::npos);
     CHECK(files.xml.find("value=\"stem1.ply\"") != std::string::npos);
 }
+
+TEST_CASE("a checker on quads is Mitsuba's, scaled to each; on other shapes it is named") {
+    using Catch::Matchers::ContainsSubstring;
+    const std::string tiles = "[materials.tiles]\nalbedo = 0.5\nchecker = { albedo = 0.25, size = 0.5 }\n";
+    CHECK_THAT(complaint(scene_of("", tiles)), ContainsSubstring("material \"tiles\": 'checker' on other shapes"));
+    const std::string quad =
+        "[[shape]]\ntype = \"quad\"\ncenter = [0, 0, 0]\nu = [1, 0, 0]\nv = [0, 3, 0]\nmaterial = \"tiles\"\n";
+    const rt::Scene scene = rt::parse_scene("environment = 1\n" + camera + tiles + quad, "scene.toml");
+    CHECK_THAT(rt::to_mitsuba(scene, "mesh").xml,
+               ContainsSubstring("checkerboard") &&
+                   ContainsSubstring("<scale x=\"2\" y=\"6\"/><translate x=\"-1\" y=\"-3\"/>"));
+}

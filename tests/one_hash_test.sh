@@ -10,7 +10,8 @@
 #         libpng-dev,libtbb-dev,libtinyobjloader-dev,libtomlplusplus-dev,libstdc++-12-dev bookworm FOLDER
 #     for package in FOLDER/var/cache/apt/archives/*.deb; do dpkg-deb -x $package FOLDER; done
 build=$1
-scenes="scenes/gallery/cornell.toml scenes/gallery/still_life.toml scenes/gallery/motion.toml scenes/gallery/candle.toml"
+scenes="scenes/gallery/cornell.toml scenes/gallery/still_life.toml scenes/gallery/motion.toml scenes/gallery/candle.toml
+    scenes/whitted_1980.toml"
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 

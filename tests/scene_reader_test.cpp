@@ -24,6 +24,8 @@ const std::map<std::string, std::string> complaints = {
     {"bad_mesh.toml", "bad_face.obj:4:7: a face has vertex 4; expected "},
     {"beyond_double.toml", "beyond_double.toml:16:15: '1e400' could not be interpreted as a value; expected "},
     {"beyond_range.toml", "beyond_range.toml:15:14: 'center' is 1e+300; expected "},
+    {"checker_without_size.toml", "checker_without_size.toml:7:11: 'size' is missing"},
+    {"checker_zero.toml", "checker_zero.toml:7:46: 'size' is 0; expected "},
     {"deep_key.toml", "deep_key.toml:6:130: too many dots in one key; expected "},
     {"doubled_key.toml", "doubled_key.toml:17:10: cannot redefine existing integer 'radius'; expected "},
     {"empty.toml", "empty.toml:1:1: the file is empty; expected "},
@@ -106,6 +108,7 @@ exponent = 50
 ior = 1.5
 emission = 8
 sampled = false
+checker = { albedo = [0, 0.5, 1], size = 0.25 }
 medium = { extinction = 3, albedo = [0.9, 0.8, 0.7], g = -0.5 }
 
 [[light]]
@@ -236,6 +239,8 @@ TEST_CASE("every key of a scene arrives", "[reader]") {
     const rt::Material& m = s.materials[0];
     CHECK(m.name == "all");
     CHECK((m.ambient == rt::Color(0.1) && m.albedo == rt::Color(0.2, 0.3, 0.4) && m.specular == rt::Color(0.5)));
+    REQUIRE(m.checker);
+    CHECK((m.checker->albedo == rt::Color(0, 0.5, 1) && m.checker->size == 0.25));
     CHECK((m.shininess == 20 && m.exponent == 50 && m.ior == 1.5 && !m.sampled));
     CHECK((m.reflectance == rt::Color(0.6) && m.transmittance == rt::Color(0.7) && m.emission == rt::Color(8)));
     CHECK((m.medium.extinction == 3 && m.medium.albedo == rt::Color(0.9, 0.8, 0.7) && m.medium.g == -0.5));

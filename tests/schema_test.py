@@ -59,7 +59,8 @@ for file in files:
         expect(False, f"{file}: {error.json_path}: {error.message}")
 
 ball = (ROOT / "scenes/white_ball.toml").read_text()
-for old, new in [("albedo = 0.8", "albedo = 1.2"), ("albedo = 0.8", "albdo = 0.8"), ("radius = 1", "radius = 0"), ("radius = 1", ""),
+for old, new in [("albedo = 0.8", "albedo = 1.2"), ("albedo = 0.8", "albdo = 0.8"), ("albedo = 0.8", "checker = { albedo = 0.5 }"),
+                 ("albedo = 0.8", "checker = { albedo = 0.5, size = 0 }"), ("radius = 1", "radius = 0"), ("radius = 1", ""),
                  ('type = "sphere"', 'type = "ball"'), ("eye = [0, 0, 5]", "eye = [0, 0]"), ("irradiance = 3", "irradiance = -3"),
                  ("[camera]", "[render]\nsamples = 1.5\n[camera]"), ("[camera]", '[render]\nsampler = "grid"\n[camera]')]:
     expect(not scenes.is_valid(broken(ball, old, new)), f"a scene with {new!r} in place of {old!r} is taken")

@@ -6,6 +6,7 @@
 #include "catch.h"
 #include "estimate.h"
 #include "rt/files/scene_reader.h"
+#include "rt/fragments.h"
 #include "rt/lamps/importance.h"
 #include "rt/sampler.h"
 

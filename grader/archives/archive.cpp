@@ -7,6 +7,7 @@
 #include <locale.h>
 
 #include <algorithm>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <set>
@@ -18,8 +19,9 @@ namespace grade {
 
 namespace {
 
-constexpr int most_entries = 20'000, most_depth = 2;
+constexpr int most_entries = 20'000, most_depth = 2, most_shown = 200;
 constexpr std::int64_t most_unpacked = 256ll << 20, most_taken = 32ll << 20, most_inner = 64ll << 20;
+constexpr std::uintmax_t smallest_end = 22, end_of_zip = smallest_end + 65535;  // of a zip; with its comment
 
 /// While it lives, this thread's names are UTF-8, without which the library gives up on all that are not ASCII.
 class NamesInUtf8 {
@@ -45,6 +47,58 @@ private:
 std::string plain_path(std::string raw) {
     std::replace(raw.begin(), raw.end(), '\\', '/');
     return fs::path(raw).lexically_normal().generic_string();
+}
+
+/// The first and the last bytes of an archive; a zip ends with where its list of contents is.
+struct Ends {
+    std::string first, last;
+    std::uintmax_t size = 0;
+};
+
+Ends ends_of(const fs::path& path) {
+    Ends ends;
+    std::error_code error;
+    ends.size = fs::file_size(path, error);
+    if (error) return {};
+    std::ifstream file(path, std::ios::binary);
+    const auto read = [&](std::string& text) {
+        text.resize(std::min(ends.size, end_of_zip));
+        file.read(text.data(), std::streamsize(text.size()));
+        text.resize(std::size_t(std::max<std::streamsize>(file.gcount(), 0)));
+    };
+    read(ends.first);
+    file.clear();
+    file.seekg(std::streamoff(ends.size - std::min(ends.size, end_of_zip)));
+    read(ends.last);
+    return ends;
+}
+
+Ends ends_of(const std::string& bytes) {
+    return {bytes.substr(0, end_of_zip), bytes.substr(bytes.size() - std::min(bytes.size(), std::size_t(end_of_zip))),
+            bytes.size()};
+}
+
+bool is_cut_zip(const Ends& ends) {
+    const std::size_t at = ends.last.rfind("PK\5\6");
+    return ends.first.starts_with("PK\3\4") && (at == ends.last.npos || at + smallest_end > ends.last.size());
+}
+
+/// What is wrong with what cannot be unpacked, and what was expected.
+std::string what_is_wrong(const Ends& ends, const std::string& why) {
+    const std::string& first = ends.first;
+    if (ends.size == 0) return "it is empty: 0 bytes; expected a .zip or a .tar.gz";
+    if (why.find("assphrase") != why.npos) return "it is encrypted; expected one without a password";
+    const bool is_zip = first.starts_with("PK\3\4");
+    if (is_cut_zip(ends) || (!is_zip && (why.empty() || why.find("runcated") != why.npos)))
+        return "it is cut off, its end is missing; expected the whole .zip or .tar.gz, uploaded again";
+    const auto is = [&](std::string_view start) { return first.starts_with(start); };
+    const char* kind = why.find("nrecognized") != why.npos ? "no archive" : nullptr;
+    if (is("Rar!")) kind = "a .rar";
+    if (is("7z\xbc\xaf")) kind = "a .7z";
+    if (is("\3757zXZ") || is("BZh")) kind = "compressed in another way";
+    if (is("<")) kind = "a page of the web";
+    if (kind) return fmt::format("by its contents it is {}; expected a .zip or a .tar.gz", kind);
+    return fmt::format("{}; expected a .zip or a .tar.gz", why.empty() ? "it is broken" : why);
 }
 
 bool is_zip_or_tar(const std::string& name) {
@@ -73,15 +127,16 @@ private:
 
     [[noreturn]] void fail(archive* in) const {
         const char* why = archive_error_string(in);
-        throw SubmissionError(
-            fmt::format("{}: cannot be unpacked: {}; expected a .zip or a .tar.gz", shown_, why ? why : "broken"));
+        throw SubmissionError(fmt::format("{}: cannot be unpacked: {}", shown_, what_is_wrong(ends(), why ? why : "")));
     }
+    Ends ends() const { return bytes_ ? ends_of(*bytes_) : ends_of(fs::path(shown_)); }
     void look_at(archive* in, archive_entry* entry, const std::string& name, int depth);
     void take(archive* in, const std::string& name);
     std::optional<std::string> read(archive* in, std::size_t most) const;
 
     const fs::path top_;
-    std::string shown_;  // which archive is looked into
+    std::string shown_;                   // which archive is looked into
+    const std::string* bytes_ = nullptr;  // its own; none: it is a file
     const std::vector<std::string>& fragments_;
     const FrameworkFiles handed_out_;
     std::set<std::string> names_;
@@ -149,6 +204,7 @@ void Look::look_at(archive* in, archive_entry* entry, const std::string& name, i
 
 void Look::within(const std::string& name, const std::string* bytes, int depth) {
     const std::string outer = std::exchange(shown_, (top_ / name).string());
+    const std::string* outer_bytes = std::exchange(bytes_, bytes);
     try {
         into(name + "/", bytes, depth);
         // it has been looked into
@@ -157,7 +213,7 @@ void Look::within(const std::string& name, const std::string* bytes, int depth) 
         if (unpacked_ > most_unpacked || taken_ > most_taken || entries_ >= most_entries) throw;
         if (found.broken.empty()) found.broken = error.what();
     }
-    shown_ = outer;
+    shown_ = outer, bytes_ = outer_bytes;
 }
 
 void Look::into(const std::string& prefix, const std::string* bytes, int depth) {
@@ -171,7 +227,10 @@ void Look::into(const std::string& prefix, const std::string* bytes, int depth) 
     for (;; ++entries_) {
         archive_entry* entry = nullptr;
         const int status = archive_read_next_header(in.get(), &entry);
-        if (status == ARCHIVE_EOF) return;
+        if (status == ARCHIVE_EOF) {
+            if (is_cut_zip(ends())) found.cut = fs::path(shown_).filename().string();
+            return;
+        }
         if (status < ARCHIVE_WARN) fail(in.get());
         if (entries_ >= most_entries)
             throw SubmissionError(fmt::format("{}: holds more than {} files", shown_, most_entries));
@@ -182,7 +241,12 @@ void Look::into(const std::string& prefix, const std::string* bytes, int depth) 
         }
         // the path is a name and nothing else: nothing is written to it
         const std::string name = plain_path(raw);
-        if (!name.starts_with("/") && !name.starts_with("..")) look_at(in.get(), entry, prefix + name, depth);
+        if (name.starts_with("/") || name.starts_with("..")) {
+            if (archive_entry_filetype(entry) == AE_IFREG && ++found.outside == 1)
+                found.first_outside = name.substr(0, most_shown);
+        } else {
+            look_at(in.get(), entry, prefix + name, depth);
+        }
     }
 }
 

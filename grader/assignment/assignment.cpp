@@ -21,6 +21,13 @@ std::vector<std::string> Assignment::names() const {
     return names;
 }
 
+std::set<std::string> Assignment::asked() const {
+    std::set<std::string> names;
+    for (const Fragment& fragment : fragments)
+        if (!fragment.given) names.insert(fragment.name);
+    return names;
+}
+
 Assignment read_assignment(const std::string& path) {
     std::error_code error;
     const std::optional<std::string> text = read_text(fs::canonical(path, error));

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,7 +24,8 @@ struct Fragment {
     std::string visibility = "visible";  // of its result, to students; one of visibilities
 };
 
-/// The list of assignment.toml.
+/// The list of assignment.toml. A fragment that fragments.h declares and this list leaves out is handed out filled in,
+/// as one that is given, and appears nowhere else.
 struct Assignment {
     std::string title;
     std::vector<Part> parts;
@@ -33,6 +35,9 @@ struct Assignment {
     /// Its place in the list. Throws std::out_of_range for a name that is none.
     std::size_t place(const std::string& fragment) const;
     std::vector<std::string> names() const;
+
+    /// What students fill in: those that are not given.
+    std::set<std::string> asked() const;
 };
 
 /// Throws rt::InputError.

@@ -97,11 +97,11 @@ std::vector<std::string> secrets(const Marked& file) {
     return found;
 }
 
-std::map<std::string, std::string> make_starter(const std::string& solution, const std::set<std::string>& given) {
+std::map<std::string, std::string> make_starter(const std::string& solution, const std::set<std::string>& asked) {
     std::map<std::string, std::string> files;
     for (const auto& path : sources(solution)) {
         const Marked file = find_region(text_of(path), path.string());
-        files[path.filename().string()] = given.count(path.stem().string()) ? filled(file) : blank(file);
+        files[path.filename().string()] = asked.count(path.stem().string()) ? blank(file) : filled(file);
     }
     return files;
 }

@@ -33,9 +33,9 @@ std::string filled(const Marked& file);
 /// brackets alone nor comments.
 std::vector<std::string> secrets(const Marked& file);
 
-/// File name and text of each fragment of the starter, made from the .cpp files of a folder. Those named in `given`
-/// (without .cpp) are filled in. Throws rt::InputError.
-std::map<std::string, std::string> make_starter(const std::string& solution, const std::set<std::string>& given);
+/// File name and text of each fragment of the starter, made from the .cpp files of a folder. Those named in `asked`
+/// (without .cpp) are blank, the others filled in. Throws rt::InputError.
+std::map<std::string, std::string> make_starter(const std::string& solution, const std::set<std::string>& asked);
 
 /// How the .cpp files of a folder differ from what they should be, one line each; empty: not at all.
 std::vector<std::string> drift(const std::map<std::string, std::string>& expected, const std::string& folder);

@@ -50,7 +50,10 @@ Workshop::Workshop(const fs::path& toolchain, const fs::path& results, Amount am
       amount_(amount),
       results_(results),
       variants_(chosen(read_variants(chain_.source / "tests/variants"), words)),
-      by_name_(!words.empty()) {}
+      by_name_(!words.empty()) {
+    // what is not asked is not graded
+    std::erase_if(variants_, [&](const Variant& v) { return !assignment_.asked().contains(v.fragment); });
+}
 
 std::set<std::string> Workshop::fragments() const {
     std::set<std::string> names;

@@ -1,4 +1,4 @@
-#include "checks/fragment_checks.h"
+#include "asked/color_bleeding.h"
 #include "checks/kit/warp.h"
 #include "statistics/furnace.h"
 #include "statistics/irradiance.h"

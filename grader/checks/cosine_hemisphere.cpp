@@ -1,4 +1,4 @@
-#include "checks/fragment_checks.h"
+#include "asked/cosine_hemisphere.h"
 #include "checks/kit/warp.h"
 
 namespace grade {

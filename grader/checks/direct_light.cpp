@@ -1,4 +1,4 @@
-#include "checks/fragment_checks.h"
+#include "asked/direct_light.h"
 #include "checks/kit/kit.h"
 #include "checks/kit/reflection_model.h"
 #include "statistics/blob.h"

@@ -1,4 +1,4 @@
-#include "checks/fragment_checks.h"
+#include "asked/emission_counts.h"
 #include "checks/kit/kit.h"
 #include "statistics/irradiance.h"
 

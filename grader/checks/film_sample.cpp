@@ -1,6 +1,7 @@
-#include "checks/fragment_checks.h"
+#include "asked/film_sample.h"
 #include "checks/kit/convergence.h"
 #include "checks/kit/film_view.h"
+#include "checks/kit/horizon.h"
 #include "checks/kit/kit.h"
 #include "checks/kit/own_numbers.h"
 #include "checks/kit/slanted_edges.h"
@@ -215,7 +216,8 @@ Checks check_film_sample(Generator& random) {
             slanted_edges(random),
             fine_stripes(random),
             error_orders(random, samples),
-            rings(random, samples)};
+            rings(random, samples),
+            horizon(random)};
 }
 
 }  // namespace grade

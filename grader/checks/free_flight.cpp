@@ -1,4 +1,4 @@
-#include "checks/fragment_checks.h"
+#include "asked/free_flight.h"
 #include "checks/kit/kit.h"
 #include "checks/kit/white_medium.h"
 

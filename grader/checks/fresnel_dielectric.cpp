@@ -1,4 +1,4 @@
-#include "checks/fragment_checks.h"
+#include "asked/fresnel_dielectric.h"
 #include "checks/kit/glass.h"
 #include "checks/kit/kit.h"
 

@@ -1,4 +1,4 @@
-#include "checks/fragment_checks.h"
+#include "asked/glossy_reflection.h"
 #include "checks/kit/lobe_check.h"
 #include "checks/kit/lobe_picture.h"
 

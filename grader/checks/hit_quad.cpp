@@ -1,4 +1,4 @@
-#include "checks/fragment_checks.h"
+#include "asked/hit_quad.h"
 #include "checks/kit/figures.h"
 #include "checks/kit/hit_flat.h"
 

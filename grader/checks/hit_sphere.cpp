@@ -1,4 +1,4 @@
-#include "checks/fragment_checks.h"
+#include "asked/hit_sphere.h"
 #include "checks/kit/figures.h"
 #include "checks/kit/kit.h"
 

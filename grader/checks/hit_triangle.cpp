@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "checks/fragment_checks.h"
+#include "asked/hit_triangle.h"
 #include "checks/kit/figures.h"
 #include "checks/kit/hit_flat.h"
 

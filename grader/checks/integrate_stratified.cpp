@@ -1,4 +1,4 @@
-#include "checks/fragment_checks.h"
+#include "asked/integrate_stratified.h"
 #include "checks/kit/convergence.h"
 #include "checks/kit/kit.h"
 #include "statistics/convergence.h"

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "checks/fragment_checks.h"
+#include "asked/lens_ray.h"
 #include "checks/kit/lens_pictures.h"
 #include "checks/kit/warp.h"
 #include "statistics/blob.h"

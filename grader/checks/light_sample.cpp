@@ -1,4 +1,4 @@
-#include "checks/fragment_checks.h"
+#include "asked/light_sample.h"
 #include "checks/kit/shadow_scene.h"
 #include "checks/kit/warp.h"
 #include "statistics/irradiance.h"

@@ -1,4 +1,4 @@
-#include "checks/fragment_checks.h"
+#include "asked/mirror_direction.h"
 #include "checks/kit/figures.h"
 #include "checks/kit/kit.h"
 
@@ -65,7 +65,7 @@ Checks check_mirror_direction(Generator& random) {
                       {"r has unit length; expected the length of d", [](vec3 right) { return rt::unit(right); }},
                       {"the normal is taken to be on the viewer's side: it may be on either side of the surface",
                        [](vec3 d, vec3 n) { return vec3(d + 2 * std::abs(rt::dot(d, n)) * n); }},
-                      {"the normal is turned towards the viewer with the wrong sign",
+                      {"d . n is taken without its sign: expected no abs()",
                        [](vec3 d, vec3 n) { return vec3(d - 2 * std::abs(rt::dot(d, n)) * n); }}}});
     return {probe_check("mirrored", inputs, {mirrored}), mirror_image(random)};
 }

@@ -1,4 +1,4 @@
-#include "checks/fragment_checks.h"
+#include "asked/phong.h"
 #include "checks/kit/kit.h"
 #include "checks/kit/reflection_model.h"
 #include "checks/kit/shadow_scene.h"

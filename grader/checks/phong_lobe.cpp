@@ -1,4 +1,4 @@
-#include "checks/fragment_checks.h"
+#include "asked/phong_lobe.h"
 #include "checks/kit/warp.h"
 #include "statistics/lobe.h"
 #include "statistics/moments.h"

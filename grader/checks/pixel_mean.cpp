@@ -1,4 +1,4 @@
-#include "checks/fragment_checks.h"
+#include "asked/pixel_mean.h"
 #include "checks/kit/film_view.h"
 #include "checks/kit/kit.h"
 #include "statistics/regression.h"

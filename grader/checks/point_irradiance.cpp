@@ -1,4 +1,4 @@
-#include "checks/fragment_checks.h"
+#include "asked/point_irradiance.h"
 #include "checks/kit/kit.h"
 #include "checks/kit/shadow_scene.h"
 

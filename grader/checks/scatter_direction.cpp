@@ -1,4 +1,4 @@
-#include "checks/fragment_checks.h"
+#include "asked/scatter_direction.h"
 #include "checks/kit/warp.h"
 #include "checks/kit/white_medium.h"
 

@@ -1,4 +1,4 @@
-#include "checks/fragment_checks.h"
+#include "asked/sphere_cone.h"
 #include "checks/kit/shadow_scene.h"
 #include "checks/kit/warp.h"
 

@@ -1,4 +1,4 @@
-#include "checks/fragment_checks.h"
+#include "asked/stratified_2d.h"
 #include "checks/kit/convergence.h"
 #include "checks/kit/figures.h"
 #include "checks/kit/kit.h"

@@ -1,4 +1,4 @@
-#include "checks/fragment_checks.h"
+#include "asked/uniform_disk.h"
 #include "checks/kit/shadow_scene.h"
 #include "checks/kit/warp.h"
 

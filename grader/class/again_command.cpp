@@ -45,7 +45,9 @@ Record grade_as(const Record& before, const AgainArguments& arguments, const std
         if (std::ranges::count(names, name) == 0)
             throw rt::InputError(fmt::format("{}: the record is of a fragment {}, which the assignment does not have",
                                              arguments.record, name));
-    const Submission submission = read_submission(arguments.submission, names, chain.source / "starter");
+    Submission submission =
+        read_submission(arguments.submission, all_fragments(chain, assignment), chain.source / "starter");
+    note_given(submission, assignment.asked(), chain.blanks);
     GradingSettings settings;
     settings.only = {before.selection.begin(), before.selection.end()};
     settings.seed = before.seed, settings.time_limit = before.limits.time;

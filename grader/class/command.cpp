@@ -71,6 +71,7 @@ CLI::App* add_class_command(CLI::App& app, ClassArguments& arguments) {
     command->add_option("--time-limit", arguments.time_limit, "CPU seconds for one answer of a fragment")
         ->capture_default_str()
         ->check(CLI::Range(1.0, 600.0));
+    command->add_flag("--pictures", arguments.pictures, "pages with pictures; what is graded without is graded again");
     command->add_flag("--trusted", arguments.trusted, "no sandbox: for code that is your own");
     return command;
 }
@@ -114,8 +115,9 @@ int run_merge(const MergeArguments& arguments) {
         for (Result& result : read_list(part)) {
             if (result.record) {
                 if (title.empty()) title = result.record->title;
-                if (const auto text = read_text(record_file(part, result.key), 256u << 20))
-                    write_text(record_file(out, result.key), *text);
+                for (const auto file : {record_file, pictures_file})
+                    if (const auto text = read_text(file(part, result.key), 256u << 20))
+                        write_text(file(out, result.key), *text);
             }
             if (seen.insert(result.path).second) results.push_back(std::move(result));
         }

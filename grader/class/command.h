@@ -16,7 +16,7 @@ struct ClassArguments {
     std::optional<std::uint64_t> seed;
     int jobs = 0;
     double time_limit = 10;
-    bool trusted = false;
+    bool trusted = false, pictures = false;
 };
 
 CLI::App* add_class_command(CLI::App& app, ClassArguments& arguments);

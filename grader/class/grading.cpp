@@ -33,14 +33,14 @@ void sweep(const fs::path& records) {
 
 /// By record: the first entry that it is for, of those that are this shard's and not graded yet.
 std::map<std::string, const Entry*> open_ones(const std::vector<Entry>& entries, const std::vector<Result>& results,
-                                              const Shard& shard, const fs::path& out, int& before) {
+                                              const Shard& shard, const fs::path& out, bool pictures, int& before) {
     std::map<std::string, const Entry*> all, open;
     for (std::size_t i = 0; i < entries.size(); ++i)
         if (!results[i].key.empty()) all.try_emplace(results[i].key, &entries[i]);
     int place = 0;
     for (const auto& [key, entry] : all) {
         if (place++ % shard.all != shard.which) continue;
-        if (find_record(out, {.path = entry->path, .key = key}))
+        if (find_record(out, {.path = entry->path, .key = key}) && (!pictures || fs::exists(pictures_file(out, key))))
             ++before;
         else
             open.emplace(key, entry);
@@ -65,7 +65,9 @@ std::vector<Result> results_of(const std::vector<Entry>& entries, const Assignme
     std::vector<Result> results;
     for (const Entry& entry : entries) {
         Result result{entry.student, entry.path, entry.fault, entry.notes, "", {}, {}};
-        result.notes.insert(result.notes.end(), entry.submission.notes.begin(), entry.submission.notes.end());
+        Submission taken = entry.submission;
+        note_given(taken, assignment.asked(), chain.blanks);
+        result.notes.insert(result.notes.end(), taken.notes.begin(), taken.notes.end());
         note_complaints(entry.submission, result.notes);
         if (entry.fault.empty()) result.key = key_of(entry.submission, assignment, setup);
         for (const auto& [fragment, text] : entry.submission.texts)
@@ -80,7 +82,7 @@ Outcome grade_all(const std::vector<Entry>& entries, const std::vector<Result>& 
                   const fs::path& out) {
     sweep(out / "records");
     Outcome outcome;
-    const auto open = open_ones(entries, results, shard, out, outcome.before);
+    const auto open = open_ones(entries, results, shard, out, arguments.pictures, outcome.before);
     if (open.empty()) return outcome;
     const std::vector<std::pair<std::string, const Entry*>> list(open.begin(), open.end());
     const FutureChecks checks = ready(all_checks(setup.seed));
@@ -96,13 +98,17 @@ Outcome grade_all(const std::vector<Entry>& entries, const std::vector<Result>& 
         }
         GradingSettings settings;
         settings.seed = setup.seed, settings.time_limit = setup.time_limit, settings.provenance = setup.provenance;
+        settings.pictures = arguments.pictures;
         settings.build.jobs = 1, settings.build.trusted = arguments.trusted;
         settings.command = fmt::format("grade SUBMISSION --seed {}", setup.seed);
         try {
             Submission submission = entry->submission;
             submission.name.clear();  // the record is one of texts, whosever they are
             Record record = grade_submission(submission, assignment, chain, checks, settings);
-            write_text(record_file(out, key), to_json(record));
+            if (arguments.pictures) write_pictures(out, key, record);
+            // one that is there stays as it is: it lacked pictures
+            if (!find_record(out, {.path = entry->path, .key = key}))
+                write_text(record_file(out, key), to_json(record));
             const std::scoped_lock guard(lock);
             ++outcome.graded, in_a_row = 0;
         } catch (const Interrupted&) {

@@ -24,6 +24,11 @@ constexpr const char* class_style = R"css(
 .share i { display: block; height: 100%; } .share .ok { background: var(--good); } .share .no { background: var(--bad); }
 .columns { display: flex; align-items: flex-end; gap: 4px; height: 130px; } .columns div { flex: 1; display: flex; flex-direction: column; justify-content: flex-end; text-align: center; height: 100%; font-size: 12px; color: var(--soft); }
 .columns i { display: block; background: var(--good); border-radius: 3px 3px 0 0; } .class td { overflow-wrap: anywhere; } .class td.number { overflow-wrap: normal; }
+@media (max-width: 640px) {
+    .wide table { min-width: 0; } .class, .class tbody, .class tr, .class td { display: block; } .class tr:has(th) { display: none; }
+    .class tr { border-top: 1px solid var(--line); padding: 6px 0; } .class td, .class td.number { border: 0; padding: 1px 0; text-align: left; }
+    td[data-is]:not(:empty)::before { content: attr(data-is) " "; color: var(--soft); font-size: 13px; }
+}
 )css";
 
 using Links = std::vector<std::string>;  // by result: its name, with a link where there is a page
@@ -86,11 +91,13 @@ std::string by_fragment(const std::vector<Result>& results) {
         const Sum& s = sums[name];
         const int wrong = s.count - s.passed - s.idle;
         text += fmt::format(
-            "<tr><td>{0}</td><td class=\"number\">{1} of {2}</td><td><div class=\"share\" role=\"img\" "
+            "<tr><td>{0}</td><td class=\"number\" data-is=\"mean\">{1} of {2}</td><td><div class=\"share\" "
+            "role=\"img\" "
             "aria-label=\"{3} "
             "passed, {4} wrong, {5} not started\"><i class=\"ok\" style=\"width:{6:.1f}%\"></i><i class=\"no\" "
             "style=\"width:{7:.1f}%\"></i><i class=\"idle\" style=\"width:{8:.1f}%\"></i></div></td><td "
-            "class=\"number\">{3}</td><td class=\"number\">{4}</td><td class=\"number\">{5}</td></tr>\n",
+            "class=\"number\" data-is=\"passed\">{3}</td><td class=\"number\" data-is=\"wrong\">{4}</td><td "
+            "class=\"number\" data-is=\"not started\">{5}</td></tr>\n",
             html(name), short_number(s.points / s.count), short_number(s.most), s.passed, wrong, s.idle,
             100.0 * s.passed / s.count, 100.0 * wrong / s.count, 100.0 * s.idle / s.count);
     }
@@ -104,9 +111,11 @@ std::string frequent_mistakes(const std::vector<Result>& results, const Links& l
         "<table class=\"class\"><tr><th class=\"number\">how many</th><th>fragment</th><th>what is wrong, of the first "
         "of them</th><th>who</th></tr>\n";
     for (std::size_t i = 0; i < std::min(all.size(), most_mistakes); ++i)
-        text += fmt::format("<tr><td class=\"number\">{}</td><td><code>{}</code></td><td>{}</td><td>{}</td></tr>\n",
-                            all[i].who.size(), html(all[i].fragment), html(all[i].hint.substr(0, 300)),
-                            names(all[i].who, links));
+        text += fmt::format(
+            "<tr><td class=\"number\" data-is=\"how many\">{}</td><td "
+            "data-is=\"fragment\"><code>{}</code></td><td>{}</td><td data-is=\"who\">{}</td></tr>\n",
+            all[i].who.size(), html(all[i].fragment), html_with_code(all[i].hint.substr(0, 300)),
+            names(all[i].who, links));
     text += "</table>";
     if (all.size() > most_mistakes)
         text += fmt::format("<p class=\"soft\">And {} more.</p>", all.size() - most_mistakes);
@@ -122,8 +131,9 @@ std::string suspicious_twins(const std::vector<Result>& results, const Links& li
         "class=\"class\"><tr><th>who</th><th>"
         "fragments</th><th class=\"number\">tokens</th></tr>\n";
     for (std::size_t i = 0; i < std::min(all.size(), most_twins); ++i)
-        text += fmt::format("<tr><td>{} and {}</td><td>{}</td><td class=\"number\">{}</td></tr>\n", links[all[i].a],
-                            links[all[i].b], html(fmt::format("{}", fmt::join(all[i].fragments, ", "))), all[i].tokens);
+        text += fmt::format("<tr><td>{} and {}</td><td>{}</td><td class=\"number\" data-is=\"tokens\">{}</td></tr>\n",
+                            links[all[i].a], links[all[i].b],
+                            html(fmt::format("{}", fmt::join(all[i].fragments, ", "))), all[i].tokens);
     return text + "</table>";
 }
 
@@ -135,11 +145,12 @@ std::string all_submissions(const std::vector<Result>& results, const Links& lin
         if (result.student.is_late) words.emplace_back("late");
         if (!result.fault.empty()) words.push_back(html(result.fault.substr(0, 400)));
         for (const std::string& note : result.notes) words.push_back(html(note.substr(0, 400)));
-        text += fmt::format("<tr><td>{}</td><td class=\"number\">{}</td><td class=\"soft\">{}</td></tr>\n", links[i],
-                            result.record          ? short_number(result.record->score())
-                            : result.fault.empty() ? "not graded yet"
-                                                   : "none",
-                            fmt::join(words, "<br>"));
+        text += fmt::format(
+            "<tr><td>{}</td><td class=\"number\" data-is=\"points\">{}</td><td class=\"soft\">{}</td></tr>\n", links[i],
+            result.record          ? short_number(result.record->score())
+            : result.fault.empty() ? "not graded yet"
+                                   : "none",
+            fmt::join(words, "<br>"));
     }
     return text + "</table>";
 }

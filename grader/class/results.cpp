@@ -8,6 +8,7 @@
 #include "files/files.h"
 #include "files/sha256.h"
 #include "judging/provenance.h"
+#include "report/page.h"
 #include "rt/files/scene_reader.h"
 
 namespace grade::course {
@@ -57,6 +58,27 @@ std::string key_of(const Submission& submission, const Assignment& assignment, c
 
 fs::path record_file(const fs::path& out, const std::string& key) { return out / "records" / (key + ".json"); }
 
+fs::path pictures_file(const fs::path& out, const std::string& key) { return out / "records" / (key + ".pictures"); }
+
+void write_pictures(const fs::path& out, const std::string& key, const Record& record) {
+    write_text(pictures_file(out, key), Json(picture_parts(record)).dump() + "\n");
+}
+
+namespace {
+
+void add_pictures(const fs::path& file, Record& record) {
+    const auto text = read_text(file, 256u << 20);
+    const Json parts = text ? Json::parse(*text, nullptr, false) : Json();
+    if (!parts.is_object()) return;
+    for (FragmentRecord& fragment : record.fragments)
+        for (CheckRecord& check : fragment.checks)
+            if (const auto drawn = parts.find(fragment.name + "/" + check.name);
+                drawn != parts.end() && drawn->is_string())
+                check.drawn = *drawn;
+}
+
+}  // namespace
+
 void write_list(const fs::path& out, const std::vector<Result>& results, const std::string& title) {
     Json json;
     json["schema"] = list_schema;
@@ -75,6 +97,7 @@ std::optional<Record> find_record(const fs::path& out, const Result& result) {
         Record record = read_record(file);
         if (!record.is_complete()) return std::nullopt;
         record.submission = result.path, record.notes = result.notes;
+        add_pictures(pictures_file(out, result.key), record);
         return record;
     } catch (const rt::InputError&) {
         return std::nullopt;  // a broken file is as good as none

@@ -38,13 +38,17 @@ std::string key_of(const Submission& submission, const Assignment& assignment, c
 /// OUT/records/KEY.json
 fs::path record_file(const fs::path& out, const std::string& key);
 
+/// OUT/records/KEY.pictures: those of its page, as JSON.
+fs::path pictures_file(const fs::path& out, const std::string& key);
+void write_pictures(const fs::path& out, const std::string& key, const Record& record);
+
 /// Writes the list of results: OUT/class.json.
 void write_list(const fs::path& out, const std::vector<Result>& results, const std::string& title);
 
 /// The list of a graded class with its records, as far as they are there. Throws rt::InputError where it is none.
 std::vector<Result> read_list(const fs::path& out);
 
-/// Reads the record under its key, if it is there and whole.
+/// Reads the record under its key, if it is there and whole, with its pictures if they are there.
 std::optional<Record> find_record(const fs::path& out, const Result& result);
 
 }  // namespace grade::course

@@ -14,15 +14,19 @@ foreach(objects solution_baseline blanks_baseline)
     precompile_fragments_header(${objects} rt_baseline rt_baseline_speed)
 endforeach()
 
+# Their libraries are beside them; old-style, so that theirs are found there too.
+function(run_from_a_kit name)
+    foreach(program ${name} ${name}_studies)
+        target_link_options(${program} PRIVATE -Wl,--disable-new-dtags -Wl,--gc-sections)
+        set_target_properties(${program} PROPERTIES BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH "$ORIGIN/lib")
+    endforeach()
+endfunction()
+
 add_library(grader_in_kit STATIC arithmetic/self_test.cpp kit/no_archive.cpp)
 target_link_libraries(grader_in_kit PUBLIC grader_core PRIVATE rt_warnings rt_baseline_speed)
 add_grade(grade_kit grader_in_kit rt_baseline)
 add_dependencies(grade_kit grade_kit_studies child_baseline solution_baseline blanks_baseline)
-# Their libraries are beside them; old-style, so that theirs are found there too.
-foreach(program grade_kit grade_kit_studies)
-    target_link_options(${program} PRIVATE -Wl,--disable-new-dtags -Wl,--gc-sections)
-    set_target_properties(${program} PROPERTIES BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH "$ORIGIN/lib")
-endforeach()
+run_from_a_kit(grade_kit)
 
 # The renderer of these parts: its pictures have the same bits.
 add_executable(raytrace_baseline $<TARGET_OBJECTS:raytrace_main> $<TARGET_OBJECTS:raytrace_parts> $<TARGET_OBJECTS:solution_baseline>)

@@ -13,8 +13,9 @@ endfunction()
 
 # make_lists(folder): writes there
 #
-#     checks/fragment_checks.h   the checks, in the order of the assignment
+#     checks/fragment_checks.h   the checks, in the order of the assignment; then those of fragments that it leaves out
 #     child/each_fragment.h      the fragments, as functions
+#     asked/NAME.h               the declaration of each, and that of its checks
 function(make_lists folder)
     set(header ${PROJECT_SOURCE_DIR}/starter/rt/fragments.h)
     set(assignment ${PROJECT_SOURCE_DIR}/assignment.toml)
@@ -22,9 +23,14 @@ function(make_lists folder)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${assignment})
 
     # one declaration a line
-    file(STRINGS ${header} declared REGEX "^[A-Za-z].*\\(.*\\);$")
-    list(TRANSFORM declared REPLACE "^[^(]* ([A-Za-z0-9_]+)\\(.*" "\\1")
-    list(REMOVE_ITEM declared report_not_started)
+    file(STRINGS ${header} lines REGEX "^[A-Za-z].*\\(.*\\);$")
+    foreach(declaration IN LISTS lines)
+        string(REGEX REPLACE "^[^(]* ([A-Za-z0-9_]+)\\(.*" "\\1" name "${declaration}")
+        if(NOT name STREQUAL "report_not_started")
+            list(APPEND declared ${name})
+            configure_file(checks/asked.h.in ${folder}/asked/${name}.h @ONLY)
+        endif()
+    endforeach()
 
     # { name = "phong", points = 3 }, and no comment
     file(READ ${assignment} text)
@@ -35,16 +41,27 @@ function(make_lists folder)
     file(GLOB checked RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}/checks CONFIGURE_DEPENDS checks/*.cpp)
     list(TRANSFORM checked REPLACE "\\.cpp$" "")
 
-    expect_in(declared assigned
-        "assignment.toml: does not list the fragment NAME of fragments.h; expected { name = \"NAME\", points = ... }")
     expect_in(assigned declared
         "starter/rt/fragments.h: does not declare the fragment NAME of assignment.toml; expected it, on one line")
+    file(GLOB solved RELATIVE ${PROJECT_SOURCE_DIR}/solution CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/solution/*.cpp)
+    list(TRANSFORM solved REPLACE "\\.cpp$" "")
+    expect_in(declared solved
+        "solution/NAME.cpp: is missing; expected the solution of the fragment NAME of fragments.h, with its markers")
+    expect_in(solved declared
+        "solution/NAME.cpp: no fragment is named NAME; expected one that starter/rt/fragments.h declares")
     expect_in(declared checked
         "grader/checks/NAME.cpp: is missing; expected the checks of the fragment NAME of fragments.h")
     expect_in(checked declared
         "grader/checks/NAME.cpp: no fragment is named NAME; expected one of fragments.h, or the file in checks/kit")
 
-    foreach(name IN LISTS assigned)
+    # what a course leaves out is handed out filled in
+    set(others ${declared})
+    list(REMOVE_ITEM others ${assigned})
+    foreach(name IN LISTS others)
+        message(STATUS "assignment.toml leaves ${name} out: handed out filled in, not graded")
+    endforeach()
+
+    foreach(name IN LISTS assigned others)
         string(APPEND functions "Checks check_${name}(Generator& random);\n")
         string(APPEND entries "    {\"${name}\", check_${name}},\n")
         string(APPEND visits "    visit(\"${name}\", rt::${name});\n")

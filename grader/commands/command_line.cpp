@@ -42,6 +42,7 @@ struct HandOutArguments {
     std::string folder, gradescope;
     std::vector<std::string> others;
     std::optional<std::uint64_t> seed;
+    bool installed = false;
 };
 
 CLI::App* add_hand_out_command(CLI::App& app, HandOutArguments& arguments) {
@@ -57,6 +58,7 @@ CLI::App* add_hand_out_command(CLI::App& app, HandOutArguments& arguments) {
     command->add_option("--seed", arguments.seed, "of all gradings there; default: a fresh one")
         ->type_name("N")
         ->needs(zip);
+    command->add_flag("--installed", arguments.installed, "what cmake --install puts below /usr")->group("");
     return command;
 }
 
@@ -68,8 +70,10 @@ int run_hand_out(const HandOutArguments& arguments, const std::string& toolchain
             "a kit is handed out by the project that it comes from: it has no sources of the solution");
     const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
     hand_out(chain.source, assignment, fs::path(toolchain).parent_path() / "kit.toml", arguments.folder,
-             {arguments.others.begin(), arguments.others.end()});
+             {arguments.others.begin(), arguments.others.end()}, arguments.installed ? For::everybody : For::students);
     fmt::print("{}\n", arguments.folder);
+    if (!fs::exists(fs::path(arguments.folder) / "handout.html"))
+        fmt::print("without a page of the handout, which pandoc makes: students read handout.md\n");
     if (!arguments.gradescope.empty()) {
         std::random_device device;
         write_gradescope(chain.source, arguments.folder, arguments.seed ? *arguments.seed : device() % 1'000'000 + 1,

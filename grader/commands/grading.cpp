@@ -26,6 +26,13 @@ namespace grade {
 
 namespace {
 
+/// The handout as a page where there is one: beside a kit, or in the project's build folder.
+fs::path handout_in(const fs::path& root) {
+    for (const char* page : {"handout.html", "build/release/handout.html"})
+        if (fs::exists(root / page)) return root / page;
+    return root / "handout.md";
+}
+
 /// Of every grading of what its user edits: what has not changed comes out as it did.
 constexpr std::uint64_t own_seed = 1;
 
@@ -71,8 +78,9 @@ public:
         ProgressLine line;
         progress_ = std::make_unique<Progress>(
             [&](int done, int all, const std::string& doing) { line.show(done, all, doing); });
-        const Submission submission =
-            read_submission(chosen_.submission, assignment_.names(), chain_.source / "starter");
+        Submission submission =
+            read_submission(chosen_.submission, all_fragments(chain_, assignment_), chain_.source / "starter");
+        note_given(submission, assignment_.asked(), chain_.blanks);
         settings_.provenance = provenance_.get();
         programs_ = std::make_unique<Programs>(submission, chain_, settings_.build, *progress_);
         Record record = grade_programs(*programs_, assignment_, chain_, checks_, settings_, *progress_);
@@ -106,7 +114,7 @@ public:
                 record.own_picture_scene = own_scene_.filename().string();
                 record.own_picture_fault = error.what();
             }
-        const fs::path handout = fs::relative(chain_.source / "handout.md", html_);
+        const fs::path handout = fs::relative(handout_in(chain_.source), html_);
         write_text(html_ / "index.html", page(record, handout.generic_string()));
         line.clear();
         fmt::print("page: {}\n", (html_ / "index.html").string());

@@ -26,6 +26,11 @@ Chosen choose(const std::vector<std::string>& words, const Toolchain& chain, con
                                 "fragments",
                                 word, chosen.submission));
             chosen.submission = word;
+        } else if (chain.solution_objects.contains(word)) {
+            throw rt::InputError(
+                fmt::format("{0}: assignment.toml leaves this fragment out, so it is handed out filled in, and not "
+                            "graded; expected {{ name = \"{0}\", points = ... }} there, or another fragment",
+                            word));
         } else {
             const auto nearest = rt::nearest_word(word, names);
             throw rt::InputError(fmt::format("{}: no fragment has this name, and there is no such folder; expected {}",
@@ -33,6 +38,8 @@ Chosen choose(const std::vector<std::string>& words, const Toolchain& chain, con
         }
     }
     const fs::path starter = chain.source / "starter";
+    if (chosen.submission.empty() && chain.cache.empty())
+        throw rt::InputError("no submission; expected a folder, a .zip or a .tar.gz: grade SUBMISSION");
     if (chosen.submission.empty()) chosen.submission = starter.string();
     for (const fs::path& place : {starter, starter / "fragments"})
         chosen.own = chosen.own || fs::equivalent(chosen.submission, place, error);

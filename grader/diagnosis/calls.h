@@ -8,6 +8,9 @@
 
 namespace grade {
 
+/// Parts that a mistake may change; others stay, and are taken in place of these.
+using Changeable = std::vector<bool>;
+
 /// A fragment's answers to calls; fewer than there are calls where it gave none.
 using Ask = std::function<Rows(const Rows& calls)>;
 
@@ -17,7 +20,8 @@ struct Calls {
     Rows rows, mine, right;
     std::vector<Layout> layouts;  // of the rows
     Layout result;
-    std::vector<bool> told;  // by argument's part: whether any answer depends on it
+    std::vector<bool> told;   // by argument's part: whether any answer depends on it
+    Changeable changeable{};  // by part; empty: all are
 
     std::size_t size() const { return rows.size(); }
 };

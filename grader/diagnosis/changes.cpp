@@ -13,9 +13,21 @@ namespace grade {
 
 namespace {
 
+/// As an operand.
+std::string bracketed(const std::string& name) {
+    int depth = 0;
+    bool is_sum = false;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        depth += (name[i] == '(') - (name[i] == ')');
+        is_sum = is_sum || (depth == 0 && i > 0 &&
+                            (name.substr(i, 2) == "+ " || name.substr(i, 2) == "- " || name.substr(i, 2) == "/ "));
+    }
+    return is_sum ? "(" + name + ")" : name;
+}
+
 template <class... Names>
 std::string filled(const char* words, const Names&... names) {
-    return fmt::format(fmt::runtime(words), names...);
+    return fmt::format(fmt::runtime(words), bracketed(names)...);
 }
 
 /// "`2 * x` in place of `x`"
@@ -33,21 +45,28 @@ bool fits(double& x, double before, bool whole) {
 
 class Changes {
 public:
-    Changes(const Layout& layout, const std::vector<bool>& told) : layout_(layout), scalars_(scalars_of(layout, told)) {
+    Changes(const Layout& layout, const std::vector<bool>& told, const std::vector<bool>& changeable)
+        : layout_(layout), scalars_(scalars_of(layout, told)), changeable_(changeable) {
         for (std::size_t i = 0; i < layout.parts.size(); ++i) {
             if (i < told.size() && !told[i]) continue;
             if (layout.parts[i].kind == Kind::vector) vectors_.push_back(i);
             if (layout.parts[i].kind == Kind::color) colors_.push_back(i);
-            if (layout.parts[i].kind == Kind::flag) add_flag(i);
+            if (layout.parts[i].kind == Kind::flag && may_change(i)) add_flag(i);
         }
-        for (const Scalar& s : scalars_) add_scalar(s);
-        for (const std::size_t i : vectors_) add_vector(i, vectors_, vector_functions, of_two_vectors);
-        for (const std::size_t i : colors_) add_vector(i, colors_, color_functions, of_two_colors);
-        for (const std::size_t i : vectors_) add_scaled(i, 2.2);
-        for (const std::size_t i : colors_) add_scaled(i, 1.9);
-        add_joint();
+        for (const Scalar& s : scalars_)
+            if (may_change(s.part)) add_scalar(s);
+        for (const std::size_t i : changed(vectors_)) add_vector(i, vectors_, vector_functions, of_two_vectors);
+        for (const std::size_t i : changed(colors_)) add_vector(i, colors_, color_functions, of_two_colors);
+        for (const std::size_t i : changed(vectors_)) add_scaled(i, 2.2);
+        if (!of_arguments())
+            for (const std::size_t i : changed(vectors_)) add_made_of_two(i);
+        for (const std::size_t i : changed(colors_)) add_scaled(i, 1.9);
+        if (of_arguments())
+            add_joint();
+        else
+            add_same_to_two();
         add_pairs();
-        add_lists();
+        if (of_arguments()) add_lists();
         std::ranges::stable_sort(all_, {}, &Change::cost);
     }
 
@@ -60,7 +79,22 @@ private:
 
     const std::string& name(std::size_t part) const { return layout_.parts[part].name; }
 
+    bool of_arguments() const { return changeable_.empty(); }
+    bool may_change(std::size_t part) const { return changeable_.empty() || changeable_[part]; }
+
+    std::vector<std::size_t> changed(std::vector<std::size_t> parts) const {
+        std::erase_if(parts, [this](std::size_t i) { return !may_change(i); });
+        return parts;
+    }
+
     void add_flag(std::size_t i) {
+        if (!of_arguments()) {
+            add(name(i), 1.2, [i](Row& row, const Layout& l) {
+                row[l.parts[i].at] = 1;
+                return true;
+            });
+            return;
+        }
         add(in_place("!" + name(i), name(i)), 1, [i](Row& row, const Layout& l) {
             row[l.parts[i].at] = 1 - row[l.parts[i].at];
             return true;
@@ -85,10 +119,10 @@ private:
                     if (of_index && !(x >= 0)) return false;
                     return fits(x, of_index ? 0 : before, s.whole);
                 });
-            all_.back().usually = f.usually;
+            if (of_arguments()) all_.back().usually = f.usually;
         }
         for (const Scalar& other : scalars_) {
-            if (other.name == s.name || s.whole != other.whole) continue;
+            if (other.name == s.name || (s.whole != other.whole && (of_arguments() || s.whole))) continue;
             const double near = s.owner() == other.owner() ? -0.3 : 0;
             for (const TwoScalars& f : of_two_scalars)
                 add(in_place(filled(f.words, s.name, other.name), s.name), f.cost + near,
@@ -100,13 +134,34 @@ private:
                     });
             if (s.owner() == "u" && other.owner() == "u")
                 all_[all_.size() - std::size(of_two_scalars)].usually = ": one number is used for both";
-            if (s.name < other.name)
+            if (s.name < other.name && may_change(other.part))
                 add(fmt::format("`{}` and `{}` exchanged", s.name, other.name), 1.1,
                     [s, other](Row& row, const Layout& l) {
                         std::swap(row[s.at(l)], row[other.at(l)]);
                         return true;
                     });
         }
+    }
+
+    /// A step in place of which stands what else is made of two vectors: one mirrored at another, or between both.
+    void add_made_of_two(std::size_t i) {
+        for (const std::size_t a : vectors_)
+            for (const std::size_t b : vectors_) {
+                if (a == b || a == i || b == i) continue;
+                add(in_place(filled("2 * dot({0}, {1}) * {0} - {1}", name(a), name(b)), name(i)), 1.9,
+                    [=](Row& row, const Layout& l) {
+                        const vec3 n = vector_at(row, l.parts[a].at), v = vector_at(row, l.parts[b].at);
+                        put(row, l.parts[i].at, 2 * rt::dot(n, v) * n - v);
+                        return true;
+                    });
+                if (a < b)
+                    add(in_place(filled("unit({0} + {1})", name(a), name(b)), name(i)), 1.9,
+                        [=](Row& row, const Layout& l) {
+                            put(row, l.parts[i].at,
+                                rt::unit(vector_at(row, l.parts[a].at) + vector_at(row, l.parts[b].at)));
+                            return true;
+                        });
+            }
     }
 
     template <class Functions, class TwoFunctions>
@@ -124,7 +179,7 @@ private:
                     put(row, l.parts[i].at, f.value(vector_at(row, l.parts[i].at), vector_at(row, l.parts[j].at)));
                     return true;
                 });
-            if (i < j)
+            if (i < j && may_change(j))
                 add(fmt::format("`{}` and `{}` exchanged", name(i), name(j)), 1.1, [i, j](Row& row, const Layout& l) {
                     const vec3 v = vector_at(row, l.parts[i].at), w = vector_at(row, l.parts[j].at);
                     put(row, l.parts[i].at, w), put(row, l.parts[j].at, v);
@@ -207,11 +262,30 @@ private:
         }
     }
 
+    /// The same mistake made in two steps.
+    void add_same_to_two() {
+        constexpr double dearest = 1.5;
+        for (const Scalar& s : scalars_)
+            for (const Scalar& other : scalars_)
+                for (const Function& f : scalar_functions) {
+                    if (s.name >= other.name || s.whole || other.whole || f.cost > dearest) continue;
+                    if (!may_change(s.part) || !may_change(other.part)) continue;
+                    add(in_place(filled(f.words, s.name), s.name) + ", and " +
+                            in_place(filled(f.words, other.name), other.name),
+                        f.cost + 0.7, [s, other, f](Row& row, const Layout& l) {
+                            for (const Scalar& one : {s, other}) row[one.at(l)] = f.value(row[one.at(l)]);
+                            return true;
+                        });
+                }
+    }
+
     /// A pair in place of another, as of an extent's corners.
     void add_pairs() {
         for (std::size_t i = 0; i < layout_.parts.size(); ++i)
             for (std::size_t j = 0; j < layout_.parts.size(); ++j) {
-                if (i == j || layout_.parts[i].kind != Kind::pair || layout_.parts[j].kind != Kind::pair) continue;
+                if (i == j || !may_change(i) || layout_.parts[i].kind != Kind::pair ||
+                    layout_.parts[j].kind != Kind::pair)
+                    continue;
                 for (const double more : {0.0, 1.0})
                     add(in_place(more != 0 ? name(j) + " + 1" : name(j), name(i)), 1.6,
                         [i, j, more](Row& row, const Layout& l) {
@@ -251,16 +325,18 @@ private:
     const Layout& layout_;
     std::vector<Scalar> scalars_;
     std::vector<std::size_t> vectors_, colors_;
+    const std::vector<bool>& changeable_;
     std::vector<Change> all_;
 };
 
 }  // namespace
 
-std::vector<Change> changes_of(const Signature&, const Layout& layout, const std::vector<bool>& told) {
-    return Changes(layout, told).take();
+std::vector<Change> changes_of(const Layout& layout, const std::vector<bool>& told,
+                               const std::vector<bool>& changeable) {
+    return Changes(layout, told, changeable).take();
 }
 
-std::vector<Change> same_sampling(const Signature& signature, const Layout& layout) {
+std::vector<Change> same_sampling(const Layout& layout) {
     std::vector<Change> all{{"", 0, [](Row&, const Layout&) { return true; }, {}}};
     const auto part = std::ranges::find(layout.parts, "u", &Field::name);
     if (part == layout.parts.end()) return all;
@@ -275,7 +351,6 @@ std::vector<Change> same_sampling(const Signature& signature, const Layout& layo
                            return true;
                        }});
     if (has_index) all.resize(1);  // where in a cell, not where in the square
-    (void)signature;
     return all;
 }
 

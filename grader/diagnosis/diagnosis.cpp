@@ -99,6 +99,7 @@ namespace {
 struct FirstHint {
     std::string words;
     StatisticRecord::Worth worth = StatisticRecord::Worth::guess;
+    bool is_slow = false, is_changing = false;  // wrong answers may say why, or a variable without a value
 };
 
 /// Whether a message says all: a program that breaks down, what is no number, what changes.
@@ -118,7 +119,9 @@ std::string example(const Finding& finding) {
 std::string in_order(const FragmentRecord& fragment, const FirstHint& hint) {
     const Finding& finding = fragment.finding;
     const bool is_sure = hint.worth == StatisticRecord::Worth::cause;
-    std::string cause = is_sure || finding.how.empty() ? hint.words : finding.how;
+    const bool is_wrong_first = hint.is_slow && !finding.how.empty();
+    std::string cause = (is_sure && !is_wrong_first) || finding.how.empty() ? hint.words : finding.how;
+    if (hint.is_changing && !finding.fault.empty()) cause.clear();
     if (finding.how.empty() && !finding.arguments.empty() && hint.worth == StatisticRecord::Worth::guess) cause.clear();
     std::string text;
     for (const std::string& line : {cause, finding.fault, finding.where, example(finding)})
@@ -152,7 +155,8 @@ Diagnosis diagnose(const FragmentRecord& fragment) {
         if (check.verdict == Verdict::passed) continue;
         if (!check.message.empty())
             tell(rank_of(check.verdict, check, Subject::no_image),
-                 {check.message, is_sure(check) ? StatisticRecord::Worth::cause : StatisticRecord::Worth::fact},
+                 {check.message, is_sure(check) ? StatisticRecord::Worth::cause : StatisticRecord::Worth::fact,
+                  check.verdict == Verdict::timed_out, check.trouble == Trouble::keeps_state},
                  section_of(check, nullptr), {});
         for (const StatisticRecord& statistic : check.statistics)
             if (statistic.verdict != Verdict::passed && !statistic.hint.empty())

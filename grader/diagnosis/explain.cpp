@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "diagnosis/bounds.h"
+#include "diagnosis/by_steps.h"
 #include "diagnosis/relation.h"
 #include "diagnosis/shares.h"
 #include "diagnosis/simplest.h"
@@ -120,7 +121,24 @@ Calls crossed(const Calls& calls, const Ask& mine, const Ask& right) {
     return all;
 }
 
+/// One answer that nearly all wrong calls get, as of a mistake by which nothing is hit.
+std::string usual_wrong_answer(const Calls& calls) {
+    constexpr double nearly = 0.8;
+    std::vector<std::size_t> wrong;
+    for (std::size_t k = 0; k < calls.size(); ++k)
+        if (!is_equal(calls.result, calls.mine[k], calls.right[k])) wrong.push_back(k);
+    for (std::size_t i = 0; i < std::min<std::size_t>(wrong.size(), 4); ++i) {
+        const auto same = std::ranges::count_if(
+            wrong, [&](std::size_t k) { return is_equal(calls.result, calls.mine[k], calls.mine[wrong[i]]); });
+        if (wrong.size() >= 8 && double(same) >= nearly * double(wrong.size()))
+            return fmt::format("the answer is {} in {} of {} wrong calls",
+                               result_in_words(calls.signature, calls.mine[wrong[i]]), same, wrong.size());
+    }
+    return {};
+}
+
 std::string independence(const Calls& calls, const std::vector<Dependence>& all) {
+    if (auto words = usual_wrong_answer(calls); !words.empty()) return words;
     constexpr double often = 0.2;  // what changes a few answers may be chance
     std::string lost, added;
     const auto& parts = calls.layouts.front().parts;
@@ -144,6 +162,16 @@ Calls only_wrong(const Calls& all) {
         some.mine.push_back(all.mine[k]), some.right.push_back(all.right[k]);
     }
     return some;
+}
+
+/// The calls, of which only those parts are told that an answer to a wrong call depends on.
+Calls with_parts_that_matter(Calls calls, const Ask& mine, const Ask& right) {
+    const Calls wrong = only_wrong(calls);
+    if (wrong.size() == 0) return calls;
+    const auto depends = dependences(wrong, mine, right);
+    for (std::size_t i = 0; i < depends.size(); ++i)
+        calls.told[i] = calls.told[i] && (depends[i].mine > 0 || depends[i].right > 0);
+    return calls;
 }
 
 /// The call of a finding, in words, and as it can be pasted into a program and into a shell.
@@ -183,6 +211,19 @@ Region tell_where(Finding& finding, const Calls& all, std::size_t wrong, std::si
     return region;
 }
 
+/// A relation of the arguments, or of the steps of the formula; of both, where nothing tells them apart.
+std::optional<Relation> simpler(std::optional<Relation> of_arguments, std::optional<Relation> of_steps) {
+    if (!of_steps) return of_arguments;
+    if (!of_arguments || of_arguments->explains != Relation::Explains::all) return of_steps;
+    constexpr double clearly = 0.5, as_cheap = 0.5;
+    const bool is_change = of_steps->words.starts_with(as_changed), everywhere = of_steps->everywhere;
+    if (is_change && everywhere && !of_arguments->everywhere) return of_steps;
+    if (is_change && of_steps->cost < of_arguments->cost - clearly) return of_steps;
+    if (is_change && of_arguments->words.starts_with(as_changed) && of_steps->cost <= of_arguments->cost + as_cheap)
+        of_arguments->words += "; or with " + of_steps->words.substr(as_changed.size());
+    return of_arguments;
+}
+
 /// What is wrong with samples that are not the solution's call by call: what no right one does, or how they are spread.
 Finding of_samples(Finding finding, const Calls& all, const std::optional<Broken>& broken, const Ask& ask_mine,
                    const Ask& ask_right) {
@@ -216,9 +257,10 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_min
     const bool sampled = std::ranges::any_of(arguments, [](const auto& argument) { return argument.name == "u"; });
     bool right_otherwise = false;
     Finding finding;
-    const auto relation =
-        relation_of(picked(crossed(all, mine, right), most_compared), right, sampled, right_otherwise);
+    const Calls compared_calls = picked(crossed(all, mine, right), most_compared);
+    auto relation = relation_of(compared_calls, right, sampled, right_otherwise);
     if (right_otherwise) return {};
+    relation = simpler(std::move(relation), relation_of_steps(compared_calls, right, sampled));
     finding.sampled = sampled;
     const bool is_known = relation && relation->explains == Relation::Explains::all;
     const bool is_nothing = !relation || relation->explains == Relation::Explains::nothing;
@@ -239,7 +281,8 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_min
     if (!is_comparable && !relation) return of_samples(finding, all, broken, ask_mine, ask_right);
     if (sampled && finding.how.empty()) finding.how = spread_of(only_wrong(all), mine, right).value_or("");
 
-    const Region region = is_comparable ? tell_where(finding, all, wrong, not_numbers) : Region{};
+    const Region region =
+        is_comparable ? tell_where(finding, with_parts_that_matter(all, mine, right), wrong, not_numbers) : Region{};
     std::size_t more = 4000;
     const Ask mine_again = limited(ask_mine, more), right_again = limited(ask_right, more);
     const Example simplest = simplest_wrong(all, region, mine_again, right_again);

@@ -45,7 +45,7 @@ public:
         if (fewer)
             if (auto form = first_of(Forms(some))) return Form{form->words + " where it is not 0", form->cost + 0.4};
         const PartOfCalls& lit = fewer ? some : of_;
-        for (const auto& look : {quantity_of, product_of, terms_of})
+        for (const auto& look : {quantity_of, product_of, terms_of, difference_of})
             if (auto form = look(lit)) return form;
         return std::nullopt;
     }
@@ -86,9 +86,20 @@ private:
     std::optional<Form> constant_value() const {
         const std::size_t first = scope_.front();
         if (!equals([&](std::size_t, std::size_t c) { return mine(first, c); })) return std::nullopt;
+        for (std::size_t c = 0; c < size_; ++c)
+            if (std::isnan(mine(first, c))) return std::nullopt;
         if (size_ == 1 && part_.kind == Kind::number && is_named(mine(first, 0)))
             return Form{"is always " + constant(mine(first, 0)), 1.5};
         return Form{"is always " + value_in_words(part_, calls_.mine[first]), 1.5};
+    }
+
+    /// By which factor, where the right one has a length.
+    Form another_length() const {
+        std::vector<std::size_t> some;
+        for (const std::size_t k : scope_)
+            if (right(k, 0) != 0 || right(k, 1) != 0 || right(k, 2) != 0) some.push_back(k);
+        const PartOfCalls long_ones{calls_, part_, right_, some};
+        return product_of(long_ones).value_or(Form{"points the right way, but has another length", 1.9});
     }
 
     std::optional<Form> rearranged() const {
@@ -99,13 +110,17 @@ private:
             return Form{"has length 1, whatever its length must be", 1.5};
         if (part_.kind == Kind::vector && equals([&](std::size_t k, std::size_t c) {
                 const rt::vec3 v(mine(k, 0), mine(k, 1), mine(k, 2)), r(right(k, 0), right(k, 1), right(k, 2));
-                return (r * (std::sqrt(rt::dot(v, v) / std::max(rt::dot(r, r), 1e-300))))[int(c)];
+                const double length = std::sqrt(rt::dot(v, v) / std::max(rt::dot(r, r), 1e-300));
+                return std::isfinite(length) ? length * r[int(c)] : rt::inf;
             }))
-            return Form{"points the right way, but has another length", 1.9};
+            return another_length();
         if (size_ < 2) return std::nullopt;
         constexpr std::array<const char*, 3> axis = {"x", "y", "z"}, channel = {"red", "green", "blue"};
         const auto& names = part_.kind == Kind::color ? channel : axis;
         for (std::size_t a = 0; a < size_; ++a) {
+            for (std::size_t b = 0; b < size_; ++b)
+                if (a != b && equals([&](std::size_t k, std::size_t c) { return right(k, c == a ? b : c); }))
+                    return Form{fmt::format("has in {} what belongs into {}", names[a], names[b]), 1.5};
             if (part_.kind != Kind::color &&
                 equals([&](std::size_t k, std::size_t c) { return c == a ? -right(k, c) : right(k, c); }))
                 return Form{fmt::format("has the opposite sign in {}", names[a]), 1.5};

@@ -36,15 +36,18 @@ std::vector<Column> columns_of(const PartOfCalls& of) {
         return q.value(of.calls.rows[k], of.calls.layouts[k], of.calls.mine[k]);
     };
     for (const Quantity& q : quantities)
-        if (q.words != "the answer's " + of.part.name)
+        if (q.words != "the answer's " + of.part.name && q.words != fmt::format("|the answer's {}|", of.part.name))
             add(q.words, [&](std::size_t k) { return std::log(std::abs(at(q, k))); });
     for (const Quantity& q : quantities) {
         const bool is_plain = q.words.find('|') == q.words.npos && q.words.find('(') == q.words.npos &&
                               q.words.find('\'') == q.words.npos;
         if (!is_plain) continue;
-        for (const int more : {1, 2, -1})
-            add(fmt::format("({} {} {})", q.words, more > 0 ? "+" : "-", std::abs(more)),
+        for (const int more : {1, 2})
+            add(fmt::format("({} + {})", q.words, more),
                 [&](std::size_t k) { return std::log(std::abs(at(q, k) + more)); });
+        const bool is_small = std::ranges::all_of(of.scope, [&](std::size_t k) { return at(q, k) <= 1; });
+        add(is_small ? fmt::format("(1 - {})", q.words) : fmt::format("({} - 1)", q.words),
+            [&](std::size_t k) { return std::log(std::abs(at(q, k) - 1)); });
         add(fmt::format("sqrt(1 - {0} * {0})", q.words),
             [&](std::size_t k) { return std::log(1 - at(q, k) * at(q, k)) / 2; });
         for (const Quantity& base : quantities)
@@ -123,6 +126,13 @@ std::optional<Fit> fitted(const std::vector<double>& log, std::vector<const Colu
     return fit;
 }
 
+/// The number whose logarithm stands everywhere.
+std::optional<double> fitted_constant(const std::vector<double>& log) {
+    for (const double x : log)
+        if (!(std::abs(x - log.front()) < equal_within)) return std::nullopt;
+    return log.size() < 5 ? std::nullopt : std::optional(std::exp(log.front()));
+}
+
 }  // namespace
 
 std::optional<Form> quantity_of(const PartOfCalls& of) {
@@ -145,6 +155,27 @@ std::optional<Form> quantity_of(const PartOfCalls& of) {
                                                                                           power(all[b].words, *q))),
                                 3.4};
             }
+    return std::nullopt;
+}
+
+std::optional<Form> difference_of(const PartOfCalls& of) {
+    if (of.size() != 1 || of.part.kind != Kind::number) return std::nullopt;
+    std::vector<double> log;
+    bool is_more = true, is_less = true;
+    for (const std::size_t k : of.scope) {
+        const double off = of.mine(k, 0) - of.right(k, 0);
+        if (!(std::abs(off) > 1e-3 * std::abs(of.right(k, 0))) || !std::isfinite(off)) return std::nullopt;
+        is_more = is_more && off > 0, is_less = is_less && off < 0;
+        log.push_back(std::log(std::abs(off)));
+    }
+    if (!is_more && !is_less) return std::nullopt;
+    const std::string words = is_more ? "is what it must be, and `{}` more" : "is what it must be, less `{}`";
+    if (const auto fit = fitted_constant(log)) return Form{fmt::format(fmt::runtime(words), constant(*fit)), 2.4};
+    for (const Column& q : columns_of(of))
+        if (const auto fit = fitted(log, {&q}); fit && nice_power(fit->powers[0]) && is_named(std::exp(fit->constant)))
+            return Form{fmt::format(fmt::runtime(words),
+                                    times(std::exp(fit->constant), power(q.words, *nice_power(fit->powers[0])))),
+                        2.5};
     return std::nullopt;
 }
 

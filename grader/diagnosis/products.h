@@ -11,4 +11,7 @@ std::optional<Form> quantity_of(const PartOfCalls& of);
 /// Mine is the right one times such a product: "is `dot(n, to_light)` times what it must be".
 std::optional<Form> product_of(const PartOfCalls& of);
 
+/// Mine is the right one and such a product: "is what it must be, and `1 / extinction` more".
+std::optional<Form> difference_of(const PartOfCalls& of);
+
 }  // namespace grade

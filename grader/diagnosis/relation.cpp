@@ -32,13 +32,13 @@ public:
                     parts_.push_back(&part);
                     break;
                 }
-        changes_ = changes_of(calls.signature, calls.layouts.front(), calls.told);
+        changes_ = changes_of(calls.layouts.front(), calls.told, calls.changeable);
     }
 
     std::optional<Relation> run(bool& right_otherwise) {
         right_otherwise = false;
         if (wrong_.size() < enough) return std::nullopt;
-        const auto bases = same_sampling(calls_.signature, calls_.layouts.front());
+        const auto bases = same_sampling(calls_.layouts.front());
         for (const Change& base : bases)
             if (const auto right = sampled_ ? answers(base, nullptr, all_) : std::nullopt;
                 right && all_equal(*right, all_)) {
@@ -66,7 +66,8 @@ public:
         if (!sampled_)
             if (auto there = where_it_is_not_nothing()) return there;
         two_changes(all_);
-        if (!best_ && some_right) two_changes(wrong_);
+        if (best_ || !calls_.changeable.empty()) return best_;
+        if (some_right) two_changes(wrong_);
         if (!best_) one_of_several();
         if (best_) return best_;
         return by_parts();
@@ -163,8 +164,8 @@ private:
 
     static std::string sentence(const std::string& change, const std::string& forms) {
         if (change.empty()) return forms;
-        const std::string as = "exactly what the right fragment answers with " + change;
-        return forms.empty() ? "the answers are " + as : fmt::format("the answers are {}, but {}", as, forms);
+        const std::string as = std::string(as_changed) + change;
+        return forms.empty() ? as : fmt::format("{}, but {}", as, forms);
     }
 
     /// Whether the changed answers differ from right ones as often as mine do, and not by one number only.
@@ -214,8 +215,7 @@ private:
         std::vector<std::size_t> wrong;
         for (const std::size_t k : scope)
             if (std::ranges::count(wrong_, k) > 0) wrong.push_back(k);
-        for (const Change& base :
-             sampled_ ? same_sampling(calls_.signature, calls_.layouts.front()) : std::vector<Change>{same_}) {
+        for (const Change& base : sampled_ ? same_sampling(calls_.layouts.front()) : std::vector<Change>{same_}) {
             const auto calls = with_base(base);
             if (!calls) continue;
             for (const Change& change : changes_with_constants(*calls, ask_, wrong)) {

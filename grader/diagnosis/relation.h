@@ -1,8 +1,13 @@
 #pragma once
 
+#include <string_view>
+
 #include "diagnosis/calls.h"
 
 namespace grade {
+
+/// How the words of a change begin.
+constexpr std::string_view as_changed = "the answers are exactly what the right fragment answers with ";
 
 /// What wrong answers have to do with right ones, in every call that was looked at.
 struct Relation {

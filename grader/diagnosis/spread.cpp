@@ -87,7 +87,9 @@ Spreads spreads(const Rows& rows, const Rows& answers, const std::vector<Project
 double apart(const std::vector<double>& x, const std::vector<double>& y) {
     double sum = 0;
     for (std::size_t i = 0; i < x.size(); ++i) sum += std::abs(x[i] - y[i]);
-    const double range = std::max(x.back(), y.back()) - std::min(x.front(), y.front());
+    const double low = std::min(x.front(), y.front()), high = std::max(x.back(), y.back());
+    // what rounding does is no range
+    const double range = std::max(high - low, 1e-6 * std::max(std::abs(low), std::abs(high)));
     return sum == 0 ? 0 : sum / double(x.size()) / range;
 }
 
@@ -116,7 +118,7 @@ std::optional<std::string> spread_of(const Calls& calls, const Ask& mine, const 
     const Rows rows = over_the_square(calls, *u);
     const Spreads own = spreads(rows, mine(rows), list), due = spreads(rows, right(rows), list);
     if (own.empty() || due.empty() || most_apart(own, due) <= as_good) return std::nullopt;
-    for (const Change& change : changes_of(calls.signature, calls.layouts.front(), calls.told)) {
+    for (const Change& change : changes_of(calls.layouts.front(), calls.told)) {
         if (change.cost > dearest) break;
         Rows changed = rows;
         const bool made = std::ranges::all_of(

@@ -44,6 +44,9 @@ std::vector<Term> terms(const PartOfCalls& of) {
         for (std::size_t b = a; b < of_vectors.size(); ++b)
             add(factors, fmt::format("dot({}, {})", parts[of_vectors[a]].name, parts[of_vectors[b]].name),
                 [&](std::size_t k) { return vec3(rt::dot(at(k, of_vectors[a]), at(k, of_vectors[b]))); });
+    for (const std::size_t i : of_vectors)
+        add(factors, fmt::format("|{}|", parts[i].name), [&](std::size_t k) { return vec3(glm::length(at(k, i))); });
+    add(vectors, "(1, 1, 1)", [](std::size_t) { return vec3(1); });
     for (const Term& factor : factors)
         for (const Term& vector : vectors) {
             Term term{factor.words.empty() ? vector.words : factor.words + " * " + vector.words, {}};
@@ -56,9 +59,32 @@ std::vector<Term> terms(const PartOfCalls& of) {
     return all;
 }
 
+/// Products of up to two numbers of the arguments.
+std::vector<Term> terms_of_numbers(const PartOfCalls& of) {
+    constexpr std::size_t most = 5;
+    const Calls& calls = of.calls;
+    const auto scalars = scalars_of(calls.layouts.front(), calls.told);
+    std::vector<Term> all;
+    if (scalars.size() > most) return all;
+    const auto add = [&](const std::string& words, auto value) {
+        Term term{words, {}};
+        for (const std::size_t k : of.scope) term.value.emplace_back(value(k), 0, 0);
+        all.push_back(std::move(term));
+    };
+    const auto at = [&](std::size_t k, const Scalar& s) { return calls.rows[k][s.at(calls.layouts[k])]; };
+    for (const Scalar& s : scalars) add(s.name, [&](std::size_t k) { return at(k, s); });
+    for (std::size_t a = 0; a < scalars.size(); ++a)
+        for (std::size_t b = a; b < scalars.size(); ++b)
+            add(scalars[a].name + " * " + scalars[b].name,
+                [&](std::size_t k) { return at(k, scalars[a]) * at(k, scalars[b]); });
+    add("", [](std::size_t) { return 1.0; });
+    return all;
+}
+
+/// Some terms, each with a factor.
 struct Sum {
-    const Term *a = nullptr, *b = nullptr;
-    double x = 0, y = 0;  // their factors
+    std::vector<const Term*> terms;
+    std::vector<double> factors;
 };
 
 double product(const std::vector<vec3>& v, const std::vector<vec3>& w) {
@@ -69,7 +95,8 @@ double product(const std::vector<vec3>& v, const std::vector<vec3>& w) {
 
 bool is_sum(const std::vector<vec3>& wanted, const Sum& sum) {
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-        const vec3 made = sum.x * sum.a->value[i] + (sum.b ? sum.y * sum.b->value[i] : vec3(0));
+        vec3 made(0);
+        for (std::size_t a = 0; a < sum.terms.size(); ++a) made += sum.factors[a] * sum.terms[a]->value[i];
         const double scale = std::max({1e-9, std::abs(wanted[i].x), std::abs(wanted[i].y), std::abs(wanted[i].z)});
         for (int c = 0; c < 3; ++c)
             if (!is_close(wanted[i][c], made[c], scale)) return false;
@@ -77,54 +104,79 @@ bool is_sum(const std::vector<vec3>& wanted, const Sum& sum) {
     return true;
 }
 
+/// What is wanted as a sum of these terms, by least squares; none: it is none.
+std::optional<Sum> fitted(const std::vector<vec3>& wanted, std::vector<const Term*> terms) {
+    const std::size_t n = terms.size();
+    std::vector<std::vector<double>> rows(n);
+    for (std::size_t a = 0; a < n; ++a) {
+        for (const Term* other : terms) rows[a].push_back(product(terms[a]->value, other->value));
+        rows[a].push_back(product(terms[a]->value, wanted));
+    }
+    for (std::size_t a = 0; a < n; ++a) {
+        if (!(rows[a][a] > 1e-9 * product(terms[a]->value, terms[a]->value))) return std::nullopt;
+        for (std::size_t b = 0; b < n; ++b) {
+            if (a == b) continue;
+            const double f = rows[b][a] / rows[a][a];
+            for (std::size_t c = a; c <= n; ++c) rows[b][c] -= f * rows[a][c];
+        }
+    }
+    Sum sum{std::move(terms), {}};
+    for (std::size_t a = 0; a < n; ++a) sum.factors.push_back(rows[a][n] / rows[a][a]);
+    return is_sum(wanted, sum) ? std::optional(std::move(sum)) : std::nullopt;
+}
+
 /// The first sum that is wanted in every call, of as few terms as possible.
 std::optional<Sum> sum_of(const std::vector<vec3>& wanted, const std::vector<Term>& all) {
-    const double most = product(wanted, wanted);
-    std::vector<double> square, with;
-    for (const Term& t : all) square.push_back(product(t.value, t.value)), with.push_back(product(t.value, wanted));
+    constexpr std::size_t most_by_threes = 24;
+    for (const Term& a : all)
+        if (auto sum = fitted(wanted, {&a})) return sum;
     for (std::size_t i = 0; i < all.size(); ++i)
-        if (const Sum sum{&all[i], nullptr, with[i] / square[i], 0}; square[i] > 0 && is_sum(wanted, sum)) return sum;
-    for (std::size_t i = 0; i < all.size(); ++i)
-        for (std::size_t j = i + 1; j < all.size(); ++j) {
-            const double both = product(all[i].value, all[j].value), d = square[i] * square[j] - both * both;
-            if (!(d > 1e-6 * square[i] * square[j])) continue;
-            const Sum sum{&all[i], &all[j], (with[i] * square[j] - with[j] * both) / d,
-                          (with[j] * square[i] - with[i] * both) / d};
-            const double left = most - sum.x * with[i] - sum.y * with[j];
-            if (left <= 1e-6 * most && is_sum(wanted, sum)) return sum;
-        }
+        for (std::size_t j = i + 1; j < all.size(); ++j)
+            if (auto sum = fitted(wanted, {&all[i], &all[j]})) return sum;
+    for (std::size_t i = 0; i < all.size() && all.size() <= most_by_threes; ++i)
+        for (std::size_t j = i + 1; j < all.size(); ++j)
+            for (std::size_t k = j + 1; k < all.size(); ++k)
+                if (auto sum = fitted(wanted, {&all[i], &all[j], &all[k]})) return sum;
     return std::nullopt;
 }
 
 std::string in_words(const Sum& sum) {
-    const auto one = [](double x, const std::string& words) {
+    const auto times = [](double x, const std::string& words) {
+        if (words.empty()) return constant(x);
         return std::abs(x - 1) < 1e-4 ? words : constant(x) + " * " + words;
     };
-    std::string text = std::abs(sum.x + 1) < 1e-4 ? "-" + sum.a->words : one(sum.x, sum.a->words);
-    if (sum.b) text += (sum.y < 0 ? " - " : " + ") + one(std::abs(sum.y), sum.b->words);
+    std::string text;
+    for (std::size_t a = 0; a < sum.terms.size(); ++a) {
+        const double x = sum.factors[a];
+        const std::string one = times(std::abs(x), sum.terms[a]->words);
+        text += (x < 0 ? text.empty() ? "-" : " - " : text.empty() ? "" : " + ") + one;
+    }
     return text;
 }
 
-bool is_plain(const Sum& sum) { return is_named(sum.x) && (!sum.b || is_named(sum.y)); }
+bool is_plain(const Sum& sum) { return std::ranges::all_of(sum.factors, is_named); }
 
 }  // namespace
 
 std::optional<Form> terms_of(const PartOfCalls& of) {
     constexpr std::size_t enough = 8;
-    if (of.part.kind != Kind::vector || of.scope.size() < enough) return std::nullopt;
+    const bool is_number = of.part.kind == Kind::number;
+    if ((of.part.kind != Kind::vector && !is_number) || of.scope.size() < enough) return std::nullopt;
     std::vector<vec3> mine, right;
     for (const std::size_t k : of.scope) {
-        mine.emplace_back(of.mine(k, 0), of.mine(k, 1), of.mine(k, 2));
-        right.emplace_back(of.right(k, 0), of.right(k, 1), of.right(k, 2));
+        const auto value = [&](auto at) { return is_number ? vec3(at(0), 0, 0) : vec3(at(0), at(1), at(2)); };
+        mine.push_back(value([&](std::size_t c) { return of.mine(k, c); }));
+        right.push_back(value([&](std::size_t c) { return of.right(k, c); }));
         if (!std::isfinite(mine.back().x + mine.back().y + mine.back().z)) return std::nullopt;
     }
-    const std::vector<Term> all = terms(of);
+    const std::vector<Term> all = is_number ? terms_of_numbers(of) : terms(of);
     const auto own = sum_of(mine, all);
     if (!own || !is_plain(*own)) return std::nullopt;
     const auto due = sum_of(right, all);
-    return Form{fmt::format("is `{}`{}", in_words(*own),
-                            due && is_plain(*due) ? fmt::format(", must be `{}`", in_words(*due)) : ""),
-                own->b ? 2.0 : 1.7};
+    const bool is_due = due && is_plain(*due);
+    if (is_number && !is_due) return std::nullopt;
+    return Form{fmt::format("is `{}`{}", in_words(*own), is_due ? fmt::format(", must be `{}`", in_words(*due)) : ""),
+                own->terms.size() > 1 ? 1.6 : 1.5};
 }
 
 }  // namespace grade

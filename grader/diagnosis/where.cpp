@@ -202,6 +202,9 @@ private:
                 add_part(fmt::format("`{} = (0, 0, 0)`", part.name), is_zero);
                 add_part(fmt::format("`{}` is not (0, 0, 0)", part.name),
                          [is_zero](const double* x) { return !is_zero(x); });
+                if (part.kind == Kind::color)
+                    add_part(fmt::format("a channel of `{}` is 0", part.name),
+                             [](const double* x) { return x[0] == 0 || x[1] == 0 || x[2] == 0; });
             }
         }
     }

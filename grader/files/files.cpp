@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <random>
 #include <stdexcept>
 #include <system_error>
 #include <vector>
@@ -37,7 +38,8 @@ std::optional<std::string> read_text(const fs::path& path, std::uint64_t most) {
 }
 
 void write_text(const fs::path& path, std::string_view text) {
-    const fs::path draft = path.string() + fmt::format(".{}.tmp", getpid());
+    // by chance as well: machines that share the folder have processes of the same number
+    const fs::path draft = path.string() + fmt::format(".{}-{:08x}.tmp", getpid(), std::random_device()());
     const auto fail = [&](const char* what) {
         const int cause = errno;
         unlink(draft.c_str());

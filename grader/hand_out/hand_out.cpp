@@ -5,13 +5,13 @@
 #include <sys/utsname.h>
 
 #include <array>
-#include <set>
 #include <sstream>
 
 #include "assignment/strip.h"
 #include "files/files.h"
 #include "programs/process.h"
 #include "programs/toolchain.h"
+#include "report/describe.h"
 #include "rt/files/scene_reader.h"
 
 namespace grade {
@@ -19,12 +19,14 @@ namespace grade {
 namespace {
 
 /// What is handed out, by name: nothing that somebody has put beside it.
-constexpr std::array entries = {".editorconfig", ".vscode", "LICENSE", "assignment.toml",
-                                "handout.md",    "scenes",  "starter"};
+constexpr std::array entries = {".editorconfig", ".vscode", "LICENSE", "assignment.toml", "scenes", "starter"};
 
 /// What every system with a C++ compiler has: the C and C++ libraries, and zlib, without which Debian has no dpkg.
 constexpr std::array everywhere = {"linux-vdso.", "ld-linux", "libc.so.",   "libm.so.",      "libgcc_s.so.",
                                    "libdl.so.",   "librt.so", "libpthread", "libstdc++.so.", "libz.so."};
+
+/// What is installed depends on the package of this one; a kit does not have it.
+constexpr const char* archive_library = "libarchive.so.";
 
 /// Headers that the grader or the framework is made of, and whose licences come along: no package owns their code here.
 /// Boost's asks for nothing beside a compiled program.
@@ -33,7 +35,8 @@ constexpr std::array header_packages = {"libglm-dev", "libcli11-dev", "nlohmann-
 /// Hidden files, what builds leave behind, and what needs the solution stay here.
 bool is_left_out(const fs::path& path) {
     const std::string name = path.filename().string();
-    return name.starts_with(".") || name.starts_with("build") || name.starts_with("__") || name == "render_pictures";
+    return name.starts_with(".") || name.starts_with("build") || name.starts_with("__") || name == "render_pictures" ||
+           name == "take_screenshot";
 }
 
 void copy_folder(const fs::path& from, const fs::path& to) {
@@ -128,11 +131,21 @@ std::string package_of(const fs::path& file) {
     return {};
 }
 
+/// What a package of the system brings stays out: a library, with all that it needs.
+void leave_to_package(const std::string& start, std::map<std::string, fs::path>& libraries) {
+    const auto found = libraries.lower_bound(start);
+    if (found == libraries.end() || !found->first.starts_with(start)) return;
+    const auto [name, path] = *found;
+    for (const auto& [needed, place] : libraries_of(path)) libraries.erase(needed);
+    libraries.erase(name);
+}
+
 void write_libraries(const fs::path& program, const Toolchain& built, const fs::path& machine) {
     fs::create_directories(machine / "lib");
     fs::create_directories(machine / "licences");
     std::map<std::string, fs::path> all = libraries_of(program);
     all.merge(libraries_of(program.string() + "_studies"));
+    leave_to_package(archive_library, all);
     for (const std::string& library : built.libraries)
         if (library.starts_with("/")) {
             // under the name that it tells those who are linked with it
@@ -158,7 +171,7 @@ std::string quoted(const std::vector<std::string>& words) {
 }
 
 /// The toolchain file of a kit: relative to its folder, and without a compiler, which is found where it runs.
-void write_toolchain(const Toolchain& built, const fs::path& machine) {
+void write_toolchain(const Toolchain& built, const fs::path& machine, For whom) {
     std::vector<std::string> blanks, reference, libraries, plain;
     for (const auto& [name, object] : built.solution_objects) {
         reference.push_back("reference/" + name + ".o");
@@ -172,11 +185,12 @@ void write_toolchain(const Toolchain& built, const fs::path& machine) {
     write_text(machine / "toolchain.toml",
                fmt::format("# How this kit's grader compiles and links.\nkit = true\nprocessor = \"{}\"\ncommit = "
                            "\"{}\"\nsource = \"../..\"\n"
-                           "cache = \"../../build\"\ncompile = {}\nincludes = [\"../../starter\", \"../include\"]\n"
+                           "{}compile = {}\nincludes = [\"../../starter\", \"../include\"]\n"
                            "link = {}\narchives = [\"libchild.a\", \"librt.a\"]\nlibraries = {}\nkit_libraries = {}\n"
                            "blanks = \"../blanks\"\nblank_objects = {}\nsolution_objects = {}\n",
-                           built.processor, built.commit, quoted(built.compile), quoted(built.link), quoted(plain),
-                           quoted(libraries), quoted(blanks), quoted(reference)));
+                           built.processor, built.commit, whom == For::students ? "cache = \"../../build\"\n" : "",
+                           quoted(built.compile), quoted(built.link), quoted(plain), quoted(libraries), quoted(blanks),
+                           quoted(reference)));
 }
 
 /// The folder that holds glm/, as the compiler finds it.
@@ -190,7 +204,7 @@ fs::path folder_of_glm(const Toolchain& built) {
     throw std::runtime_error("GLM's headers are not found; expected glm/ among those of rt/math.h");
 }
 
-void write_machine(const Toolchain& built, const fs::path& program, const fs::path& machine) {
+void write_machine(const Toolchain& built, const fs::path& program, const fs::path& machine, For whom) {
     fs::create_directories(machine);
     for (const char* part : {"", "_studies"})
         must_run({"/usr/bin/strip", "--strip-all", "--remove-section=.comment", program.string() + part, "-o",
@@ -202,7 +216,25 @@ void write_machine(const Toolchain& built, const fs::path& program, const fs::pa
     write_bare_objects(built.solution_objects, built, machine / "reference");
     write_bare_objects(built.blank_objects, built, machine / "blanks");
     write_libraries(program, built, machine);
-    write_toolchain(built, machine);
+    write_toolchain(built, machine, whom);
+}
+
+void copy_entries(const fs::path& project, const fs::path& folder) {
+    for (const char* entry : entries) {
+        const fs::path from = project / entry, to = folder / entry;
+        if (fs::is_directory(from))
+            copy_folder(from, to);
+        else
+            fs::copy_file(from, to);
+    }
+}
+
+/// What a kit has as a student's repository.
+void write_repository(const fs::path& project, const fs::path& folder) {
+    fs::create_directories(folder / ".github/workflows");
+    fs::copy_file(project / "grader/kit/github/grade.yml", folder / ".github/workflows/grade.yml");
+    write_text(folder / ".gitignore", "build*/\n");
+    write_text(folder / ".gitattributes", "* text=auto eol=lf\n");  // a shell reads no CRLF
 }
 
 /// The graders of another hand-out, for other kinds of machines. They must be of the same assignment.
@@ -229,34 +261,31 @@ std::string kind_of_machine() {
 }
 
 void hand_out(const fs::path& project, const Assignment& assignment, const fs::path& built_toolchain,
-              const fs::path& folder, const std::vector<fs::path>& others) {
+              const fs::path& folder, const std::vector<fs::path>& others, For whom) {
     if (fs::exists(folder) && !fs::is_empty(folder))
         throw rt::InputError(fmt::format("{}: is not empty; expected a new folder", folder.string()));
     const Toolchain built = read_toolchain(built_toolchain);
-    const fs::path program = built.archives.front().parent_path() / "grade_kit";
+    const fs::path program =
+        built.archives.front().parent_path() / (whom == For::students ? "grade_kit" : "grade_installed");
     if (!fs::exists(program)) throw std::runtime_error(fmt::format("{}: not built yet", program.string()));
-    std::set<std::string> given;
-    for (const Fragment& fragment : assignment.fragments)
-        if (fragment.given) given.insert(fragment.name);
-    const auto blanks = make_starter((project / "solution").string(), given);
+    const auto blanks = make_starter((project / "solution").string(), assignment.asked());
+    // first, for it may be no handout of this assignment
+    const std::string handout =
+        with_new_tables(read_text(project / "handout.md").value_or(""), assignment, (project / "handout.md").string());
 
     fs::create_directories(folder);
-    for (const char* entry : entries) {
-        const fs::path from = project / entry, to = folder / entry;
-        if (fs::is_directory(from))
-            copy_folder(from, to);
-        else
-            fs::copy_file(from, to);
-    }
+    copy_entries(project, folder);
+    write_text(folder / "handout.md", handout);
+    // of this very text
+    if (const fs::path page = built_toolchain.parent_path() / "handout.html";
+        fs::exists(page) && read_text(project / "handout.md") == handout)
+        fs::copy_file(page, folder / "handout.html");
     fs::copy_file(project / "grader/kit/grade", folder / "grade");
-    fs::create_directories(folder / ".github/workflows");
-    fs::copy_file(project / "grader/kit/github/grade.yml", folder / ".github/workflows/grade.yml");
-    write_text(folder / ".gitignore", "build*/\n");
-    write_text(folder / ".gitattributes", "* text=auto eol=lf\n");  // a shell reads no CRLF
+    if (whom == For::students) write_repository(project, folder);
     write_starter(blanks, (folder / "starter/fragments").string());
     write_starter(blanks, (folder / "grader/blanks").string());
     copy_folder(folder_of_glm(built) / "glm", folder / "grader/include/glm");
-    write_machine(built, program, folder / "grader" / kind_of_machine());
+    write_machine(built, program, folder / "grader" / kind_of_machine(), whom);
     for (const fs::path& kit : others) add_machines(kit, folder);
 }
 

@@ -108,6 +108,11 @@ void Grading::add_checks() {
         std::vector<const Check*> own;
         for (const Check& check : checks)
             if (check.fragment == fragment.name) own.push_back(&check), fragment.checks.push_back(blank_record(check));
+        if (own.empty())
+            throw std::runtime_error(fmt::format(
+                "assignment.toml lists {0}, and this grader has no check of it. That is no verdict on the submission: "
+                "expected a build with what grader/checks/{0}.cpp returns, or no {0} in assignment.toml",
+                fragment.name));
         for (std::size_t i = 0; i < own.size(); ++i) tasks_.push_back({own[i], &fragment, &fragment.checks[i]});
     }
 }
@@ -118,7 +123,7 @@ void Grading::finish(FragmentRecord& fragment) {
         fragment.message = problem->second.message;
         for (CheckRecord& check : fragment.checks) check.verdict = fragment.verdict;
         give_points(fragment);
-    } else if (!fragment.checks.empty()) {
+    } else {
         fragment.verdict = Verdict::passed;
         // those too that ran at the same time: a record does not tell how many processors there are
         if (const auto first = std::ranges::find_if(fragment.checks, is_timed_out); first != fragment.checks.end())
@@ -128,8 +133,6 @@ void Grading::finish(FragmentRecord& fragment) {
             fragment.cpu_seconds += check.cpu_seconds;
         }
         give_points(fragment);
-    } else {
-        fragment.message = "no check looks at this fragment";
     }
     fragment.warnings = programs_.warnings(fragment.name);
     fragment.finished = true;

@@ -42,6 +42,25 @@ Compared draw_compared(Programs& programs, const fs::path& mine, const fs::path&
     return result;
 }
 
+namespace {
+
+/// The submission's own program; where some fragments alone are graded, these with the right others, or nothing where
+/// none of them can be part of it.
+fs::path program_of(Record& record, Programs& programs) {
+    record.own_picture_of_some = record.fragments.size() < programs.names().size();
+    if (!record.own_picture_of_some) {
+        programs.compile(programs.names());
+        return programs.own_without({record.left_out.begin(), record.left_out.end()});
+    }
+    std::set<std::string> graded;
+    for (const FragmentRecord& fragment : record.fragments)
+        if (programs.has(fragment.name)) graded.insert(fragment.name);
+    for (const std::string& name : record.left_out) graded.erase(name);
+    return graded.empty() ? fs::path() : programs.must_link(graded);
+}
+
+}  // namespace
+
 void add_own_picture(Record& record, Programs& programs, const fs::path& scene, std::uint64_t seed, double time_limit) {
     constexpr int samples = 16, longest_side = 240;
     for (const FragmentRecord& fragment : record.fragments)
@@ -51,8 +70,8 @@ void add_own_picture(Record& record, Programs& programs, const fs::path& scene, 
     rt::ivec2 size = rt::read_scene(scene.string()).camera.size;
     if (const int side = std::max(size.x, size.y); side > longest_side)
         size = {std::max(1, size.x * longest_side / side), std::max(1, size.y * longest_side / side)};
-    programs.compile(programs.names());
-    const fs::path mine = programs.own_without({record.left_out.begin(), record.left_out.end()});
+    const fs::path mine = program_of(record, programs);
+    if (mine.empty()) return;
     Compared compared = draw_compared(programs, mine, scene, {samples, size, seed, 3 * time_limit});
     record.own_picture_scene = scene.filename().string();
     record.own_picture_exposure = compared.exposure;

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <map>
 #include <mutex>
+#include <random>
 
 #include "files/files.h"
 #include "files/stamp.h"
@@ -38,7 +39,7 @@ bool make_header(const Toolchain& chain, const fs::path& folder) {
     // a header that includes the real one: a fragment may include that, and others, a second time
     write_text(header,
                fmt::format("#pragma once\n#include \"{}\"\n", (chain.includes.front() / "rt/fragments.h").string()));
-    const fs::path draft = compiled.string() + fmt::format(".{}.tmp", getpid());
+    const fs::path draft = compiled.string() + fmt::format(".{}-{:08x}.tmp", getpid(), std::random_device()());
     std::vector<std::string> command{chain.compiler.string()};
     command.insert(command.end(), chain.compile.begin(), chain.compile.end());
     command.push_back("-w");
@@ -57,7 +58,7 @@ bool make_header(const Toolchain& chain, const fs::path& folder) {
 }  // namespace
 
 std::optional<fs::path> cache_folder(const Toolchain& chain) {
-    if (can_write(chain.cache)) return chain.cache;
+    if (!chain.cache.empty() && can_write(chain.cache)) return chain.cache;
     const char* cache = std::getenv("XDG_CACHE_HOME");
     const char* home = std::getenv("HOME");
     if (!cache && !home) return std::nullopt;

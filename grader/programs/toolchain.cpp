@@ -5,6 +5,7 @@
 #include <toml++/toml.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
 #include <sstream>
@@ -108,6 +109,13 @@ Toolchain with_sanitizers(const Toolchain& chain) {
     return checked;
 }
 
+std::vector<std::string> all_fragments(const Toolchain& chain, const Assignment& assignment) {
+    std::vector<std::string> names = assignment.names();
+    for (const auto& [name, object] : chain.solution_objects)
+        if (std::ranges::count(names, name) == 0) names.push_back(name);
+    return names;
+}
+
 Toolchain read_toolchain(const fs::path& path) try {
     const toml::table file = toml::parse_file(path.string());
     const fs::path folder = fs::absolute(path).parent_path();
@@ -130,7 +138,7 @@ Toolchain read_toolchain(const fs::path& path) try {
     chain.compile = list(file, "compile");
     for (const std::string& option : list(file, "options")) chain.compile.push_back(option);
     chain.includes = places("includes");
-    chain.cache = place(text("cache"));
+    if (const std::string cache = text("cache"); !cache.empty()) chain.cache = place(cache);
     chain.link = list(file, "link");
     chain.archives = places("archives");
     chain.libraries = list(file, "libraries");

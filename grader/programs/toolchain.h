@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "assignment/assignment.h"
+
 namespace grade {
 
 namespace fs = std::filesystem;
@@ -20,7 +22,7 @@ struct Toolchain {
     bool is_kit = false;               // handed out: no sources of the solution, and the code that runs is its owner's
     std::vector<std::string> compile;  // flags
     std::vector<fs::path> includes;    // the framework's headers: starter/ first
-    fs::path cache;                    // where what a run leaves for the next is kept, if it can be written
+    fs::path cache;                    // where what a run leaves for the next is kept, if it can be written; may be ""
     std::vector<std::string> link;     // flags, before the objects
     std::vector<fs::path> archives;    // the child and the framework, in the order of the link
     std::vector<std::string> libraries;                // after them
@@ -33,6 +35,9 @@ struct Toolchain {
 
 /// The same compiler, with sanitizers that end a program at the first undefined behaviour and say where it is.
 Toolchain with_sanitizers(const Toolchain& chain);
+
+/// The assignment's fragments, in its order, then those that it leaves out.
+std::vector<std::string> all_fragments(const Toolchain& chain, const Assignment& assignment);
 
 /// Paths in the file are relative to its folder. Throws std::runtime_error where the file or what it names is missing,
 /// or made for another processor than this one.

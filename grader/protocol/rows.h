@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "rt/fragments.h"
+#include "rt/answers.h"
 
 /// Arguments and results of fragments as rows of numbers: what a probe sends to a fragment and gets back.
 ///

@@ -55,8 +55,9 @@ struct CheckRecord {
 
     Tiles tiles;  // of a picture that is shown and fails: where it is wrong
 
-    // for the page only
+    // for the page only; drawn: as picture_parts gave them, of a record that has been read again
     rt::Image picture, solution_picture;
+    std::string drawn;
 };
 
 /// What calls of a fragment show, whichever it is; empty where they show nothing.
@@ -121,6 +122,7 @@ struct Record {
     // a whole picture, as the submission's fragments draw it and as the solution's do, for the page only
     rt::Image own_picture, own_picture_right;
     std::string own_picture_scene, own_picture_fault;
+    bool own_picture_of_some = false;   // of the graded fragments alone, between right ones
     std::vector<std::string> left_out;  // fragments that crash or do not end: their blanks stand in
     double own_picture_exposure = 1;
 

@@ -81,6 +81,8 @@ std::string describe_points(const Assignment& assignment) {
 }
 
 std::string describe_checks(const Assignment& assignment, const std::string& fragment) {
+    if (std::ranges::count(assignment.names(), fragment) == 0)
+        return "Not part of this assignment: this fragment is handed out filled in.\n";
     const Fragment& entry = assignment.fragments.at(assignment.place(fragment));
     if (entry.given) return "Given: this fragment is handed out filled in, and gives no points.\n";
 
@@ -127,15 +129,16 @@ std::string with_new_tables(const std::string& handout, const Assignment& assign
             block = describe_points(assignment);
         } else if (name.starts_with("checks: ")) {
             const std::string fragment = name.substr(8);
-            if (std::ranges::count(assignment.names(), fragment) == 0)
-                fail(fmt::format("no fragment is named \"{}\"; expected one of assignment.toml", fragment));
+            if (checks_of(fragment, 1).empty())
+                fail(fmt::format("no fragment is named \"{}\"; expected one of fragments.h", fragment));
             block = describe_checks(assignment, fragment);
-        } else {
+        } else if (name != "count") {
             continue;
         }
         const std::size_t end = handout.find(end_marker, body);
         if (end == handout.npos) fail(fmt::format("this block has no end; expected {}", end_marker));
-        text += "\n\n" + block + "\n" + std::string(end_marker);
+        text += name == "count" ? std::to_string(assignment.asked().size()) : "\n\n" + block + "\n";
+        text += end_marker;
         at = end + end_marker.size();
     }
 }

@@ -11,13 +11,14 @@ namespace grade {
 std::string describe_points(const Assignment& assignment);
 
 /// One fragment's points and checks: what each measures, what must come out, and how far off it may be. Numbers that
-/// depend on the grading seed are words.
+/// depend on the grading seed are words. A fragment that the assignment leaves out is handed out filled in.
 std::string describe_checks(const Assignment& assignment, const std::string& fragment);
 
 /// The handout with its blocks made anew, each between its markers:
 ///
 ///     <!-- points -->           ... <!-- end -->
 ///     <!-- checks: FRAGMENT --> ... <!-- end -->
+///     <!-- count -->32<!-- end -->    how many fragments students fill in, within a line
 ///
 /// path is for errors: throws rt::InputError for a marker without end and for an unknown fragment.
 std::string with_new_tables(const std::string& handout, const Assignment& assignment, const std::string& path);

@@ -65,6 +65,7 @@ std::string tile_map(const CheckRecord& check) {
 }
 
 std::string pictures(const CheckRecord& check) {
+    if (!check.drawn.empty()) return check.drawn;
     if (check.picture.pixels.empty()) return {};
     // both alike, so that most of what is right can be seen
     const double exposure =
@@ -209,16 +210,20 @@ std::string own_picture(const Record& record) {
             "{}</p></section>\n",
             html(record.own_picture_fault));
     if (record.own_picture.pixels.empty()) return {};
+    const char* made_of =
+        record.own_picture_of_some
+            ? "with the fragments that were graded, and right ones in place of the others"
+            : "with all fragments of the submission; blanks stand in for those that are missing or do "
+              "not build";
     return fmt::format(
-        "<h2>The submission's own picture</h2><section class=\"card own\">{}<p class=\"soft\">{}, with all fragments "
-        "of "
-        "the submission; blanks stand in for those that are missing or do not build{}.</p></section>\n",
+        "<h2>The submission's own picture</h2><section class=\"card own\">{}<p class=\"soft\">{}, "
+        "{}{}.</p></section>\n",
         three_pictures(record.own_picture, record.own_picture_right, record.own_picture_exposure,
                        "of " + record.own_picture_scene),
-        html(record.own_picture_scene),
+        html(record.own_picture_scene), made_of,
         record.left_out.empty()
             ? ""
-            : html(fmt::format(", and for {}, which crashed or did not end", fmt::join(record.left_out, ", "))));
+            : html(fmt::format("; without {}, which crashed or did not end", fmt::join(record.left_out, ", "))));
 }
 
 /// What has changed since the last grading.
@@ -243,6 +248,15 @@ std::string version_of(const Record& record) {
 }
 
 }  // namespace
+
+std::map<std::string, std::string> picture_parts(const Record& record) {
+    std::map<std::string, std::string> parts;
+    for (const FragmentRecord& fragment : record.fragments)
+        for (const CheckRecord& check : fragment.checks)
+            if (std::string text = pictures(check); !text.empty())
+                parts[fragment.name + "/" + check.name] = std::move(text);
+    return parts;
+}
 
 std::string page(const Record& record, const std::string& handout) {
     const double share = record.max_score() > 0 ? record.score() / record.max_score() : 0;

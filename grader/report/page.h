@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "record/record.h"
@@ -10,5 +11,9 @@ namespace grade {
 ///
 /// handout  where the page finds the handout, to which its hints link; empty: nowhere
 std::string page(const Record& record, const std::string& handout = "handout.md");
+
+/// By FRAGMENT/CHECK: its pictures as the page shows them, for CheckRecord::drawn of the same record, read from its
+/// file.
+std::map<std::string, std::string> picture_parts(const Record& record);
 
 }  // namespace grade

@@ -1,3 +1,7 @@
+#include "asked/camera_ray.h"
+#include "asked/lens_ray.h"
+#include "asked/moved.h"
+#include "asked/shutter_time.h"
 #include "stress/exact.h"
 #include "stress/family.h"
 

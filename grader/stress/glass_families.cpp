@@ -1,3 +1,7 @@
+#include "asked/fresnel_dielectric.h"
+#include "asked/mirror_direction.h"
+#include "asked/refracted_direction.h"
+#include "asked/whitted.h"
 #include "stress/exact.h"
 #include "stress/family.h"
 

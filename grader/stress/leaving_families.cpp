@@ -1,3 +1,4 @@
+#include "asked/shadow_ray.h"
 #include "stress/family.h"
 
 namespace grade::stress {

@@ -1,3 +1,4 @@
+#include "asked/light_sample.h"
 #include "stress/family.h"
 
 namespace grade::stress {

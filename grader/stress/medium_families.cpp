@@ -1,3 +1,5 @@
+#include "asked/free_flight.h"
+#include "asked/scatter_direction.h"
 #include "stress/exact.h"
 #include "stress/family.h"
 

@@ -1,3 +1,5 @@
+#include "asked/direct_light.h"
+#include "asked/point_irradiance.h"
 #include "stress/exact.h"
 #include "stress/family.h"
 

@@ -1,3 +1,4 @@
+#include "asked/hit_sphere.h"
 #include "stress/exact.h"
 #include "stress/family.h"
 

@@ -1,3 +1,5 @@
+#include "asked/integrate_monte_carlo.h"
+#include "asked/pixel_mean.h"
 #include "stress/family.h"
 
 namespace grade::stress {

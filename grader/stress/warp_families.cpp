@@ -1,3 +1,6 @@
+#include "asked/cosine_hemisphere.h"
+#include "asked/stratified_2d.h"
+#include "asked/uniform_disk.h"
 #include "stress/family.h"
 
 namespace grade::stress {

@@ -17,8 +17,11 @@ struct Found {
     std::set<std::string> doubled;      // paths that are there twice, with different texts: the later one is taken
     std::vector<std::string> archives;  // within the submission, that have not been looked into
     std::string broken;                 // what is wrong with the first of them; empty: nothing was found to be
+    std::string cut;                    // an archive whose end is missing, and of which the rest was read
     int unnamed = 0;                    // files whose names cannot be read
-    std::set<std::string> edited;       // files that the framework has as well, with another text
+    int outside = 0;                    // files whose names lead out of the archive: "../phong.cpp", "/phong.cpp"
+    std::string first_outside;
+    std::set<std::string> edited;  // files that the framework has as well, with another text
 
     /// Notes a file that is no fragment by its name.
     void look_at_name(const std::string& path, const std::vector<std::string>& fragments);

@@ -7,6 +7,7 @@
 
 #include "files/files.h"
 #include "submission/archive.h"
+#include "submission/code_only.h"
 #include "submission/framework.h"
 #include "submission/near_name.h"
 
@@ -50,8 +51,23 @@ void look_at_names(const fs::path& folder, const std::string& prefix, const std:
             found.look_at_name(prefix + at->path().filename().string(), fragments);
 }
 
-/// Where fragments are expected; where there is none, in all folders within; and where there is none either, in the
-/// archives in them.
+/// Into the archives beside fragments: what is there may be more. One that is too large stays where it is.
+void look_beside(const fs::path& folder, const std::vector<std::string>& fragments, const fs::path& framework,
+                 Found& found) {
+    Found more = found;
+    try {
+        look_into_archives(folder, fragments, framework, more);
+        found = std::move(more);
+    } catch (const SubmissionError& error) {
+        found.broken = error.what();
+    }
+    // a note goes into tables, where the place on this machine says nothing
+    const std::string place = (folder / "").string();
+    for (std::size_t at; (at = found.broken.find(place)) != found.broken.npos;) found.broken.erase(at, place.size());
+}
+
+/// Where fragments are expected, and in archives that lie beside them; where there is none, in all folders within; and
+/// where there is none either, in the archives in them.
 Found look_into_folder(const fs::path& folder, const std::vector<std::string>& fragments, const fs::path& framework) {
     Found found;
     const auto look = [&](const std::string& prefix) {
@@ -62,7 +78,10 @@ Found look_into_folder(const fs::path& folder, const std::vector<std::string>& f
     for (const char* usual : {"fragments/", "starter/fragments/"})
         if (is_folder(folder / fs::path(usual).parent_path()) && is_folder(folder / *fs::path(usual).begin()))
             look(usual);
-    if (!found.texts.empty() || !found.complaints.empty()) return found;
+    if (!found.texts.empty() || !found.complaints.empty()) {
+        look_beside(folder, fragments, framework, found);
+        return found;
+    }
     std::error_code error;
     std::vector<std::string> inside;
     int count = 0;
@@ -88,32 +107,39 @@ std::string in_words(const std::string& folder) { return folder.empty() ? "the t
 /// A folder with fragments in it, and what speaks for it.
 struct Place {
     std::string folder;
-    int count = 0;
-    bool set_aside = false;  // by its name or that of a folder around it
-    bool named = false;      // fragments
+    int count = 0, filled = 0;  // fragments, and those that are no blanks
+    bool set_aside = false;     // by its name or that of a folder around it
+    bool named = false;         // fragments
 
     /// What makes it the one to take, and not the other; empty: nothing.
     std::string better_than(const Place& other) const {
         if (set_aside != other.set_aside)
             return set_aside ? "" : fmt::format("{} looks set aside by its name", other.folder);
+        if (filled != other.filled) return filled < other.filled ? "" : more_in(other);
         if (count != other.count) return count < other.count ? "" : "it holds more fragments";
         if (named != other.named) return named ? "it is named fragments" : "";
         if (folder.size() != other.folder.size())
             return folder.size() < other.folder.size() ? "its path is shorter" : "";
         return folder < other.folder ? "its name comes first" : "";
     }
+
+    /// Why more are filled in here.
+    std::string more_in(const Place& other) const {
+        return count > other.count ? "it holds more fragments" : "more of its fragments are filled in";
+    }
 };
 
 /// The folders that hold fragments, the one to take first.
 std::vector<Place> places_of(const Found& found) {
     std::map<std::string, Place> places;
-    const auto count = [&](const std::string& path) {
+    const auto count = [&](const std::string& path, bool filled) {
         const std::string folder = folder_of(path);
-        // what macOS adds to archives is no submission
-        if (!folder.starts_with("__MACOSX")) ++places.try_emplace(folder, Place{folder}).first->second.count;
+        if (folder.starts_with("__MACOSX")) return;  // what macOS adds to archives is no submission
+        Place& place = places.try_emplace(folder, Place{folder}).first->second;
+        ++place.count, place.filled += filled;
     };
-    for (const auto& [path, text] : found.texts) count(path);
-    for (const auto& [path, complaint] : found.complaints) count(path);
+    for (const auto& [path, text] : found.texts) count(path, !is_blank(text, {}));
+    for (const auto& [path, complaint] : found.complaints) count(path, false);
     std::vector<Place> sorted;
     for (auto& [folder, place] : places) {
         for (const fs::path& part : fs::path(folder)) place.set_aside |= is_set_aside(part.string());
@@ -146,6 +172,12 @@ std::string nearest_to(const std::string& fragment, const std::string& folder, c
                        folder_of(best) == folder ? file : folder + file);
 }
 
+/// Of names such as "../phong.cpp".
+std::string leads_out(const Found& found) {
+    return fmt::format("{} {} out of the archive", found.first_outside,
+                       found.outside > 1 ? "and others lead" : "leads");
+}
+
 /// What is told of a submission with several files for one fragment.
 void note_copies(const std::vector<Place>& places, const Found& found, Submission& submission) {
     for (const std::string& path : found.doubled)
@@ -173,7 +205,17 @@ void note_copies(const std::vector<Place>& places, const Found& found, Submissio
             submission.notes.push_back(fmt::format("{} was left out: {}.cpp is there as well", path, fragment));
     for (const std::string& path : found.archives)
         if (!submission.texts.empty() && folder_of(path) == submission.folder)
-            submission.notes.push_back(fmt::format("{} was left out: there are fragments beside it", path));
+            submission.notes.push_back(fmt::format(
+                "{} was left out: {}", path,
+                found.broken.find(path) != found.broken.npos ? found.broken : "there are fragments beside it"));
+    for (const std::string& path : found.archives)
+        if (submission.folder.starts_with(path + "/"))
+            submission.notes.push_back(path + " was read in part: it is cut off or broken");
+    if (!found.cut.empty())
+        submission.notes.push_back(found.cut + ": it is cut off, its end is missing; what could be read was taken");
+    if (found.outside > 0)
+        submission.notes.push_back(fmt::format("{} file{} left out: {}", found.outside,
+                                               found.outside > 1 ? "s were" : " was", leads_out(found)));
     if (found.unnamed > 0)
         submission.notes.push_back(fmt::format("{} files were left out: their names cannot be read", found.unnamed));
 }
@@ -195,16 +237,34 @@ std::string around(const std::string& folder) {
 std::string no_fragment(const fs::path& path, const Found& found, const std::vector<std::string>& fragments) {
     const std::string expected =
         fmt::format("expected files such as fragments/{}.cpp", fragments.empty() ? "NAME" : fragments.front());
+    if (!found.cut.empty())
+        return fmt::format(
+            "{}: holds no fragment; {} is cut off, its end is missing; expected all of it, uploaded again",
+            path.string(), found.cut);
     if (!found.broken.empty()) return fmt::format("{}: holds no fragment; {}", path.string(), found.broken);
     if (!found.archives.empty())
         return fmt::format("{}: holds no fragment, but another archive, {}: unpack it; {}", path.string(),
                            found.archives.front(), expected);
+    if (found.outside > 0)
+        return fmt::format("{}: holds nothing that can be taken: {}; {}", path.string(), leads_out(found), expected);
     if (found.unnamed > 0)
         return fmt::format("{}: holds no fragment whose name can be read; {}", path.string(), expected);
     return fmt::format("{}: holds no fragment; {}", path.string(), expected);
 }
 
 }  // namespace
+
+void note_given(Submission& submission, const std::set<std::string>& asked, const fs::path& blanks) {
+    for (const auto& [fragment, text] : submission.texts) {
+        if (asked.contains(fragment)) continue;
+        const auto given = read_text(blanks / (fragment + ".cpp"));
+        if (given && code_only(*given) != code_only(text))
+            submission.notes.push_back(
+                fmt::format("{}{}.cpp: handed out filled in, and changed; it is not graded, and gradings use the one "
+                            "that was handed out",
+                            submission.folder, fragment));
+    }
+}
 
 void Found::look_at_name(const std::string& path, const std::vector<std::string>& fragments) {
     const std::string file = fs::path(path).filename().string();

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,9 +32,15 @@ constexpr std::uint64_t most_source_bytes = 256u << 10;
 /// Reads a folder, a .zip or a .tar.gz, with the fragments in fragments/, directly in it, or in another of its folders:
 /// of several, one is taken, and a note says which and why. Where a fragment is missing and another file's name is near
 /// to its own, the complaint names that file. Links are not followed. Archives within an archive are looked into, and
-/// those in a folder without fragments. framework: the folder of its rt/, with which
-/// copies in the submission are compared; a note says which are edited. Throws SubmissionError.
+/// those in a folder. framework: the folder of its rt/, with which copies in the submission are compared; a note says
+/// which are edited. Throws SubmissionError.
 Submission read_submission(const fs::path& path, const std::vector<std::string>& fragments,
                            const fs::path& framework = {});
+
+/// Adds a note for what was taken of fragments that are handed out filled in, and is not as it was handed out.
+///
+/// asked   the fragments that are not
+/// blanks  the folder of what is handed out
+void note_given(Submission& submission, const std::set<std::string>& asked, const fs::path& blanks);
 
 }  // namespace grade

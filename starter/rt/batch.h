@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "rt/fragments.h"
+#include "rt/answers.h"
 #include "rt/lanes.h"
 #include "rt/sampler.h"
 

@@ -45,7 +45,9 @@ void add_materials(const Scene& scene, RenderPlan& plan) {
         const Material& m = scene.materials[i];
         const bool dielectric = m.transmittance != Color(0), mirror = m.reflectance != Color(0),
                    sharp = m.exponent == inf;
-        plan.diffuse |= m.albedo != Color(0);
+        plan.checker |= m.checker.has_value();
+        const bool diffuse = largest_albedo(m) != Color(0);
+        plan.diffuse |= diffuse;
         plan.ambient |= m.ambient != Color(0) && scene.ambient != Color(0);
         plan.phong |= m.specular != Color(0);
         plan.emission |= m.emission != Color(0);
@@ -57,7 +59,7 @@ void add_materials(const Scene& scene, RenderPlan& plan) {
         plan.glass |= dielectric && sharp && scene.depth > 0;
         plan.glossy |= mirror && !sharp && scene.depth > 0;
         plan.translucent |= dielectric && !sharp && scene.depth > 0;
-        plan.choice |= (m.albedo != Color(0) && scene.bounces > 0 && (dielectric || mirror)) || (dielectric && mirror);
+        plan.choice |= (diffuse && scene.bounces > 0 && (dielectric || mirror)) || (dielectric && mirror);
     }
 }
 
@@ -159,7 +161,8 @@ std::string describe_stages(const RenderPlan& plan, const Scene& scene) {
                            plan.bvh ? "in a tree" : "one by one"),
                "") +
            row("medium", plan.medium, "", "no medium") +
-           row("surface", plan.spheres || plan.triangles || plan.quads || plan.discs, "", "nothing to hit") +
+           row("surface", plan.spheres || plan.triangles || plan.quads || plan.discs,
+               plan.checker ? "with checkers" : "", "nothing to hit") +
            row("emission", plan.emission || plan.environment || scene.background != Color(0),
                plan.counts_twice ? "what shadow rays have gathered counts once"
                                  : "all that is seen counts: nothing bounces",

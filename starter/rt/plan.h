@@ -60,6 +60,7 @@ struct RenderPlan {
     bool bvh = false;
     bool spheres = false, triangles = false, quads = false, discs = false;
     bool smooth = false;        // meshes with normals
+    bool checker = false;       // an albedo in every other square
     bool through = false;       // shadow rays go through boundaries that bend no light
     bool counts_twice = false;  // a diffuse ray may find what shadow rays have gathered; else all that is seen counts
 

@@ -4,11 +4,14 @@
 #include <bit>
 #include <cstdint>
 
-#include "rt/fragments.h"
+#include "rt/answers.h"
 
 /// Random numbers and sampling patterns. A number depends only on where it is used: the pixel's key, the sample's index
 /// and the dimension. Nothing is stored, so any thread can draw any number.
 namespace rt {
+
+// Of fragments.h, which this file does not include: each new fragment would compile the whole framework again.
+vec2 stratified_2d(int i, int n, vec2 u);
 
 using Bits = std::uint64_t;
 

@@ -61,11 +61,19 @@ struct Medium {
     Real g = 0;           // mean cosine of the scattering angle; 0: isotropic
 };
 
+/// A second albedo, in every other square of a quad, from its centre along its edges; any other shape is as if cut from
+/// cubes, the first about the middle of a sphere or disc, or about the origin. Both move along with the shape.
+struct Checker {
+    Color albedo{0};
+    Real size = 1;  // of a square's side [m]
+};
+
 /// A surface, and what is behind it. Black where nothing is set.
 struct Material {
     std::string name;
-    Color ambient{0};      // r_a: reflectance of the ambient light [1]
-    Color albedo{0};       // diffuse: r_d = albedo / pi
+    Color ambient{0};  // r_a: reflectance of the ambient light [1]
+    Color albedo{0};   // diffuse: r_d = albedo / pi
+    std::optional<Checker> checker;
     Color specular{0};     // r_s: reflectance of Phong's highlight [1]
     Real shininess = 1;    // exponent of the highlight
     Color reflectance{0};  // of a mirror, or of the glossy lobe about the mirror direction [1]
@@ -77,6 +85,9 @@ struct Material {
     bool sampled = true;  // whether shadow rays look for this emitter; false: only paths that happen to hit it
     Medium medium;
 };
+
+/// The largest albedo anywhere on the surface, channel by channel.
+inline Color largest_albedo(const Material& m) { return m.checker ? glm::max(m.albedo, m.checker->albedo) : m.albedo; }
 
 /// Whether light goes through a surface without a bend: a boundary that only encloses a medium, or tints.
 inline bool goes_straight_through(const Material& m) {

@@ -36,6 +36,12 @@ Emitter emitter(const Sphere& s) { return {Emitter::Kind::sphere, {}, {}, s, {}}
 Emitter emitter(const Quad& q) { return {Emitter::Kind::quad, q, {}, {}, {}}; }
 Emitter emitter(const Disc& d) { return {Emitter::Kind::disc, {}, d, {}, {}}; }
 
+/// Where the squares or cubes of a checker begin.
+vec3 checker_origin(const Sphere& s, vec3) { return s.center; }
+vec3 checker_origin(const Triangle&, vec3 shift) { return shift; }
+vec3 checker_origin(const Quad& q, vec3) { return q.center; }
+vec3 checker_origin(const Disc& d, vec3) { return d.center; }
+
 /// Puts shapes in the lists and the table, kind by kind.
 struct Layout {
     World world;
@@ -43,10 +49,13 @@ struct Layout {
     /// A shape that does not move while the shutter is open is put where it is then.
     template <class S>
     void add(std::vector<S>& list, S shape, int material, vec3 velocity, Index smooth = nothing) {
+        vec3 shift(0);
         if (!world.plan.time) {
-            shape = at(shape, world.scene.shutter.open * velocity);
+            shift = world.scene.shutter.open * velocity;
+            shape = at(shape, shift);
             velocity = vec3(0);
         }
+        if (world.plan.checker) world.checker_origins.push_back(checker_origin(shape, shift));
         const Box box = swept(shape, velocity, world.scene.shutter);
         SurfaceRecord r = record(shape);
         r.reach = std::max(largest(box.low), largest(box.high));
@@ -118,6 +127,19 @@ struct Layout {
     }
 };
 
+/// A checker is two materials, of which the surface stage takes one.
+void add_other_squares(World& world) {
+    std::vector<Material>& materials = world.scene.materials;
+    world.other_squares.assign(materials.size(), nothing);
+    for (std::size_t i = 0; i < world.other_squares.size(); ++i) {
+        if (!materials[i].checker) continue;
+        Material other = materials[i];
+        other.albedo = other.checker->albedo;
+        world.other_squares[i] = Index(materials.size());
+        materials.push_back(other);
+    }
+}
+
 /// How many shapes there are, so that the lists need not grow.
 void reserve(World& world, const Scene& scene) {
     std::size_t triangles = 0, smooth = 0;
@@ -136,8 +158,9 @@ void reserve(World& world, const Scene& scene) {
 World make_world(const Scene& scene, const Sampling& sampling) {
     Layout layout{{.scene = scene, .plan = make_plan(scene, sampling)}};
     World& world = layout.world;
+    if (world.plan.checker) add_other_squares(world);
     world.reflectances.push_back({});
-    for (const Material& m : scene.materials)
+    for (const Material& m : world.scene.materials)
         world.reflectances.push_back(
             {m.albedo, m.specular, m.shininess, Index(m.albedo != Color(0) || m.specular != Color(0)),
              Index(m.exponent < inf && (m.reflectance != Color(0) || m.transmittance != Color(0)))});

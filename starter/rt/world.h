@@ -34,7 +34,7 @@ struct Reflectance {
 
 /// A scene laid out for the stages' loops. Shapes are numbered kind by kind: spheres, triangles, quads, discs.
 struct World {
-    Scene scene;  // without shapes
+    Scene scene;  // without shapes; after its materials come those of the other squares of checkers
     RenderPlan plan;
     std::vector<Sphere> spheres;
     std::vector<Triangle> triangles;
@@ -47,6 +47,8 @@ struct World {
     std::vector<vec3> normals;              // of meshes
     std::vector<glm::ivec3> corners;        // which normals the corners of smooth triangles have
     std::vector<Reflectance> reflectances;  // of no surface, which is black, and then of each material
+    std::vector<Index> other_squares;       // the material of a checker's other squares, by material; or nothing
+    std::vector<vec3> checker_origins;      // where their squares begin, by number; empty where there are none
     std::vector<Box> boxes;                 // about all of a shape's motion, by number; where there is no tree
     Bvh bvh;
     Regions regions;  // which shapes enclose media, and where the eye is among them

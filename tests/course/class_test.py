@@ -1,49 +1,28 @@
 #!/usr/bin/env python3
-"""A class: class_test.py [--all] [--size N] [--kills N] [--keep DIR] GRADE
+"""A class: class_test.py [--all] [--size N] [--kills N] [--filled N] [--keep DIR] GRADE
 
 Fast: submissions as Canvas, Moodle, Blackboard, Gradescope and repositories have them, of few fragments each: who they are of,
-which of several is taken, what is wrong with those that cannot be graded, and that they are told; the same records whatever the number of jobs and shards,
-and after SIGKILL; tables, pages, twins, comparison.
+which of several is taken, what is wrong with those that cannot be graded, and that they are told; the same records whatever the
+number of jobs and shards, and after SIGKILL; tables, pages, twins, comparison.
 
---all: a class of 60 (--size) whole submissions, made of the project's variants (tests/variants); killed at 5 (--kills) random
-moments and gone on with, it gives the records of an undisturbed run.
+--all: a class of 60 (--size) made of the project's variants (tests/variants), with all (--filled) fragments filled in at most.
+Graded whole; in parts, with other numbers of jobs, onto a disk that is full at first, and killed at 50 (--kills) random moments:
+the same outcome. All records in all formats; regraded after points have changed; what it costs beside its submissions one by one.
 """
 
 import argparse
-import csv
-import io
 import pathlib
 import random
 import re
-import shutil
 import signal
 import subprocess
-import sys
 import tarfile
 import tempfile
 import time
-import zipfile
 
-from course import BLANKS, ROOT, SOLUTION, end, expect, record_at, run, timeless, variant
-
-WRONG_MIRROR = ('#include "rt/fragments.h"\nnamespace rt { vec3 mirror_direction(vec3 d, vec3 n) { return d - dot(d, n) * n; } }\n')
-
-
-def text(name):
-    return (SOLUTION / f"{name}.cpp").read_text()
-
-
-def archive(path, files):
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as out:
-        for name, content in files.items():
-            out.writestr(name, content)
-    return path.read_bytes()
-
-
-def folder(path, files):
-    for name, content in files.items():
-        (path / name).parent.mkdir(parents=True, exist_ok=True)
-        (path / name).write_text(content)
+from classes import WRONG_MIRROR, archive, folder, outcome, rows, text
+from helpers import BLANKS, SOLUTION, end, expect, record_at, run
+from whole import check_whole
 
 
 def small_class(at):
@@ -67,36 +46,6 @@ def small_class(at):
     for name, phong in [("alice", text("phong")), ("bob", renamed), ("carol", None)]:
         folder(at / f"hw1-{name}", {"starter/fragments/phong.cpp": phong} if phong else {"readme.md": "x"})
     (at / "hw1-broken.zip").write_bytes(b"PK\x03\x04 no archive")
-
-
-def big_class(at, size):
-    """Whole submissions: the solution with some fragments of right and wrong variants, as Canvas names them."""
-    at.mkdir()
-    draw = random.Random(1)
-    variants = {}
-    for kind in ("right", "wrong"):
-        for patch in sorted((ROOT / "tests/variants" / kind).glob("*.patch")):
-            fragment, content = variant(patch)
-            variants.setdefault(fragment, []).append(content)
-    names = sorted(path.stem for path in SOLUTION.glob("*.cpp"))
-    for student in range(size):
-        files = {f"starter/fragments/{name}.cpp": text(name) for name in names}
-        for fragment in draw.sample(sorted(variants), draw.randint(0, 12)):
-            files[f"starter/fragments/{fragment}.cpp"] = draw.choice(variants[fragment])
-        for name in draw.sample(names, draw.choice([0, 0, 2, 8, 16])):
-            files[f"starter/fragments/{name}.cpp"] = (BLANKS / f"{name}.cpp").read_text()
-        late = "LATE_" if student % 9 == 0 else ""
-        archive(at / f"student{student:03}_{late}{1000 + student}_{2000 + student}_work.zip", files)
-
-
-def rows(path):
-    return list(csv.DictReader(io.StringIO(pathlib.Path(path).read_bytes().decode(), newline="")))
-
-
-def outcome(out):
-    """What must be the same of two gradings of one class."""
-    records = {path.name: timeless(record_at(path)) for path in sorted((out / "records").glob("*.json"))}
-    return records, (out / "class.csv").read_bytes(), (out / "canvas.csv").read_bytes(), (out / "moodle.csv").read_bytes()
 
 
 def grade_killed(command, out, kills, longest):
@@ -212,6 +161,11 @@ def trial_class(at):
                 '---\nsubmission_9:\n  :submitters:\n  - :name: "=HYPERLINK(\\"h\\\\\\u00e9\\x41\\")"\n    :sid: \'it\'\'s\'\n'})
     folder(at / "submission_9", {"moved.cpp": text("moved")})
     archive(at / "nearly_62345_67899_work.zip", {"Phong.cpp": text("phong"), "hit-sphere.cpp": text("hit_sphere")})
+    # a zip, and a file of it once more; a zip that came through half
+    folder(at / "Both Ways_113_assignsubmission_file_", {"moved.cpp": blank})
+    archive(at / "Both Ways_113_assignsubmission_file_/all.zip", {"moved.cpp": text("moved"), "mirror_direction.cpp": text("mirror_direction")})
+    whole = archive(at / "half_72345_67900_work.zip", {"moved.cpp": text("moved"), "phong.cpp": text("phong")})
+    (at / "half_72345_67900_work.zip").write_bytes(whole[:len(whole) // 2])
     (at / "hw1-link").symlink_to(at / "submission_9")
 
 
@@ -225,7 +179,8 @@ def check_trial(grade, work):
     total = lambda *names: f"{sum(worth[name] for name in names):g}"
     hyperlink = '\'=HYPERLINK("h\\éA")'
     expected = {"Jane Doe": total("moved"), "Ty Ped": "", "kimpat": total("phong", "hit_sphere", "moved"),
-                "twoatt": total("mirror_direction"), "nowork": "", hyperlink: total("moved"), "nearly": "0", "hw1-link": ""}
+                "twoatt": total("mirror_direction"), "nowork": "", hyperlink: total("moved"), "nearly": "0", "hw1-link": "",
+                "Both Ways": total("moved", "mirror_direction"), "half": ""}
     expect(points == expected, f"points are {points}, expected {expected}")
     expect(table[hyperlink]["id"] == "it's", f"an apostrophe in YAML: {table[hyperlink]['id']}")
     page = (out / "index.html").read_text()
@@ -235,14 +190,15 @@ def check_trial(grade, work):
                       ("nearly", "phong: not in the submission; there is Phong.cpp: rename it to phong.cpp"),
                       ("nearly", "there is hit-sphere.cpp: rename it to hit_sphere.cpp"),
                       ("nowork", "essay.pdf: is neither source nor an archive"), ("Ty Ped", "typed into Moodle"),
-                      ("hw1-link", "hw1-link: is a link")]:
+                      ("Both Ways", "what is in all.zip/ was taken: it holds more fragments"),
+                      ("half", "cannot be unpacked: it is cut off"), ("hw1-link", "hw1-link: is a link")]:
         for where, words in [("class.csv", table[who]["notes"]), ("the terminal", said), ("the page", page)]:
             expect(what in words, f"{who}: {where} does not say: {what}: {words if where != 'the page' else ''}")
         if not points[who]:
             expect(what in moodle[who], f"{who}: moodle.csv does not say: {what}")
     expect("nowork" in {row["Student"] for row in rows(out / "canvas.csv")}, "who has no points is not in Canvas's table")
     expect(table["Jane Doe"]["notes"] == "", f"a note where there is nothing to know: {table['Jane Doe']['notes']}")
-    expect("8 submissions, 5 graded" in said, f"how many: {said}")
+    expect("10 submissions, 6 graded" in said, f"how many: {said}")
 
     # nobody can be graded
     none = work / "none-out"
@@ -255,18 +211,23 @@ def check_trial(grade, work):
     expect(moved["verdict"] == "passed", f"grade FOLDER does not look into the archive in it: {moved['verdict']}")
 
 
-def check_big(grade, work, size, kills):
-    export = work / "class"
-    big_class(export, size)
-    start = time.monotonic()
-    said = run([grade, "class", export, "-o", work / "graded", "--seed", "5"])
-    print(said.splitlines()[-2], f"{time.monotonic() - start:.0f} s", flush=True)
-    (work / "killed/records").mkdir(parents=True)
-    grade_killed([grade, "class", export, "-o", work / "killed", "--seed", "5", "--jobs", "1"], work / "killed", kills, 20)
-    expect(outcome(work / "killed") == outcome(work / "graded"), "another outcome after SIGKILL, with one job")
-    for path in sorted((work / "graded/submissions").glob("*.json"))[:3]:
-        for kind in "gradescope prairielearn junit actions annotations classroom50 csv canvas moodle html terminal".split():
-            run([grade, "convert", path, "--to", kind])
+def check_pictures(grade, work):
+    """Only on request, and then for what has been graded without them as well; the record stays as it is."""
+    export, out = work / "drawn", work / "drawn-out"
+    folder(export / "hw1-pia", {"phong.cpp": text("phong").replace("material.shininess *", "material.shininess / 2 *")})
+    command = [grade, "class", export, "-o", out, "--seed", "5"]
+    run(command)
+    page, record = out / "submissions/hw1-pia.html", next((out / "records").glob("*.json"))
+    bare, written = page.read_text(), record.stat().st_mtime_ns
+    expect("data:image/png" not in bare, "pictures that nobody asked for")
+    expect("1 graded now" in run([*command, "--pictures"]), "what has no pictures is not graded again")
+    drawn = page.read_text()
+    expect(drawn.count("data:image/png") >= 3 and 'alt="the solution' in drawn, "no pictures")
+    expect(record.stat().st_mtime_ns == written, "the record is written again")
+    expect("1 as before" in run([*command, "--pictures"]) and page.read_text() == drawn, "pictures are drawn twice")
+    expect("1 as before" in run(command) and page.read_text() == drawn, "pictures that are there are not shown")
+    run([grade, "merge", work / "drawn-merged", out])
+    expect((work / "drawn-merged/submissions/hw1-pia.html").read_text() == drawn, "pictures are lost where parts are put together")
 
 
 def main():
@@ -274,17 +235,19 @@ def main():
     words.add_argument("grade", type=pathlib.Path)
     words.add_argument("--all", action="store_true")
     words.add_argument("--size", type=int, default=60)
-    words.add_argument("--kills", type=int, default=5)
+    words.add_argument("--kills", type=int, default=50)
+    words.add_argument("--filled", type=int, default=len(list(SOLUTION.glob("*.cpp"))))
     words.add_argument("--keep", type=pathlib.Path, help="leave everything in this new folder")
     asked = words.parse_args()
     with tempfile.TemporaryDirectory() as work:
         work = asked.keep or pathlib.Path(work)
         work.mkdir(exist_ok=True)
         if asked.all:
-            check_big(asked.grade.absolute(), work, asked.size, asked.kills)
+            check_whole(asked.grade.absolute(), work, asked.size, asked.kills, asked.filled)
         else:
             check_small(asked.grade.absolute(), work)
             check_trial(asked.grade.absolute(), work)
+            check_pictures(asked.grade.absolute(), work)
     end("a class is graded, in parts, again, and after SIGKILL, to the same records")
 
 

@@ -17,7 +17,8 @@ import sys
 import tempfile
 import xml.etree.ElementTree as xml
 
-from course import BLANKS, ROOT, SOLUTION, end, expect, record_at, run, timeless, validator
+from classes import WRONG_MIRROR
+from helpers import BLANKS, ROOT, SOLUTION, end, expect, record_at, run, timeless, validator
 
 GRADE = pathlib.Path(sys.argv[1]).absolute()
 HOSTILE = '// <script>alert(1)</script> =cmd|"/c calc" \\x1b[2J\n#error "]]> <b>&lt; | `x` %0A::set-env name=A::B\x1b[2J"\n'
@@ -29,8 +30,7 @@ def submission(folder):
     folder.mkdir()
     shutil.copy(SOLUTION / "moved.cpp", folder)
     shutil.copy(BLANKS / "shutter_time.cpp", folder)
-    (folder / "mirror_direction.cpp").write_text(
-        '#include "rt/fragments.h"\nnamespace rt { vec3 mirror_direction(vec3 d, vec3 n) { return d - dot(d, n) * n; } }\n')
+    (folder / "mirror_direction.cpp").write_text(WRONG_MIRROR)
     (folder / "uniform_disk.cpp").write_text(
         '#include "rt/fragments.h"\n#include <cstdlib>\nnamespace rt { DiskSample uniform_disk(vec2) { std::abort(); } }\n')
     (folder / "point_irradiance.cpp").write_text(HOSTILE)

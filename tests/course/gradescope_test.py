@@ -15,7 +15,8 @@ import sys
 import tempfile
 import zipfile
 
-from course import ROOT, SOLUTION, end, expect, run
+from classes import WRONG_MIRROR
+from helpers import ROOT, SOLUTION, end, expect, run, steps_of
 
 GRADE = pathlib.Path(sys.argv[1]).absolute()
 
@@ -59,8 +60,7 @@ def check_gradescope(work, zip_file):
         said = run([*start, root / "run_autograder"], expected, env=surroundings)
         return json.loads(results.read_text()) if results.exists() else None, said
 
-    wrong = '#include "rt/fragments.h"\nnamespace rt { vec3 mirror_direction(vec3 d, vec3 n) { return d - dot(d, n) * n; } }\n'
-    result, said = graded({"moved.cpp": (SOLUTION / "moved.cpp").read_text(), "mirror_direction.cpp": wrong})
+    result, said = graded({"moved.cpp": (SOLUTION / "moved.cpp").read_text(), "mirror_direction.cpp": WRONG_MIRROR})
     tests = {test["name"]: test for test in result["tests"]}
     expect(tests["moved"]["score"] == 2 == tests["moved"]["max_score"] and tests["moved"]["status"] == "passed", "a right fragment")
     expect(tests["mirror_direction"]["status"] == "failed" and tests["mirror_direction"]["output"], "a wrong fragment")
@@ -74,22 +74,6 @@ def check_gradescope(work, zip_file):
     expect(graded({"moved.cpp": "x"}, 3)[0] is None, "a score where the assignment cannot be read")
     shutil.move(root / "source/kit/grader", root / "source/kit/away")
     expect(graded({"moved.cpp": "x"}, 3)[0] is None, "a score where the machine fails")
-
-
-def steps_of(workflow):
-    """The shell of each step, in order: of `run: COMMAND` and `run: |`."""
-    steps, indent = [], None
-    for line in workflow.splitlines():
-        depth = len(line) - len(line.lstrip())
-        if indent is not None and line.strip() and depth > indent:
-            steps[-1] += line.strip() + "\n"
-            continue
-        indent = None
-        if line.strip().startswith("run:"):
-            command = line.split("run:", 1)[1].strip()
-            steps.append("" if command == "|" else command + "\n")
-            indent = depth if command == "|" else None
-    return steps
 
 
 def check_workflow(work, kit):

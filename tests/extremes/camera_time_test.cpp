@@ -2,6 +2,7 @@
 
 #include "extremes/extremes.h"
 #include "rt/files/scene_reader.h"
+#include "rt/fragments.h"
 #include "rt/sampler.h"
 
 using namespace rt;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "extremes/transform.h"
+#include "rt/fragments.h"
 #include "rt/stages/stages.h"
 
 using namespace rt;

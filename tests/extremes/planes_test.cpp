@@ -1,6 +1,7 @@
 /// Quads, discs and sheets: extremes.md 19, 25, 27, 29.
 
 #include "extremes/extremes.h"
+#include "rt/fragments.h"
 #include "rt/stages/stages.h"
 
 using namespace rt;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "extremes/extremes.h"
+#include "rt/fragments.h"
 #include "rt/sampler.h"
 #include "warp.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "extremes/extremes.h"
+#include "rt/fragments.h"
 
 using namespace rt;
 

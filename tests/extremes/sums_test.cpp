@@ -3,6 +3,7 @@
 #include <set>
 
 #include "extremes/transform.h"
+#include "rt/fragments.h"
 #include "rt/path.h"
 #include "rt/sampler.h"
 

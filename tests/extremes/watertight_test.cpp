@@ -1,6 +1,7 @@
 /// No ray passes through a closed mesh: extremes.md 17, 18, 20 to 23.
 
 #include "extremes/meshes.h"
+#include "rt/fragments.h"
 #include "rt/stages/stages.h"
 
 using namespace rt;

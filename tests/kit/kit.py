@@ -4,35 +4,18 @@ import json
 import pathlib
 import shutil
 import subprocess
-import tomllib
+import sys
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-SOLUTION = ROOT / "solution"
-
-
-def points_in_order():
-    """Points by fragment, in the order of the assignment."""
-    parts = tomllib.loads((ROOT / "assignment.toml").read_text())["part"]
-    return {f["name"]: f["points"] for part in parts for f in part["fragments"] if not f.get("given", False)}
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+from helpers import timeless  # noqa: E402
 
 
-def variant(patch):
-    """The fragment of a patch of tests/variants, and its text."""
-    head = dict(line[2:].split(": ", 1) for line in patch.read_text().splitlines() if line.startswith("# ") and ": " in line)
-    source = SOLUTION / f"{head['fragment']}.cpp"
-    done = subprocess.run(["patch", "--silent", "-o", "-", source, patch], capture_output=True, text=True, check=True)
-    return head["fragment"], done.stdout
-
-
-def without_times(value):
+def without_times(record):
     """A record without what depends on time, load, place and build."""
-    if isinstance(value, dict):
-        own = ("command", "date", "sandbox", "toolchain", "program_sha256", "reference_sha256", "flags", "built_for")
-        timeless = {k: without_times(v) for k, v in value.items() if not k.endswith("_seconds") and k not in own}
-        if "schema" in timeless:
-            del timeless["submission"]["name"]
-        return timeless
-    return [without_times(v) for v in value] if isinstance(value, list) else value
+    own = ("command", "sandbox", "toolchain", "program_sha256", "reference_sha256", "flags", "built_for")
+    same = timeless(record, own)
+    del same["submission"]["name"]
+    return same
 
 
 class Kit:

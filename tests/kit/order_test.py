@@ -12,18 +12,11 @@ import re
 import sys
 import tempfile
 
-from kit import ROOT, SOLUTION, Kit, points_in_order
+from kit import Kit
+from helpers import ROOT, SOLUTION, end, expect, points_in_order
 
 sys.path.append(str(ROOT / "tests/plan"))
 from part_two_test import COMPLETE_WITH  # noqa: E402
-
-failures = []
-
-
-def expect(holds, what):
-    if not holds:
-        failures.append(what)
-        print(f"FAILED: {what}", flush=True)
 
 
 def scene_of(fragment):
@@ -62,9 +55,8 @@ def main():
         all_of_them = int(re.search(r"^(\d+) checks as before", said, re.MULTILINE).group(1))
         of_phong = len({c["name"] for c in kit.grade("phong")["fragments"][0]["checks"]})
         expect(all_of_them - again == of_phong, f"an edit of phong ran {all_of_them - again} checks; phong has {of_phong}")
-    print(f"{len(points)} fragments pass as they are filled in" if not failures else f"{len(failures)} failures")
-    return 1 if failures else 0
+    end(f"{len(points)} fragments pass as they are filled in")
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -47,13 +47,19 @@ def make_pages(grade, folder):
     (example / "fragments/uniform_disk.cpp").unlink()  # does not end, and would be part of the picture
     run(example, *FRAGMENTS, "--seed", "1", "--html", folder / "grade")
     run("stress", "solution", "--only", "phong", "--html", folder / "stress")
+    for student in ("anna", "ben"):  # twins, and alike in what is wrong
+        (folder / f"export/hw1-{student}").mkdir(parents=True)
+        for name in ("phong", "whitted"):
+            shutil.copy(example / f"fragments/{name}.cpp", folder / f"export/hw1-{student}")
+    (folder / "export/hw1-a-name-as-long-as-names-of-repositories-and-groups-are-at-some-schools.zip").write_text("no archive")
+    run("class", folder / "export", "-o", folder / "class", "--seed", "1")
     return sorted(folder.glob("*/*.html"))
 
 
 def check_widths(browser, page_file, keep):
     for scheme in ("light", "dark"):
         for width in WIDTHS:
-            name = f"{page_file.stem} at {width}, {scheme}"
+            name = f"{page_file.parent.name} at {width}, {scheme}"
             page = browser.new_page(viewport={"width": width, "height": 900}, color_scheme=scheme)
             asked = []
             page.on("request", lambda request: asked.append(request.url))
@@ -70,7 +76,7 @@ def check_widths(browser, page_file, keep):
                     expect(False, f"{name}: {violation['id']}, {len(violation['nodes'])} times: {node['html'][:120]} "
                                   f"{node['failureSummary'].splitlines()[-1]}")
             if keep:
-                page.screenshot(path=keep / f"{page_file.stem}_{scheme}_{width}.png", full_page=True)
+                page.screenshot(path=keep / f"{page_file.parent.name}_{scheme}_{width}.png", full_page=True)
             page.close()
 
 
@@ -128,7 +134,7 @@ def main():
         words.keep.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
         pages = make_pages(words.grade, pathlib.Path(folder))
-        expect(len(pages) == 2, f"two pages are written, not {len(pages)}")
+        expect(len(pages) == 3, f"three pages are written, not {len(pages)}")
         browser = playwright.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
         for page_file in pages:
             check_widths(browser, page_file, words.keep)

@@ -29,7 +29,7 @@ COMPLETE_WITH = {
     "shadow_ray": "shadow directional_light many_shapes mesh",
     "whitted": "mirror refraction fresnel whitted glass_furnace",
     # parts 3 and 4
-    "pixel_mean": "antialiasing pixel_mean environment furnace white_ball",
+    "pixel_mean": "antialiasing pixel_mean environment furnace white_ball checkerboard whitted_1980",
     "direct_light": "penumbra direct_light disc_light sphere_light many_lights bench/soft_shadow",
     "glossy_reflection": "glossy",
     "translucency": "translucency",

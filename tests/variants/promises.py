@@ -15,8 +15,11 @@ import re
 import subprocess
 import sys
 import tempfile
+import tomllib
 
 solution = pathlib.Path(__file__).resolve().parents[2] / "solution"
+assignment = tomllib.loads((solution.parent / "assignment.toml").read_text())
+asked = {f["name"] for part in assignment["part"] for f in part["fragments"] if not f.get("given", False)}
 
 own_frame = ("[](vec3 axis, vec3 l) { const vec3 x = unit(cross(vec3(0, 1, 0), axis)), y = cross(axis, x); "
              "return l.x * x + l.y * y + l.z * axis; }")
@@ -137,7 +140,7 @@ def main():
     words.add_argument("--fast", action="store_true")
     words.add_argument("words", nargs="*")
     words = words.parse_args()
-    chosen = [p for p in promises if not words.words or any(word in f"{p[0]} {p[1]}" for word in words.words)]
+    chosen = [p for p in promises if p[0] in asked and (not words.words or any(word in f"{p[0]} {p[1]}" for word in words.words))]
     if words.fast:
         chosen = list({fragment: (fragment, what, change) for fragment, what, change in chosen}.values())
 

@@ -13,7 +13,7 @@
 /// What the grader asks of a fragment, as data. A check is one experiment on one fragment, and the statistics that are
 /// measured in what comes back. How to write one, for a fragment `Color fog(Real extinction, Real way)` of fragments.h:
 ///
-///     #include "checks/fragment_checks.h"
+///     #include "asked/fog.h"
 ///     #include "checks/kit/kit.h"
 ///
 ///     namespace grade {
@@ -104,10 +104,11 @@ struct Check {
 
 using Checks = std::vector<Check>;
 
-/// All checks, in the order of the assignment, with the parameters that the grading seed draws.
+/// All checks, in the order of the assignment, those of fragments that it leaves out last, with the parameters that the
+/// grading seed draws.
 std::vector<Check> all_checks(std::uint64_t seed);
 
-/// Those of one fragment.
+/// Those of one fragment; none: there is no fragment of this name.
 std::vector<Check> checks_of(const std::string& fragment, std::uint64_t seed);
 
 }  // namespace grade

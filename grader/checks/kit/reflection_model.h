@@ -1,7 +1,7 @@
 #pragma once
 
 #include "checks/kit/draw.h"
-#include "rt/fragments.h"
+#include "rt/answers.h"
 
 /// Phong's model, with the choices that are made wrongly, for phong and direct_light.
 namespace grade {

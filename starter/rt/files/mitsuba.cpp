@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
@@ -59,6 +60,14 @@ std::string lights(const Scene& scene) {
     return xml;
 }
 
+bool is_on_quads_alone(const Scene& scene, int material) {
+    return std::all_of(
+               scene.shapes.begin(), scene.shapes.end(),
+               [&](const Shape& s) { return s.material != material || std::holds_alternative<Quad>(s.geometry); }) &&
+           std::all_of(scene.meshes.begin(), scene.meshes.end(),
+                       [&](const Mesh& mesh) { return mesh.material != material; });
+}
+
 /// What Mitsuba has no words for, other than in the lengths of paths.
 std::vector<std::string> find_unsaid(const Scene& scene) {
     std::vector<std::string> unsaid;
@@ -75,12 +84,13 @@ std::vector<std::string> find_unsaid(const Scene& scene) {
         if (m.specular != Color(0))
             say("Phong's highlight ('specular'); expected a lobe ('reflectance' and 'exponent')");
         if (m.ambient * scene.ambient != Color(0)) say("ambient light; expected 'environment'");
+        if (m.checker && !is_on_quads_alone(scene, int(i))) say("'checker' on other shapes than quads; expected quads");
         const Real share = std::max(largest(m.reflectance), largest(m.transmittance));
-        if (m.albedo == Color(0) || share == 0) continue;
+        if (largest_albedo(m) == Color(0) || share == 0) continue;
         // Mitsuba weighs a sample of its mixtures by the density of both parts, which a perfect mirror does not have.
         if (m.exponent == inf)
             say("'albedo' on a perfect mirror or clear glass; expected 'exponent', or two materials");
-        else if (!(largest(m.albedo) + share <= 1 && share < 1))
+        else if (!(largest(largest_albedo(m)) + share <= 1 && share < 1))
             say("'albedo' and 'reflectance' or 'transmittance' above 1 together; expected at most 1");
     }
     return unsaid;

@@ -21,8 +21,8 @@ bool has_medium(const Material& m);
 /// Whether light goes straight through the surface: a boundary that only encloses a medium.
 bool is_null_boundary(const Material& m);
 
-/// The surface of a material, with the identifier `id`.
-std::string mitsuba_surface(const Material& m, const std::string& id);
+/// The surface of a material, with the identifier `id`, if there is any; of a checker, on this quad.
+std::string mitsuba_surface(const Material& m, const std::string& id, const Quad* quad = nullptr);
 
 /// What is behind a surface, with the identifier `id`.
 std::string mitsuba_medium(const Medium& medium, const std::string& id);

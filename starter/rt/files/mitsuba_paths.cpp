@@ -21,12 +21,12 @@ MitsubaPaths mitsuba_paths(const Scene& scene, std::vector<std::string>& unsaid)
     for (std::size_t i = 0; i < used.size(); ++i) {
         if (!used[i]) continue;
         const Material& m = scene.materials[i];
-        diffuse |= m.albedo != Color(0);
+        diffuse |= largest_albedo(m) != Color(0);
         specular |= m.reflectance != Color(0) || m.transmittance != Color(0);
         scatters |= has_medium(m) && m.medium.albedo != Color(0);
         paths.media |= has_medium(m);
         (m.sampled ? searched : found) |= m.emission != Color(0);
-        brightest = std::max(brightest, largest(m.albedo));
+        brightest = std::max(brightest, largest(largest_albedo(m)));
     }
     searched |= !scene.lights.empty() || scene.environment != Color(0);
 

@@ -82,10 +82,13 @@ vec3 before(const Triangle& t) { return before((t.a + t.b + t.c) / 3.0, cross(t.
 
 /// One shape. Materials are numbered: their names may hold anything.
 ///
+/// quad   if it is one: a checker's squares lie on each as its size asks
 /// front  a point before its front: what is there is its exterior
-std::string shape(const std::string& geometry, int material, const Scene& scene, const World* world, vec3 front) {
+std::string shape(const std::string& geometry, int material, const Scene& scene, const World* world, vec3 front,
+                  const Quad* quad = nullptr) {
     const Material& m = scene.materials[std::size_t(material)];
-    std::string xml = "  <shape type=" + geometry + fmt::format("<ref id=\"material{}\"/>", material);
+    std::string xml = "  <shape type=" + geometry;
+    xml += m.checker && quad ? mitsuba_surface(m, "", quad) : fmt::format("<ref id=\"material{}\"/>", material);
     if (has_medium(m)) xml += fmt::format("<ref name=\"interior\" id=\"medium{}\"/>", material);
     if (world && m.transmittance != Color(0))
         xml += mitsuba_medium_at(*world, regions_around(*world, front, scene.shutter.open), "exterior");
@@ -101,7 +104,7 @@ void add_mitsuba_shapes(const Scene& scene, const World* world, const std::strin
         const std::string said = std::visit([](const auto& g) { return geometry(g); }, s.geometry);
         if (said.empty()) continue;
         const vec3 front = std::visit([](const auto& g) { return before(g); }, s.geometry);
-        out.xml += shape(said, s.material, scene, world, front);
+        out.xml += shape(said, s.material, scene, world, front, std::get_if<Quad>(&s.geometry));
     }
     const auto add_mesh = [&](const Mesh& mesh) {
         const vec3 shift = scene.shutter.open * mesh.velocity;

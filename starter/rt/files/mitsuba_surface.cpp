@@ -5,7 +5,24 @@
 namespace rt {
 namespace {
 
-std::string diffuse(Color albedo) { return "<bsdf type=\"diffuse\">" + xml_color("reflectance", albedo) + "</bsdf>"; }
+/// The squares of a checker on a quad, in its texture coordinates from 0 to 1; two squares each way are a period.
+std::string squares(const Quad& quad, Real size) {
+    const vec2 half = vec2(length(quad.u), length(quad.v)) / size;
+    return fmt::format(
+        "<transform name=\"to_uv\"><scale x=\"{:.10g}\" y=\"{:.10g}\"/>"
+        "<translate x=\"{:.10g}\" y=\"{:.10g}\"/></transform>",
+        half.x, half.y, -half.x / 2, -half.y / 2);
+}
+
+/// The diffuse part, divided by `share`.
+std::string diffuse(const Material& m, const Quad* quad, Real share) {
+    const std::string reflectance =
+        m.checker && quad
+            ? "<texture type=\"checkerboard\" name=\"reflectance\">" + xml_color("color0", m.albedo / share) +
+                  xml_color("color1", m.checker->albedo / share) + squares(*quad, m.checker->size) + "</texture>"
+            : xml_color("reflectance", m.albedo / share);
+    return "<bsdf type=\"diffuse\">" + reflectance + "</bsdf>";
+}
 
 std::string two_sided(const std::string& bsdf) { return "<bsdf type=\"twosided\">" + bsdf + "</bsdf>"; }
 
@@ -23,6 +40,7 @@ std::string specular(const Material& m, Real share) {
 }
 
 std::string with_id(std::string bsdf, const std::string& id) {
+    if (id.empty()) return bsdf;
     return bsdf.insert(std::string("<bsdf").size(), fmt::format(" id=\"{}\"", id));
 }
 
@@ -45,17 +63,17 @@ std::string xml_point(const char* name, vec3 p) {
 bool has_medium(const Material& m) { return m.transmittance != Color(0) && m.medium.extinction > 0; }
 
 bool is_null_boundary(const Material& m) {
-    return m.transmittance == Color(1) && m.ior == 1 && m.exponent == inf && m.albedo == Color(0);
+    return m.transmittance == Color(1) && m.ior == 1 && m.exponent == inf && largest_albedo(m) == Color(0);
 }
 
-std::string mitsuba_surface(const Material& m, const std::string& id) {
+std::string mitsuba_surface(const Material& m, const std::string& id, const Quad* quad) {
     if (is_null_boundary(m)) return with_id("<bsdf type=\"null\"/>", id);
     const Real share = std::max(largest(m.reflectance), largest(m.transmittance));
-    if (share == 0) return with_id(two_sided(diffuse(m.albedo)), id);
-    if (m.albedo == Color(0)) return with_id(specular(m, 1), id);
+    if (share == 0) return with_id(two_sided(diffuse(m, quad, 1)), id);
+    if (largest_albedo(m) == Color(0)) return with_id(specular(m, 1), id);
     // Both: a mixture, whose parts are brighter by as much as they are rarer.
-    return with_id("<bsdf type=\"blendbsdf\">" + xml_number("weight", share) +
-                       two_sided(diffuse(m.albedo / (1 - share))) + specular(m, share) + "</bsdf>",
+    return with_id("<bsdf type=\"blendbsdf\">" + xml_number("weight", share) + two_sided(diffuse(m, quad, 1 - share)) +
+                       specular(m, share) + "</bsdf>",
                    id);
 }
 

@@ -13,14 +13,20 @@ Medium read_medium(const Table& table) {
     return medium;
 }
 
+Checker read_checker(const Table& table) {
+    table.only({"albedo", "size"});
+    return {table.color("albedo", share), table.number("size", positive)};
+}
+
 Material read_material(const Table& table, const std::string& name) {
     table.only({"ambient", "albedo", "specular", "shininess", "reflectance", "transmittance", "exponent", "ior",
-                "emission", "sampled", "medium"});
+                "emission", "sampled", "medium", "checker"});
     constexpr Limits exponent{[](Real x) { return x >= 0; }, "a number from 0, or inf"};
     Material m;
     m.name = name;
     m.ambient = table.color("ambient", share, m.ambient);
     m.albedo = table.color("albedo", share, m.albedo);
+    if (table.has("checker")) m.checker = read_checker(table.table("checker"));
     m.specular = table.color("specular", share, m.specular);
     m.shininess = table.number("shininess", not_negative, m.shininess);
     m.reflectance = table.color("reflectance", share, m.reflectance);

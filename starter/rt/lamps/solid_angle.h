@@ -1,7 +1,7 @@
 #pragma once
 
+#include "rt/answers.h"
 #include "rt/elementary.h"
-#include "rt/fragments.h"
 
 /// Sampling quads by the solid angle that they fill, in place of their area: no noise from distance and angle at the
 /// lamp.

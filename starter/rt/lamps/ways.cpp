@@ -154,7 +154,8 @@ Noise noise_of(const Scene& scene, const std::vector<Emitter>& lamps) {
     Noise noise;
     Real all = 0;
     for (const Point& p : points_in_sight(scene, std::clamp(int(std::sqrt(most_work / work)), 4, 24))) {
-        const Real diffuse = sum(p.material->albedo + p.material->specular) / pi, lobe = sum(p.material->reflectance);
+        const Real diffuse = sum(largest_albedo(*p.material) + p.material->specular) / pi,
+                   lobe = sum(p.material->reflectance);
         Real light = 0;
         for (const Emitter& lamp : lamps) {
             const Light from = light_of(lamp, p);

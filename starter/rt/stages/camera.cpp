@@ -1,3 +1,4 @@
+#include "rt/fragments.h"
 #include "rt/stages/stages.h"
 
 namespace rt {

@@ -1,5 +1,6 @@
 #include "rt/lamps/importance.h"
 #include "rt/stages/lamps.h"
+#include "rt/stages/outgoing.h"
 
 /// The light that surfaces reflect straight from the lamps. Each lamp adds one sample of its integral:
 ///

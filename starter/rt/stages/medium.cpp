@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "rt/fragments.h"
 #include "rt/stages/stages.h"
 
 namespace rt {

@@ -1,3 +1,4 @@
+#include "rt/fragments.h"
 #include "rt/stages/stages.h"
 #include "rt/tree/meetings.h"
 #include "rt/tree/shaft.h"

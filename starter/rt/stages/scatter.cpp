@@ -1,4 +1,5 @@
 #include "rt/lamps/importance.h"
+#include "rt/stages/outgoing.h"
 #include "rt/stages/stages.h"
 
 /// How paths go on from the surfaces that they meet. The next ray carries

@@ -72,16 +72,6 @@ constexpr bool is_sharp(WayOn way) { return way == WayOn::mirror || way == WayOn
 /// To the other side of the surface.
 constexpr bool leads_inside(WayOn way) { return way == WayOn::glass || way == WayOn::translucent; }
 
-/// What leaves the surface of lane i towards the viewer, and with which weights.
-inline Outgoing outgoing(const Material& m, const Batch& b, const Surfaces& s, int i) {
-    Real fresnel = 0;
-    if (m.transmittance != Color(0)) {
-        const Real cosine = -dot(b.direction.at(i), s.normal(i));
-        fresnel = s.behind[i] ? fresnel_dielectric(cosine, m.ior, 1) : fresnel_dielectric(cosine, 1, m.ior);
-    }
-    return whitted(m, fresnel);
-}
-
 /// Whether a way on from a surface leads to the wrong side of it.
 ///
 /// n  normal of the surface, on the side that the ray came from

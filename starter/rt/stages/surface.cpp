@@ -1,3 +1,4 @@
+#include "rt/fragments.h"
 #include "rt/stages/stages.h"
 
 namespace rt {
@@ -101,6 +102,33 @@ void find_smooth_normals(const World& world, const Batch& b, Surfaces& s) {
     }
 }
 
+/// Whether a point is in one of the other squares of a checker, or cubes of them.
+///
+/// p  from where they begin
+bool is_in_other_square(const World& world, Index shape, vec3 p, Real size) {
+    const auto square = [size](Real x) { return std::floor(x / size); };
+    if (shape >= world.first_quad && shape < world.first_disc) {
+        const Quad& q = world.quads[std::size_t(shape - world.first_quad)];
+        return std::fmod(square(dot(p, unit(q.u))) + square(dot(p, unit(q.v))), 2) != 0;
+    }
+    const Real half = size / 2;  // a plane through the middle of cubes is on the edge of none
+    return std::fmod(square(p.x + half) + square(p.y + half) + square(p.z + half), 2) != 0;
+}
+
+void find_squares(const World& world, const Batch& b, Surfaces& s) {
+    for (int i = 0; i < b.count; ++i) {
+        if (s.material[i] == nothing) continue;
+        const Index other = world.other_squares[std::size_t(s.material[i])];
+        if (other == nothing) continue;
+        const Index shape = b.shape[i];
+        const vec3 begin = world.checker_origins[std::size_t(shape)];
+        const vec3 velocity = world.surfaces[std::size_t(shape)].velocity;
+        const vec3 p = s.point.at(i) - (world.plan.time ? moved(begin, velocity, b.time[i]) : begin);
+        const Real size = world.scene.materials[std::size_t(other)].checker->size;
+        if (is_in_other_square(world, shape, p, size)) s.material[i] = other;
+    }
+}
+
 }  // namespace
 
 void surface_stage(const World& world, const Batch& batch, Surfaces& surfaces) {
@@ -113,6 +141,7 @@ void surface_stage(const World& world, const Batch& batch, Surfaces& surfaces) {
         with_flag(one_shape, [&](auto one) { find_surfaces<time(), one()>(world, first, batch, surfaces); });
     });
     if (world.plan.smooth) find_smooth_normals(world, batch, surfaces);
+    if (world.plan.checker) find_squares(world, batch, surfaces);
 }
 
 }  // namespace rt

@@ -1,3 +1,4 @@
+#include "rt/fragments.h"
 #include "rt/trace/words.h"
 
 namespace rt {

@@ -1,4 +1,5 @@
 #include "rt/lamps/importance.h"
+#include "rt/stages/outgoing.h"
 #include "rt/trace/words.h"
 
 namespace rt {

@@ -1,3 +1,4 @@
+#include "rt/fragments.h"
 #include "rt/lamps/importance.h"
 #include "rt/trace/words.h"
 

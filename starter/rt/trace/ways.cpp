@@ -1,3 +1,4 @@
+#include "rt/stages/outgoing.h"
 #include "rt/trace/words.h"
 
 namespace rt {

@@ -1,0 +1,44 @@
+# cmake --install and cpack: PREFIX/bin/grade, and below PREFIX/lib/penumbra a kit that reads archives as well. Nobody
+# writes there: what a run leaves for the next is in each user's own cache.
+
+add_library(grader_installed STATIC arithmetic/self_test.cpp archives/archive.cpp archives/pack.cpp)
+target_link_libraries(grader_installed PUBLIC grader_core PRIVATE rt_warnings rt_baseline_speed LibArchive::LibArchive)
+add_grade(grade_installed grader_installed rt_baseline)
+add_dependencies(grade_installed grade grade_installed_studies child_baseline solution_baseline blanks_baseline)
+run_from_a_kit(grade_installed)
+set_target_properties(grader_installed grade_installed grade_installed_studies PROPERTIES EXCLUDE_FROM_ALL ON)
+
+# By the program that writes kits. Whatever the umask is, everybody may read it.
+install(CODE "
+    set(prefix \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}\")
+    set(folder \"\${prefix}/lib/penumbra\")
+    execute_process(COMMAND \"${CMAKE_COMMAND}\" --build \"${PROJECT_BINARY_DIR}\" --target grade_installed
+        COMMAND_ERROR_IS_FATAL ANY)
+    if(EXISTS \"\${folder}/grader/blanks\")
+        file(REMOVE_RECURSE \"\${folder}\")  # what was installed before
+    endif()
+    foreach(place \"\${prefix}\" \"\${prefix}/lib\" \"\${prefix}/bin\")
+        if(NOT EXISTS \"\${place}\")
+            file(MAKE_DIRECTORY \"\${place}\")
+            execute_process(COMMAND chmod 755 \"\${place}\" COMMAND_ERROR_IS_FATAL ANY)
+        endif()
+    endforeach()
+    execute_process(COMMAND \"$<TARGET_FILE:grade>\" hand-out --installed \"\${folder}\" COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(COMMAND chmod -R u=rwX,go=rX \"\${folder}\" COMMAND_ERROR_IS_FATAL ANY)
+    file(CREATE_LINK ../lib/penumbra/grade \"\${prefix}/bin/grade\" SYMBOLIC)")
+set(CMAKE_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE
+    GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION share/doc/penumbra RENAME copyright)
+
+execute_process(COMMAND getconf GNU_LIBC_VERSION OUTPUT_VARIABLE libc OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+string(REGEX REPLACE "^glibc " "" libc "${libc}")
+string(REGEX MATCH "^[0-9]+" compiler "${CMAKE_CXX_COMPILER_VERSION}")
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "whoever built it")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION education)
+string(JOIN ", " CPACK_DEBIAN_PACKAGE_DEPENDS "libc6 (>= ${libc})" "libstdc++6 (>= ${compiler})" zlib1g
+    "libarchive13 | libarchive13t64" g++ binutils bubblewrap)
+set(CPACK_STRIP_FILES OFF)  # the objects of fragments are as they must be
+include(CPack)

@@ -1,0 +1,94 @@
+#include "diagnosis/by_steps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "diagnosis/changes.h"
+#include "diagnosis/steps.h"
+
+namespace grade {
+
+namespace {
+
+/// Whether any answer depends on a step; some are there to be taken in place of others.
+bool is_used(const Calls& calls, const Steps& steps, std::size_t part) {
+    for (std::size_t k = 0; k < calls.size(); ++k) {
+        const Field& field = calls.layouts[k].parts[part];
+        for (std::size_t c = 0; c < size_of(field.kind); ++c) {
+            Row row = calls.rows[k];
+            double& x = row[field.at + c];
+            x = field.kind == Kind::flag ? 1 : field.kind == Kind::whole ? x + 1 : 0.7 * x - 0.3;
+            if (!is_equal(calls.result, steps.finish(row), calls.right[k])) return true;
+        }
+    }
+    return false;
+}
+
+/// The calls in which the formula is the solution's, with its steps behind the arguments.
+Calls with_steps(const Calls& calls, const Steps& steps) {
+    Calls all = calls;
+    for (auto* list : {&all.rows, &all.mine, &all.right}) list->clear();
+    all.layouts.clear();
+    all.signature.arguments.insert(all.signature.arguments.end(), steps.names.begin(), steps.names.end());
+    for (std::size_t k = 0; k < calls.size(); ++k) {
+        Row row = calls.rows[k];
+        const Row taken = steps.take(row);
+        row.insert(row.end(), taken.begin(), taken.end());
+        Row answer = steps.finish(row);
+        if (answer.size() > calls.right[k].size() || !is_equal(calls.result, answer, calls.right[k])) continue;
+        all.layouts.push_back(all.signature.of_arguments(row));
+        all.rows.push_back(std::move(row)), all.mine.push_back(calls.mine[k]);
+        all.mine.back().resize(answer.size());  // a function among the arguments adds what it was asked for
+        all.right.push_back(std::move(answer));
+    }
+    if (all.size() == 0) return all;
+    const std::size_t arguments = calls.layouts.front().parts.size();
+    all.told.resize(all.layouts.front().parts.size(), true);
+    for (std::size_t i = 0; i < all.told.size(); ++i)
+        all.changeable.push_back(i >= arguments && is_used(all, steps, i));
+    return all;
+}
+
+/// The calls with other random numbers, and the right answers to these.
+Calls with_numbers(const Calls& calls, const Change& base, const Ask& right) {
+    Calls all = calls;
+    if (base.cost == 0) return all;
+    for (std::size_t k = 0; k < all.size(); ++k) base.make(all.rows[k], all.layouts[k]);
+    all.right = right(all.rows);
+    if (all.right.size() != all.rows.size()) all.rows.clear();
+    return all;
+}
+
+}  // namespace
+
+std::optional<Relation> relation_of_steps(const Calls& calls, const Ask& right, bool sampled) {
+    constexpr double least = 0.9;  // of the calls, in which the formula must be the solution's
+    const std::vector<Steps> cuts = steps_of(calls.signature.fragment);
+    std::optional<Relation> best;
+    if (cuts.empty() || calls.size() == 0) return best;
+    for (const Change& base : same_sampling(calls.layouts.front())) {
+        if (base.cost > 0 && !sampled) break;
+        const Calls numbered = with_numbers(calls, base, right);
+        for (const Steps& steps : cuts) {
+            const Calls all = with_steps(numbered, steps);
+            if (double(all.size()) < least * double(calls.size())) continue;
+            const Ask finish = [&steps](const Rows& rows) {
+                Rows answers;
+                for (const Row& row : rows) answers.push_back(steps.finish(row));
+                return answers;
+            };
+            bool right_otherwise = false;
+            auto found = relation_of(all, finish, false, right_otherwise);
+            if (!found || found->explains != Relation::Explains::all) continue;
+            found->cost += base.cost;
+            if (best && best->cost <= found->cost) continue;
+            if (!steps.formula.empty()) found->words += fmt::format(", in `{}`", steps.formula);
+            best = std::move(found);
+        }
+        if (best) break;
+    }
+    return best;
+}
+
+}  // namespace grade

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <tuple>
+#include <utility>
+
+#include "diagnosis/steps.h"
+#include "protocol/rows.h"
+
+namespace grade {
+
+inline std::size_t count_of(const std::vector<Signature::Argument>& names) {
+    std::size_t count = 0;
+    for (const auto& name : names)
+        count += name.type == "vec3" || name.type == "Color" ? 3 : name.type == "vec2" ? 2 : 1;
+    return count;
+}
+
+/// take(arguments...) makes the steps, finish(steps, arguments...) the answer.
+template <class... Arguments>
+Steps steps(std::string formula, std::vector<Signature::Argument> names, Row (*take)(const Arguments&...),
+            Row (*finish)(const double* steps, const Arguments&...)) {
+    const std::size_t count = count_of(names);
+    const auto arguments = [](const Row& in) {
+        RowReader reader(in);
+        return std::tuple<Arguments...>{read(reader, Tag<Arguments>{})...};
+    };
+    return {std::move(formula), std::move(names), [=](const Row& in) { return std::apply(take, arguments(in)); },
+            [=](const Row& in) {
+                return std::apply([&](const Arguments&... each) { return finish(&in[in.size() - count], each...); },
+                                  arguments(in));
+            }};
+}
+
+std::vector<Steps> steps_of_integrals(const std::string& fragment);
+std::vector<Steps> steps_of_rays(const std::string& fragment);
+std::vector<Steps> steps_of_light(const std::string& fragment);
+std::vector<Steps> steps_of_warps(const std::string& fragment);
+std::vector<Steps> steps_of_distribution(const std::string& fragment);
+
+}  // namespace grade

@@ -1,0 +1,236 @@
+#include <algorithm>
+
+#include "diagnosis/steps_made.h"
+
+namespace grade {
+
+namespace {
+
+using namespace rt;
+
+vec2 circle_of(Real turn) { return {std::cos(2 * pi * turn), std::sin(2 * pi * turn)}; }
+vec2 on_disk(vec2 u) { return std::sqrt(u.x) * circle_of(u.y); }
+
+std::vector<Steps> of_film() {
+    return {steps(
+        "low + cell * size, size = high - low", {{"vec2", "cell"}, {"vec2", "low"}, {"vec2", "size"}},
+        +[](const Extent& pixel, const int& i, const int& n, const vec2& u) {
+            const Real columns = std::floor(std::sqrt(Real(n))), column = std::floor(i * columns / n);
+            const Real first = std::ceil(column * n / columns), next = std::ceil((column + 1) * n / columns);
+            return row(vec2((first + u.x * (next - first)) / n, (i - first + u.y) / (next - first)), pixel.low,
+                       pixel.high - pixel.low);
+        },
+        +[](const double* s, const Extent&, const int&, const int&, const vec2&) {
+            return row(FilmSample{vec2(s[2], s[3]) + vec2(s[0], s[1]) * vec2(s[4], s[5]), 1});
+        })};
+}
+
+std::vector<Steps> of_mean() {
+    using Colors = std::vector<Color>;
+    using Weights = std::vector<Real>;
+    return {steps(
+        "the sum of weight[i] * radiance[i] over radiance.size()",
+        {{"int", "the number of terms"},
+         {"int", "radiance.size()"},
+         {"bool", "weights left out"},
+         {"bool", "weights squared"},
+         {"bool", "1 / weight[i] in place of weight[i]"},
+         {"bool", "the sum of the weights in place of the number of samples"},
+         {"bool", "a sum that starts at radiance[0], which is added again"},
+         {"bool", "the last sample alone"},
+         {"bool", "weight[0] for all"}},
+        +[](const Colors& all, const Weights&) {
+            Row taken = row(int(all.size()), int(all.size()));
+            taken.resize(9);
+            return taken;
+        },
+        +[](const double* s, const Colors& all, const Weights& weights) {
+            Color sum = s[6] != 0 ? all.at(0) : Color(0);
+            Real of_weights = 0;
+            const std::size_t last = std::min(all.size(), std::size_t(std::max(s[0], 0.0)));
+            for (std::size_t i = s[7] != 0 ? all.size() - 1 : 0; i < last; ++i) {
+                const Real w = weights.at(s[8] != 0 ? 0 : i);
+                sum += (s[2] != 0 ? 1 : s[3] != 0 ? w * w : s[4] != 0 ? 1 / w : w) * all[i];
+                of_weights += w;
+            }
+            return row(sum / (s[5] != 0 ? of_weights : s[1]));
+        })};
+}
+
+Row sphere_light(const Emitter& light, vec3 p, vec2 u) {
+    const vec3 to_center = light.sphere.center - p;
+    const Real squared = dot(to_center, to_center), radius2 = sqr(light.sphere.radius);
+    const Real sine2 = radius2 / squared, m = sine2 / (1 + safe_sqrt(1 - sine2)), k = u.x * m;
+    const vec2 beside = safe_sqrt(k * (2 - k)) * circle_of(u.y);
+    const vec3 direction = frame_about(unit(to_center)).to_world({beside.x, beside.y, 1 - k});
+    const Real along = dot(to_center, direction);
+    const vec3 off = to_center - along * direction;
+    return row(
+        LightSample{direction, along - safe_sqrt(radius2 - dot(off, off)), squared > radius2 ? 1 / (2 * pi * m) : 0});
+}
+
+vec3 point_of(const Emitter& light, vec2 u) {
+    if (light.kind == Emitter::Kind::quad)
+        return light.quad.center + (2 * u.x - 1) * light.quad.u + (2 * u.y - 1) * light.quad.v;
+    const vec2 p = light.disc.radius * on_disk(u);
+    const Frame frame = frame_about(light.disc.normal);
+    return light.disc.center + p.x * frame.x + p.y * frame.y;
+}
+
+std::vector<Steps> of_light() {
+    return {
+        steps(
+            "density = distance^2 / (cos * area) for cos > 0, the front side, with cos = -dot(unit(point - p), "
+            "unit(normal(light)))",
+            {{"Real", "distance^2"}, {"Real", "cos"}, {"Real", "area"}},
+            +[](const Emitter& light, const vec3& p, const vec2& u) {
+                const vec3 to = point_of(light, u) - p, n = normal(light);
+                return row(dot(to, to), -dot(unit(to), unit(n)), area(light));
+            },
+            +[](const double* s, const Emitter& light, const vec3& p, const vec2& u) {
+                if (light.kind == Emitter::Kind::sphere) return sphere_light(light, p, u);
+                const vec3 to = point_of(light, u) - p;
+                return row(LightSample{unit(to), length(to), s[1] > 0 ? s[0] / (s[1] * s[2]) : 0});
+            }),
+        steps(
+            "of a sphere, distance = along - half, half = sqrt(radius^2 - beside^2) half of the ray's way through it",
+            {{"Real", "half"}, {"Real", "along"}},
+            +[](const Emitter& light, const vec3& p, const vec2& u) {
+                const auto all = from_row<LightSample>(sphere_light(light, p, u));
+                const Real along = dot(light.sphere.center - p, all.direction);
+                return row(along - all.distance, along);
+            },
+            +[](const double* s, const Emitter& light, const vec3& p, const vec2& u) {
+                auto all = from_row<LightSample>(sphere_light(light, p, u));
+                if (light.kind == Emitter::Kind::sphere) {
+                    all.distance = s[1] - s[0];
+                    return row(all);
+                }
+                const vec3 to = point_of(light, u) - p;
+                const Real cosine = -dot(unit(to), unit(normal(light)));
+                return row(LightSample{unit(to), length(to), cosine > 0 ? dot(to, to) / (cosine * area(light)) : 0});
+            })};
+}
+
+/// A lobe's direction about an axis, and its angle to it.
+std::pair<vec3, Real> lobe_about(vec3 axis, Real exponent, vec2 u) {
+    const Real c = std::pow(u.x, 1 / (exponent + 1)), s = safe_sqrt(1 - c * c);
+    const vec2 circle = circle_of(u.y);
+    return {frame_about(axis).to_world({s * circle.x, s * circle.y, c}), c};
+}
+
+const std::vector<Signature::Argument> lobe_names = {
+    {"Real", "cos(theta)"}, {"Real", "cos(alpha)"}, {"Real", "n + 2"}, {"Real", "n + 1"}};
+constexpr const char* lobe_formula = "weight = (n + 2) / (n + 1) * cos(theta) for cos(theta) > 0";
+
+Scattered weighed(const double* s, vec3 direction) { return {direction, Color(s[0] > 0 ? s[2] / s[3] * s[0] : 0)}; }
+
+std::vector<Steps> of_glossy() {
+    return {steps(
+                lobe_formula, lobe_names,
+                +[](const vec3& d, const vec3& n, const Real& exponent, const vec2& u) {
+                    const auto [direction, alpha] = lobe_about(d - 2 * dot(d, n) * n, exponent, u);
+                    return row(dot(direction, n), alpha, exponent + 2, exponent + 1);
+                },
+                +[](const double* s, const vec3& d, const vec3& n, const Real& exponent, const vec2& u) {
+                    return row(weighed(s, lobe_about(d - 2 * dot(d, n) * n, exponent, u).first));
+                }),
+            steps(
+                "the axis of the lobe is d - 2 * dot(d, n) * n", {{"vec3", "the axis"}},
+                +[](const vec3& d, const vec3& n, const Real&, const vec2&) { return row(d - 2 * dot(d, n) * n); },
+                +[](const double* s, const vec3&, const vec3& n, const Real& exponent, const vec2& u) {
+                    const vec3 direction = lobe_about({s[0], s[1], s[2]}, exponent, u).first;
+                    const Real c = dot(direction, n);
+                    return row(Scattered{direction, Color(c > 0 ? (exponent + 2) / (exponent + 1) * c : 0)});
+                })};
+}
+
+vec3 refracted(vec3 d, vec3 n, Real from, Real to) {
+    const Real along = -from * dot(d, n), squared = (to - from) * (to + from) + along * along;
+    return squared < 0 ? vec3(0) : (from * d + (along - std::sqrt(squared)) * n) / to;
+}
+
+std::vector<Steps> of_translucency() {
+    return {
+        steps(
+            lobe_formula, lobe_names,
+            +[](const vec3& d, const vec3& n, const Real& from, const Real& to, const Real& exponent, const vec2& u) {
+                const auto [direction, alpha] = lobe_about(refracted(d, n, from, to), exponent, u);
+                return row(-dot(direction, n), alpha, exponent + 2, exponent + 1);
+            },
+            +[](const double* s, const vec3& d, const vec3& n, const Real& from, const Real& to, const Real& exponent,
+                const vec2& u) {
+                const vec3 axis = refracted(d, n, from, to);
+                if (axis == vec3(0)) return row(Scattered{d, Color(0)});
+                return row(weighed(s, lobe_about(axis, exponent, u).first));
+            }),
+        steps(
+            "the axis of the lobe is refracted_direction(d, n, ior_from, ior_to)", {{"vec3", "the axis"}},
+            +[](const vec3& d, const vec3& n, const Real& from, const Real& to, const Real&, const vec2&) {
+                return row(refracted(d, n, from, to));
+            },
+            +[](const double* s, const vec3& d, const vec3& n, const Real&, const Real&, const Real& exponent,
+                const vec2& u) {
+                const vec3 axis(s[0], s[1], s[2]);
+                if (axis == vec3(0)) return row(Scattered{d, Color(0)});
+                const vec3 direction = lobe_about(axis, exponent, u).first;
+                const Real c = -dot(direction, n);
+                return row(Scattered{direction, Color(c > 0 ? (exponent + 2) / (exponent + 1) * c : 0)});
+            })};
+}
+
+std::vector<Steps> of_flight() {
+    return {steps(
+        "-log(1 - u) / extinction",
+        {{"Real", "log(1 - u)"},
+         {"bool", "log(1 + u) / extinction"},
+         {"bool", "-log(1 + u) / extinction"},
+         {"bool", "exp(-u / extinction)"},
+         {"bool", "exp(-u * extinction)"}},
+        +[](const Real&, const Real& u) { return row(std::log1p(-u), false, false, false, false); },
+        +[](const double* s, const Real& extinction, const Real& u) {
+            if (s[1] != 0 || s[2] != 0) return row((s[1] != 0 ? 1 : -1) * std::log1p(u) / extinction);
+            if (s[3] != 0) return row(std::exp(-u / extinction));
+            return row(s[4] != 0 ? std::exp(-u * extinction) : -s[0] / extinction);
+        })};
+}
+
+std::vector<Steps> of_lens() {
+    return {steps(
+                "offset = R * (x * right + y * up), (x, y) of the unit disk", {{"Real", "x"}, {"Real", "y"}},
+                +[](const Camera&, const Ray&, const vec2& u) { return row(on_disk(u)); },
+                +[](const double* s, const Camera& c, const Ray& ray, const vec2&) {
+                    const vec3 offset = c.lens_radius * (s[0] * c.right + s[1] * c.up);
+                    const Real t = c.focus / -dot(ray.direction, c.back);
+                    return row(Ray{ray.origin + offset, unit(ray.direction - offset / t), 0, inf});
+                }),
+            steps(
+                "unit(d - offset / t), t = focus / cos, cos = -dot(d, back)",
+                {{"Real", "t"}, {"Real", "cos"}, {"vec3", "offset"}},
+                +[](const Camera& c, const Ray& ray, const vec2& u) {
+                    const vec2 p = c.lens_radius * on_disk(u);
+                    const Real cosine = -dot(ray.direction, c.back);
+                    return row(c.focus / cosine, cosine, p.x * c.right + p.y * c.up);
+                },
+                +[](const double* s, const Camera& c, const Ray& ray, const vec2& u) {
+                    const vec2 p = c.lens_radius * on_disk(u);
+                    const Real t = s[1] != -dot(ray.direction, c.back) ? c.focus / s[1] : s[0];
+                    const vec3 offset(s[2], s[3], s[4]);
+                    return row(Ray{ray.origin + p.x * c.right + p.y * c.up, unit(ray.direction - offset / t), 0, inf});
+                })};
+}
+
+}  // namespace
+
+std::vector<Steps> steps_of_distribution(const std::string& fragment) {
+    if (fragment == "film_sample") return of_film();
+    if (fragment == "pixel_mean") return of_mean();
+    if (fragment == "light_sample") return of_light();
+    if (fragment == "glossy_reflection") return of_glossy();
+    if (fragment == "translucency") return of_translucency();
+    if (fragment == "free_flight") return of_flight();
+    if (fragment == "lens_ray") return of_lens();
+    return {};
+}
+
+}  // namespace grade

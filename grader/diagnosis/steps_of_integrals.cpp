@@ -1,0 +1,123 @@
+#include <algorithm>
+
+#include "diagnosis/steps_made.h"
+
+namespace grade {
+
+namespace {
+
+using rt::Real;
+
+std::vector<Steps> of_uniform() {
+    return {steps(
+                "w * sum of f(a + (i + 0.5) * step) for i < n, w = step = (b - a) / n",
+                {{"Real", "w"}, {"Real", "a"}, {"Real", "0.5"}, {"Real", "step"}, {"int", "n"}},
+                +[](const Integrand&, const Real& a, const Real& b, const int& n) {
+                    return row((b - a) / n, a, 0.5, (b - a) / n, n);
+                },
+                +[](const double* s, const Integrand& f, const Real&, const Real&, const int&) {
+                    Real sum = 0;
+                    for (int i = 0; i < s[4]; ++i) sum += f(s[1] + (i + s[2]) * s[3]);
+                    return row(s[0] * sum);
+                }),
+            steps(
+                "f(a + i * step + 0.5 * step)",
+                {{"Real", "0.5 * step"}, {"bool", "a loop from i = 1"}, {"bool", "a loop that ends one i too early"}},
+                +[](const Integrand&, const Real& a, const Real& b, const int& n) {
+                    return row(0.5 * (b - a) / n, false, false);
+                },
+                +[](const double* s, const Integrand& f, const Real& a, const Real& b, const int& n) {
+                    Real sum = 0;
+                    for (int i = s[1] != 0; i < n - (s[2] != 0); ++i) sum += f(a + i * (b - a) / n + s[0]);
+                    return row((b - a) / n * sum);
+                })};
+}
+
+std::vector<Steps> of_monte_carlo() {
+    using List = std::vector<Real>;
+    return {steps(
+        "the sum of f(x[i]) / density(x[i]) over x.size()",
+        {{"int", "the number of terms"},
+         {"int", "x.size()"},
+         {"bool", "f(x[i]) * density(x[i]) as terms"},
+         {"bool", "f(x[i]) alone as terms"},
+         {"bool", "1 / density(x[i]) as terms"},
+         {"bool", "the first term left out"},
+         {"bool", "the last term alone"}},
+        +[](const Integrand&, const Integrand&, const List& x) {
+            return row(int(x.size()), int(x.size()), false, false, false, false, false);
+        },
+        +[](const double* s, const Integrand& f, const Integrand& density, const List& x) {
+            const std::size_t last = std::min(x.size(), std::size_t(std::max(s[0], 0.0)));
+            Real sum = 0;
+            for (std::size_t i = s[6] != 0 ? x.size() - 1 : s[5] != 0 ? 1 : 0; i < last; ++i) {
+                const Real weight = s[2] != 0 ? density(x[i]) : s[3] != 0 ? 1 : 1 / density(x[i]);
+                sum += weight * (s[4] != 0 ? 1 : f(x[i]));
+            }
+            return row(x.empty() ? 0 : sum / s[1]);
+        })};
+}
+
+/// The sum over one stratum, with the mistakes of s that are made in it.
+Real of_stratum(const double* s, const Integrand& f, const StratumOf& own, Real first_width) {
+    const Real width = s[0] != 0 ? first_width : own.high - own.low;
+    Real sum = 0;
+    for (const Real u : own.u)
+        sum += f((s[2] != 0   ? 0
+                  : s[3] != 0 ? own.high
+                              : own.low) +
+                 (s[1] != 0    ? 1
+                  : s[15] != 0 ? own.high
+                               : width) *
+                     (s[4] != 0 ? 0.5 : u));
+    return sum;
+}
+
+std::vector<Steps> of_strata() {
+    using List = std::vector<StratumOf>;
+    return {steps(
+        "",
+        {{"bool", "the width of the first stratum in all strata"},
+         {"bool", "f(low + u): u not multiplied by the width"},
+         {"bool", "f(u * width): low not added"},
+         {"bool", "f(high + u * width)"},
+         {"bool", "the middle of each stratum in place of its u"},
+         {"bool", "a sum that is not set back to 0 for each stratum"},
+         {"bool", "no width before the sum of a stratum"},
+         {"bool", "no division by the number of u"},
+         {"bool", "the number of all u in place of that of the stratum"},
+         {"bool", "the number of strata in place of that of u"},
+         {"bool", "a division by the number of strata too many"},
+         {"bool", "the first stratum left out"},
+         {"bool", "the last stratum left out"},
+         {"bool", "the square of the number of u"},
+         {"bool", "the width of the last stratum before the sum of all"},
+         {"bool", "f(low + u * high): u multiplied by high"}},
+        +[](const Integrand&, const List&) { return Row(16); },
+        +[](const double* s, const Integrand& f, const List& strata) {
+            std::size_t all = 0;
+            for (const StratumOf& own : strata) all += own.u.size();
+            const auto width = [](const StratumOf& own) { return own.high - own.low; };
+            Real total = 0, sum = 0;
+            for (std::size_t k = s[11] != 0; k + (s[12] != 0) < strata.size(); ++k) {
+                const StratumOf& own = strata[k];
+                if (own.u.empty()) continue;
+                const Real before = width(s[0] != 0 ? strata.front() : s[14] != 0 ? strata.back() : own);
+                const Real count = Real(s[8] != 0 ? all : s[9] != 0 ? strata.size() : own.u.size());
+                sum = (s[5] != 0 ? sum : 0) + of_stratum(s, f, own, width(strata.front()));
+                total += (s[6] != 0 ? 1 : before) * sum / (s[7] != 0 ? 1 : s[13] != 0 ? count * count : count);
+            }
+            return row(s[10] != 0 ? total / Real(strata.size()) : total);
+        })};
+}
+
+}  // namespace
+
+std::vector<Steps> steps_of_integrals(const std::string& fragment) {
+    if (fragment == "integrate_uniform") return of_uniform();
+    if (fragment == "integrate_monte_carlo") return of_monte_carlo();
+    if (fragment == "integrate_stratified") return of_strata();
+    return {};
+}
+
+}  // namespace grade

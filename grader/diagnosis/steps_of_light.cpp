@@ -1,0 +1,241 @@
+#include <algorithm>
+
+#include "diagnosis/steps_made.h"
+
+namespace grade {
+
+namespace {
+
+using namespace rt;
+
+std::vector<Steps> of_point_light() {
+    return {steps(
+        "intensity * max(dot(n, d), 0) / distance^2", {{"Real", "dot(n, d)"}, {"Real", "distance^2"}},
+        +[](const PointLight& light, const vec3& p, const vec3& n) {
+            const vec3 to = light.directional ? light.position : light.position - p;
+            return row(dot(n, unit(to)), light.directional ? 1 : dot(to, to));
+        },
+        +[](const double* s, const PointLight& light, const vec3&, const vec3&) {
+            return row(light.intensity * (s[0] > 0 ? s[0] : 0) / s[1]);
+        })};
+}
+
+Real cosine_of_highlight(vec3 n, vec3 to_light, vec3 to_viewer) {
+    return dot(2 * dot(n, to_light) * n - to_light, to_viewer);
+}
+
+/// What phong and direct_light reflect of light that comes straight.
+struct Surface {
+    const Material& material;
+    Real cosine, along_r;  // n . d, r . c
+
+    Color reflected(Real power) const { return cosine / pi * material.albedo + power * material.specular; }
+    Color reflected() const { return reflected(power_of(along_r)); }
+    Real power_of(Real x) const { return x > 0 ? std::pow(x, material.shininess) : 0; }
+};
+
+Row steps_of_surface(vec3 n, vec3 to_light, vec3 to_viewer) {
+    Row taken = row(dot(n, to_light), dot(n, to_light), cosine_of_highlight(n, to_light, to_viewer));
+    taken.resize(10);
+    return taken;
+}
+
+/// Of the steps of a surface, the light that it reflects: n . d before the albedo, n . d in the test, r . c.
+Color reflected_by_steps(const double* s, const Material& material) {
+    if (!(s[1] > 0) && s[4] == 0) return Color(0);
+    const Surface surface{material, s[1] > 0 ? s[0] : 0, s[2]};
+    const Real a = material.shininess, power = surface.power_of(s[2]);
+    if (s[3] != 0) return surface.reflected(std::max(s[2], 0.0) * a);
+    const Real before = s[5] != 0   ? (a + 2) / (2 * pi)
+                        : s[6] != 0 ? (a + 1) / (2 * pi)
+                        : s[7] != 0 ? (a + 8) / (8 * pi)
+                        : s[8] != 0 ? 1 / pi
+                        : s[9] != 0 ? s[0]
+                                    : 1;
+    return surface.reflected(before * power);
+}
+
+const std::vector<Signature::Argument> surface_names = {
+    {"Real", "dot(n, d)"},
+    {"Real", "dot(n, d) in the test"},
+    {"Real", "dot(r, c)"},
+    {"bool", "a product in place of the power: max(dot(r, c), 0) * shininess"},
+    {"bool", "the highlight where dot(n, d) <= 0 as well"},
+    {"bool", "a factor (shininess + 2) / (2 * pi) before the highlight"},
+    {"bool", "a factor (shininess + 1) / (2 * pi) before the highlight"},
+    {"bool", "a factor (shininess + 8) / (8 * pi) before the highlight"},
+    {"bool", "a factor 1 / pi before the highlight"},
+    {"bool", "a factor dot(n, d) before the highlight"}};
+
+constexpr const char* surface_formula = "dot(n, d) / pi * albedo + pow(max(dot(r, c), 0), shininess) * specular";
+
+std::vector<Steps> of_phong() {
+    return {steps(
+                surface_formula, surface_names,
+                +[](const Material&, const Color&, const Color&, const vec3& n, const vec3& l, const vec3& c) {
+                    return steps_of_surface(n, l, c);
+                },
+                +[](const double* s, const Material& m, const Color& ambient, const Color& h, const vec3&, const vec3&,
+                    const vec3&) { return row(m.ambient * ambient + h * reflected_by_steps(s, m)); }),
+            steps(
+                "r = 2 * dot(n, d) * n - d", {{"vec3", "r"}, {"Real", "cosine"}},
+                +[](const Material&, const Color&, const Color&, const vec3& n, const vec3& l, const vec3&) {
+                    return row(2 * dot(n, l) * n - l, dot(n, l));
+                },
+                +[](const double* s, const Material& m, const Color& ambient, const Color& h, const vec3&, const vec3&,
+                    const vec3& c) {
+                    const Surface surface{m, s[3], dot(vec3(s[0], s[1], s[2]), c)};
+                    return row(m.ambient * ambient + (s[3] > 0 ? h * surface.reflected() : Color(0)));
+                }),
+            steps(
+                "", {{"Real", "dot(n, d)"}},
+                +[](const Material&, const Color&, const Color&, const vec3& n, const vec3& l, const vec3&) {
+                    return row(dot(n, l));
+                },
+                +[](const double* s, const Material& m, const Color& ambient, const Color& h, const vec3& n,
+                    const vec3& l, const vec3& c) {
+                    const Surface surface{m, s[0], dot(2 * s[0] * n - l, c)};
+                    return row(m.ambient * ambient + (s[0] > 0 ? h * surface.reflected() : Color(0)));
+                })};
+}
+
+std::vector<Steps> of_direct_light() {
+    return {steps(
+                surface_formula, surface_names,
+                +[](const Material&, const Color&, const LightSample& light, const vec3& n, const vec3& c) {
+                    return steps_of_surface(n, light.direction, c);
+                },
+                +[](const double* s, const Material& m, const Color& radiance, const LightSample& light, const vec3&,
+                    const vec3&) {
+                    return row(light.density > 0 ? radiance * reflected_by_steps(s, m) / light.density : Color(0));
+                }),
+            steps(
+                "r = 2 * dot(n, d) * n - d", {{"vec3", "r"}, {"Real", "cosine"}},
+                +[](const Material&, const Color&, const LightSample& light, const vec3& n, const vec3&) {
+                    return row(2 * dot(n, light.direction) * n - light.direction, dot(n, light.direction));
+                },
+                +[](const double* s, const Material& m, const Color& radiance, const LightSample& light, const vec3&,
+                    const vec3& c) {
+                    const Surface surface{m, s[3], dot(vec3(s[0], s[1], s[2]), c)};
+                    const bool shines = s[3] > 0 && light.density > 0;
+                    return row(shines ? radiance * surface.reflected() / light.density : Color(0));
+                })};
+}
+
+Real fresnel_of(Real s, Real p) { return (s * s + p * p) / 2; }
+
+std::vector<Steps> of_fresnel() {
+    return {steps(
+                "c2 = sqrt(1 - e^2 * (1 - c1^2)), e = e1 / e2",
+                {{"Real", "e^2"},
+                 {"Real", "1 - c1^2"},
+                 {"Real", "c1^2"},
+                 {"bool", "0 at total internal reflection"},
+                 {"bool", "no root: c2 = 1 - e^2 * (1 - c1^2)"}},
+                +[](const Real& c1, const Real& e1, const Real& e2) {
+                    return row(sqr(e1 / e2), 1 - c1 * c1, c1 * c1, false, false);
+                },
+                +[](const double* s, const Real& c1, const Real& e1, const Real& e2) {
+                    const Real squared = 1 - s[0] * (s[2] != c1 * c1 ? 1 - s[2] : s[1]);
+                    if (squared < 0) return row(s[3] != 0 ? 0.0 : 1.0);
+                    if (e1 == e2) return row(0.0);
+                    const Real c2 = s[4] != 0 ? squared : std::sqrt(squared);
+                    return row(fresnel_of((e1 * c1 - e2 * c2) / (e1 * c1 + e2 * c2),
+                                          (e2 * c1 - e1 * c2) / (e2 * c1 + e1 * c2)));
+                }),
+            steps(
+                "s = (e1 * c1 - e2 * c2) / (e1 * c1 + e2 * c2), p = (e2 * c1 - e1 * c2) / (e2 * c1 + e1 * c2)",
+                {{"Real", "c2 in s"},
+                 {"Real", "c2 in p"},
+                 {"Real", "e1 * c1 - e2 * c2"},
+                 {"Real", "e2 * c1 - e1 * c2"},
+                 {"Real", "e1 * c1 + e2 * c2"},
+                 {"Real", "e2 * c1 + e1 * c2"}},
+                +[](const Real& c1, const Real& e1, const Real& e2) {
+                    const Real c2 = std::sqrt(1 - sqr(e1 / e2) * (1 - c1 * c1));
+                    return row(c2, c2, e1 * c1 - e2 * c2, e2 * c1 - e1 * c2, e1 * c1 + e2 * c2, e2 * c1 + e1 * c2);
+                },
+                +[](const double* s, const Real& c1, const Real& e1, const Real& e2) {
+                    if (!(s[0] == s[0])) return row(1.0);
+                    if (e1 == e2) return row(0.0);
+                    const Real c2 = std::sqrt(1 - sqr(e1 / e2) * (1 - c1 * c1));
+                    const auto one = [&](Real c, Real top, Real bottom, Real own, Real other) {
+                        return c != c2 ? (own - other * c) / (own + other * c) : top / bottom;
+                    };
+                    return row(fresnel_of(one(s[0], s[2], s[4], e1 * c1, e2), one(s[1], s[3], s[5], e2 * c1, e1)));
+                }),
+            steps(
+                "F = (s * s + p * p) / 2 of c1 and c2", {{"Real", "c2"}},
+                +[](const Real& c1, const Real& e1, const Real& e2) {
+                    return row(std::sqrt(1 - sqr(e1 / e2) * (1 - c1 * c1)));
+                },
+                +[](const double* s, const Real& c1, const Real& e1, const Real& e2) {
+                    if (!(s[0] == s[0])) return row(1.0);
+                    return row(e1 == e2 ? 0.0
+                                        : fresnel_of((e1 * c1 - e2 * s[0]) / (e1 * c1 + e2 * s[0]),
+                                                     (e2 * c1 - e1 * s[0]) / (e2 * c1 + e1 * s[0])));
+                }),
+            steps(
+                "F = (s * s + p * p) / 2",
+                {{"Real", "s"},
+                 {"Real", "p"},
+                 {"bool", "s * p in place of the squares"},
+                 {"bool", "no squares: (s + p) / 2"},
+                 {"bool", "no squares: (abs(s) + abs(p)) / 2"},
+                 {"bool", "the square of the mean: ((s + p) / 2)^2"},
+                 {"bool", "no half: s * s + p * p"},
+                 {"bool", "s * s - p * p in place of the sum"}},
+                +[](const Real& c1, const Real& e1, const Real& e2) {
+                    const Real c2 = std::sqrt(1 - sqr(e1 / e2) * (1 - c1 * c1));
+                    Row taken =
+                        row((e1 * c1 - e2 * c2) / (e1 * c1 + e2 * c2), (e2 * c1 - e1 * c2) / (e2 * c1 + e1 * c2));
+                    taken.resize(8);
+                    return taken;
+                },
+                +[](const double* s, const Real&, const Real& e1, const Real& e2) {
+                    if (!(s[0] == s[0])) return row(1.0);
+                    if (e1 == e2) return row(0.0);
+                    if (s[2] != 0) return row(s[0] * s[1]);
+                    if (s[3] != 0) return row((s[0] + s[1]) / 2);
+                    if (s[4] != 0) return row((std::abs(s[0]) + std::abs(s[1])) / 2);
+                    if (s[5] != 0) return row(sqr((s[0] + s[1]) / 2));
+                    if (s[7] != 0) return row((s[0] * s[0] - s[1] * s[1]) / 2);
+                    return row(fresnel_of(s[0], s[1]) * (s[6] != 0 ? 2 : 1));
+                })};
+}
+
+std::vector<Steps> of_whitted() {
+    return {steps(
+        "",
+        {{"bool", "glass only where all channels of the transmittance are positive"},
+         {"bool", "glass only where the first channel of the transmittance is positive"},
+         {"bool", "glass everywhere"},
+         {"bool", "glass nowhere"},
+         {"Real", "fresnel before the reflectance"},
+         {"Real", "(1 - fresnel) before the transmittance"},
+         {"Color", "the reflectance of glass"},
+         {"Color", "the transmittance of glass"}},
+        +[](const Material& m, const Real& f) {
+            return row(false, false, false, false, f, 1 - f, m.reflectance, m.transmittance);
+        },
+        +[](const double* s, const Material& m, const Real&) {
+            const vec3 t = m.transmittance;
+            const bool any = t.x > 0 || t.y > 0 || t.z > 0, all = t.x > 0 && t.y > 0 && t.z > 0;
+            const bool glass = s[2] != 0 || (s[3] == 0 && (s[0] != 0 ? all : s[1] != 0 ? t.x > 0 : any));
+            if (!glass) return row(Outgoing{Color(1), m.reflectance, Color(0)});
+            return row(Outgoing{Color(1), s[4] * Color(s[6], s[7], s[8]), s[5] * Color(s[9], s[10], s[11])});
+        })};
+}
+
+}  // namespace
+
+std::vector<Steps> steps_of_light(const std::string& fragment) {
+    if (fragment == "point_irradiance") return of_point_light();
+    if (fragment == "phong") return of_phong();
+    if (fragment == "direct_light") return of_direct_light();
+    if (fragment == "fresnel_dielectric") return of_fresnel();
+    if (fragment == "whitted") return of_whitted();
+    return {};
+}
+
+}  // namespace grade
