@@ -84,7 +84,8 @@ void add_mesh(const Scene& scene, const Mesh& mesh, std::size_t most, std::vecto
     }
 }
 
-/// What the camera sees at the middles of side x side parts of the film; and where light bounces, what is seen from there.
+/// What the camera sees at the middles of side x side parts of the film; and where light bounces, what is seen from
+/// there.
 std::vector<Point> points_in_sight(const Scene& scene, int side) {
     const Camera& c = scene.camera;
     std::vector<Point> points;

@@ -7,9 +7,9 @@
 
 namespace rt {
 
-/// How lamps with extent are sampled: as the scene says; where it says nothing, as takes the least time to the same error,
-/// by a rule that tests/bench/choices.py has measured. Only the scene decides, never what fragments answer: the picture of
-/// a wrong fragment is drawn in the same way as that of the right one.
+/// How lamps with extent are sampled: as the scene says; where it says nothing, as takes the least time to the same
+/// error, by a rule that tests/bench/choices.py has measured. Only the scene decides, never what fragments answer: the
+/// picture of a wrong fragment is drawn in the same way as that of the right one.
 struct LampWays {
     struct Way {
         bool on = false;
