@@ -160,13 +160,13 @@ std::string fragment_section(const FragmentRecord& fragment, const std::string& 
 std::string overview_row(const FragmentRecord& fragment, const std::string& handout) {
     const bool passed = fragment.verdict == Verdict::passed;
     const Diagnosis diagnosis = passed ? Diagnosis{} : diagnose(fragment);
-    const std::string link = read_link(diagnosis.section, handout);
+    const std::string link = read_link(diagnosis.section, handout), words = first_line(diagnosis.words);
     return fmt::format(
         "<tr{6} data-lost=\"{7:g}\"><td><a href=\"#{0}\">{0}</a></td><td>{1}</td><td class=\"number\">{2:g} of "
         "{3:g}</td>"
         "<td class=\"soft\">{4}{5}</td></tr>\n",
         html(fragment.name), badge(fragment.verdict), fragment.points, fragment.max_points,
-        html_with_code(first_line(diagnosis.words)), link.empty() ? "" : ". " + link,
+        html_with_code(words), link.empty() ? "" : (words.ends_with('?') ? " " : ". ") + link,
         passed ? " class=\"is_passed\"" : "", fragment.max_points - fragment.points);
 }
 
