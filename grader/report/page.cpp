@@ -165,9 +165,9 @@ std::string overview_row(const FragmentRecord& fragment, const std::string& hand
         "<tr{6} data-lost=\"{7:g}\"><td><a href=\"#{0}\">{0}</a></td><td>{1}</td><td class=\"number\">{2:g} of "
         "{3:g}</td>"
         "<td class=\"soft\">{4}{5}</td></tr>\n",
-        html(fragment.name), badge(fragment.verdict), fragment.points, fragment.max_points,
-        html_with_code(words), link.empty() ? "" : (words.ends_with('?') ? " " : ". ") + link,
-        passed ? " class=\"is_passed\"" : "", fragment.max_points - fragment.points);
+        html(fragment.name), badge(fragment.verdict), fragment.points, fragment.max_points, html_with_code(words),
+        link.empty() ? "" : (words.ends_with('?') ? " " : ". ") + link, passed ? " class=\"is_passed\"" : "",
+        fragment.max_points - fragment.points);
 }
 
 std::string overview(const Record& record, const std::string& handout) {
