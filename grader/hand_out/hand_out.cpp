@@ -219,7 +219,8 @@ void write_machine(const Toolchain& built, const fs::path& program, const fs::pa
     write_toolchain(built, machine, whom);
 }
 
-void copy_entries(const fs::path& project, const fs::path& folder) {
+/// All that is handed out as it is; of the pictures those that the handout shows.
+void copy_entries(const fs::path& project, const fs::path& folder, const std::string& handout) {
     for (const char* entry : entries) {
         const fs::path from = project / entry, to = folder / entry;
         if (fs::is_directory(from))
@@ -227,6 +228,10 @@ void copy_entries(const fs::path& project, const fs::path& folder) {
         else
             fs::copy_file(from, to);
     }
+    std::vector<fs::path> unseen;
+    for (const auto& picture : fs::directory_iterator(folder / "scenes/pictures"))
+        if (handout.find(picture.path().filename().string()) == handout.npos) unseen.push_back(picture.path());
+    for (const fs::path& picture : unseen) fs::remove(picture);
 }
 
 /// What a kit has as a student's repository.
@@ -274,7 +279,7 @@ void hand_out(const fs::path& project, const Assignment& assignment, const fs::p
         with_new_tables(read_text(project / "handout.md").value_or(""), assignment, (project / "handout.md").string());
 
     fs::create_directories(folder);
-    copy_entries(project, folder);
+    copy_entries(project, folder, handout);
     write_text(folder / "handout.md", handout);
     // of this very text
     if (const fs::path page = built_toolchain.parent_path() / "handout.html";

@@ -76,7 +76,7 @@ SourceFault open_comment_in(std::string_view text) {
         } else if (c == 'R' && text.substr(i, 2) == "R\"" && (i == 0 || !is_word(text[i - 1]))) {
             const std::size_t open = text.find('(', i);
             if (open == text.npos) break;
-            const std::string close = ")" + std::string(text.substr(i + 2, open - i - 2)) + "\"";
+            const std::string close = fmt::format("){}\"", text.substr(i + 2, open - i - 2));
             const std::size_t end = text.find(close, open);
             i = end == text.npos ? text.size() : end + close.size();
         } else if (c == '"' || (c == '\'' && (i == 0 || !is_word(text[i - 1])))) {

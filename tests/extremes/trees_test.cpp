@@ -37,8 +37,8 @@ Scene crowd(int n, Random& random) {
 }
 
 /// The same rays through the tree and one shape after the other.
-std::int64_t differences(World& world, Batch b) {
-    Batch one_by_one = b;
+std::int64_t differences(World& world, const Batch& rays) {
+    Batch b = rays, one_by_one = rays;
     nearest_stage(world, b);
     world.plan.bvh = false;
     nearest_stage(world, one_by_one);
