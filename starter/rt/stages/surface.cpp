@@ -136,9 +136,9 @@ void surface_stage(const World& world, const Batch& batch, Surfaces& surfaces) {
         for (int i = 0; i < lanes; ++i) surfaces.material[i] = nothing, surfaces.shines[i] = 0;
         return;
     }
-    const auto [first, one_shape] = met_by(batch.shape);
+    const Met met = met_by(batch.shape);
     with_flag(world.plan.time, [&](auto time) {
-        with_flag(one_shape, [&](auto one) { find_surfaces<time(), one()>(world, first, batch, surfaces); });
+        with_flag(met.one, [&](auto one) { find_surfaces<time(), one()>(world, met.number, batch, surfaces); });
     });
     if (world.plan.smooth) find_smooth_normals(world, batch, surfaces);
     if (world.plan.checker) find_squares(world, batch, surfaces);
