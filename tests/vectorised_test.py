@@ -22,7 +22,7 @@ root = pathlib.Path(__file__).resolve().parent.parent
 # Loops that stay scalar, at most so many: strata are shuffled by a loop of unknown length, for any number of samples;
 # translucency returns early.
 known = {
-    "draw_pairs": 2,  # stratified and uniform
+    "draw_pairs": 3,  # stratified and uniform, for one key or several
     "draw_singles": 2,
     "send": 1,  # translucency
     "try_shape": 2,  # triangles in scenes without a tree
