@@ -18,12 +18,11 @@ Checker read_checker(const Table& table) {
     return {table.color("albedo", share), table.number("size", positive)};
 }
 
-Material read_material(const Table& table, const std::string& name) {
+Material read_material(const Table& table) {
     table.only({"ambient", "albedo", "specular", "shininess", "reflectance", "transmittance", "exponent", "ior",
                 "emission", "sampled", "medium", "checker"});
     constexpr Limits exponent{[](Real x) { return x >= 0; }, "a number from 0, or inf"};
     Material m;
-    m.name = name;
     m.ambient = table.color("ambient", share, m.ambient);
     m.albedo = table.color("albedo", share, m.albedo);
     if (table.has("checker")) m.checker = read_checker(table.table("checker"));
@@ -42,7 +41,10 @@ Material read_material(const Table& table, const std::string& name) {
 }  // namespace
 
 void read_materials(const Table& table, Scene& scene) {
-    for (const std::string& name : table.keys()) scene.materials.push_back(read_material(table.table(name), name));
+    for (const std::string& name : table.keys()) {
+        scene.materials.push_back(read_material(table.table(name)));
+        scene.material_names.push_back(name);
+    }
 }
 
 }  // namespace rt
