@@ -136,6 +136,23 @@ TEST_CASE("what a course gives or leaves out is neither counted nor has checks i
     CHECK(with_new_tables(block, assignment, "h.md").find("Not part of this assignment") != std::string::npos);
 }
 
+TEST_CASE("a handed-out handout lacks the sections of what a course leaves out") {
+    Assignment assignment = read_assignment("assignment.toml");
+    CHECK(handed_out(handout(), assignment, "h.md") == handout());
+    assignment.fragments.erase(assignment.fragments.begin() + std::ptrdiff_t(assignment.place("moved")));
+    const std::string part = assignment.fragments.front().part;
+    std::erase_if(assignment.fragments, [&](const Fragment& fragment) { return fragment.part == part; });
+    const std::string text = handed_out(handout(), assignment, "h.md");
+    for (const char* gone : {"\n### moved\n", "\n### integrate_uniform\n", "\n<!-- checks: integrate_stratified -->\n"})
+        CHECK(text.find(gone) == std::string::npos);
+    CHECK(text.find("\n## Part 1: numerical integration\n\nNot part of this assignment") != std::string::npos);
+    std::vector<std::string> sections;
+    for (const auto& title : found(text, "\n### (\\w+)\n"))
+        if (std::ranges::count(assignment.names(), title) > 0) sections.push_back(title);
+    CHECK(sections == assignment.names());
+    CHECK(text.substr(text.find("\n## The grader\n")) == handout().substr(handout().find("\n## The grader\n")));
+}
+
 TEST_CASE("a block without end and an unknown fragment are errors with their line") {
     const Assignment assignment = read_assignment("assignment.toml");
     const auto error = [&](const std::string& text) {

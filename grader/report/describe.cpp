@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <sstream>
 
 #include "checks/kit/check.h"
 #include "rt/files/scene_reader.h"
@@ -141,6 +142,36 @@ std::string with_new_tables(const std::string& handout, const Assignment& assign
         text += end_marker;
         at = end + end_marker.size();
     }
+}
+
+std::string handed_out(const std::string& handout, const Assignment& assignment, const std::string& path) {
+    const std::vector<std::string> names = assignment.names();
+    std::istringstream lines(with_new_tables(handout, assignment, path));
+    std::string text, part;  // part: since its heading of the second level
+    bool code = false, out = false;
+    int left = 0, dropped = 0;
+    const auto close = [&] {
+        if (left == 0 && dropped > 0)
+            part = part.substr(0, part.find('\n')) +
+                   "\n\nNot part of this assignment: its fragments are handed out filled in.\n\n";
+        text += part;
+        part.clear(), left = dropped = 0;
+    };
+    for (std::string line; std::getline(lines, line);) {
+        code ^= line.starts_with("```");
+        const bool heading = !code && (line.starts_with("# ") || line.starts_with("## ") || line.starts_with("### "));
+        if (heading) {
+            const std::string title = line.substr(line.find(' ') + 1);
+            if (!line.starts_with("### ")) close();
+            out = line.starts_with("### ") && std::ranges::count(names, title) == 0 &&
+                  handout.find(fmt::format("<!-- checks: {} -->", title)) != handout.npos;
+            dropped += out, left += std::ranges::count(names, title) > 0;
+        }
+        if (!out) part += line + "\n";
+    }
+    close();
+    if (!handout.ends_with('\n')) text.pop_back();
+    return text;
 }
 
 }  // namespace grade

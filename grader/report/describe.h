@@ -23,4 +23,8 @@ std::string describe_checks(const Assignment& assignment, const std::string& fra
 /// path is for errors: throws rt::InputError for a marker without end and for an unknown fragment.
 std::string with_new_tables(const std::string& handout, const Assignment& assignment, const std::string& path);
 
+/// The same as it is handed out: without the sections of fragments that the assignment leaves out. Where a part has
+/// none left, its heading stays, for links, and says so.
+std::string handed_out(const std::string& handout, const Assignment& assignment, const std::string& path);
+
 }  // namespace grade
