@@ -17,6 +17,7 @@
 #include "hand_out/gradescope.h"
 #include "hand_out/hand_out.h"
 #include "report/describe.h"
+#include "report/scene_tables.h"
 #include "rt/files/scene_reader.h"
 #include "studies/studies.h"
 
@@ -30,6 +31,10 @@ int describe(const std::string& handout, const std::string& students, const std:
     if (!students.empty()) {
         const std::string own = (source / "handout.md").string();
         write_text(students, handed_out(read_text(own).value_or(""), assignment, own));
+        return graded;
+    }
+    if (fs::path(handout).extension() == ".json") {
+        write_text(handout, scene_schema());
         return graded;
     }
     if (handout.empty()) {
@@ -125,7 +130,8 @@ int run_command_line(int argc, char** argv) {
     HandOutArguments hand_out_arguments;
     CLI::App* starter = add_hand_out_command(app, hand_out_arguments);
     CLI::App* tables = app.add_subcommand("describe", "print the handout's tables of points and checks");
-    tables->add_option("--update", handout, "make them anew in this file")->type_name("FILE");
+    tables->add_option("--update", handout, "make them anew in this file: a handout, or a schema of scenes")
+        ->type_name("FILE");
     tables->add_option("--handed-out", students, "write the handout as a kit has it")->type_name("FILE");
 
     try {

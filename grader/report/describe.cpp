@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "checks/kit/check.h"
+#include "report/scene_tables.h"
 #include "rt/files/scene_reader.h"
 
 namespace grade {
@@ -133,6 +134,10 @@ std::string with_new_tables(const std::string& handout, const Assignment& assign
             if (checks_of(fragment, 1).empty())
                 fail(fmt::format("no fragment is named \"{}\"; expected one of fragments.h", fragment));
             block = describe_checks(assignment, fragment);
+        } else if (name.starts_with("keys: ")) {
+            block = describe_keys(name == "keys: file" ? "" : name.substr(6));
+            if (block.empty())
+                fail(fmt::format("scenes have no table \"{}\"; expected one of scene_keys.h", name.substr(6)));
         } else if (name != "count") {
             continue;
         }

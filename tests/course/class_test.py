@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""A class: class_test.py [--all] [--size N] [--kills N] [--filled N] [--keep DIR] GRADE
+"""A class: class_test.py [--all] [--size N] [--kills N] [--filled N] [--whole] [--keep DIR] GRADE
 
 Fast: submissions as Canvas, Moodle, Blackboard, Gradescope and repositories have them, of few fragments each: who they are of,
 which of several is taken, what is wrong with those that cannot be graded, and that they are told; the same records whatever the
 number of jobs and shards, and after SIGKILL; tables, pages, twins, comparison.
 
---all: a class of 60 (--size) made of the project's variants (tests/variants), with all (--filled) fragments filled in at most.
+--all: a class of 60 (--size) made of the project's variants (tests/variants), with all (--filled) fragments filled in at most; with
+--whole, everybody has filled in as many.
 Graded whole; in parts, with other numbers of jobs, onto a disk that is full at first, and killed at 50 (--kills) random moments:
 the same outcome. All records in all formats; regraded after points have changed; what it costs beside its submissions one by one.
 """
@@ -258,13 +259,14 @@ def main():
     words.add_argument("--size", type=int, default=60)
     words.add_argument("--kills", type=int, default=50)
     words.add_argument("--filled", type=int, default=len(list(SOLUTION.glob("*.cpp"))))
+    words.add_argument("--whole", action="store_true")
     words.add_argument("--keep", type=pathlib.Path, help="leave everything in this new folder")
     asked = words.parse_args()
     with tempfile.TemporaryDirectory() as work:
         work = asked.keep or pathlib.Path(work)
         work.mkdir(exist_ok=True)
         if asked.all:
-            check_whole(asked.grade.absolute(), work, asked.size, asked.kills, asked.filled)
+            check_whole(asked.grade.absolute(), work, asked.size, asked.kills, asked.filled, not asked.whole)
         else:
             check_small(asked.grade.absolute(), work)
             check_trial(asked.grade.absolute(), work)
