@@ -14,8 +14,8 @@ namespace grade {
 /// Throws rt::InputError where the fragment is no warp, or the words are none of its arguments.
 Rows calls_of_warp(const std::string& fragment, const std::string& words, const Toolchain& chain);
 
-/// Draws the points that it answers, seen from above, the square from -1 to 1: with this program and with the solution's.
-/// Returns the exit code: 0; 1 where the program gave none.
+/// Draws the points that it answers, seen from above, in the square from -1 to 1: with this program and with the
+/// solution's. Returns the exit code: 0; 1 where the program gave none.
 int draw_warp(const std::string& fragment, const Rows& calls, Programs& programs, const fs::path& mine,
               double time_limit, const fs::path& out);
 

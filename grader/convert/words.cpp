@@ -23,8 +23,7 @@ std::string words_on(const FragmentRecord& fragment) {
     const Diagnosis diagnosis = diagnose(fragment);
     if (!diagnosis.words.empty()) text += "\n" + printable(diagnosis.words);
     const bool says_all = fragment.verdict == Verdict::did_not_build || fragment.verdict == Verdict::not_started;
-    if (!diagnosis.section.empty() && !says_all)
-        text += "\n" + reading(diagnosis.section);
+    if (!diagnosis.section.empty() && !says_all) text += "\n" + reading(diagnosis.section);
     return text;
 }
 

@@ -9,8 +9,8 @@
 
 namespace rt {
 
-/// The pattern's dimensions: first those of the camera, then as many for each wave. One that is new is named below zero,
-/// -1, -2, ..., where its number is nobody else's: so no random number of the others changes, and no picture.
+/// The pattern's dimensions: first those of the camera, then as many for each wave. A new one is named below zero, -1,
+/// -2, ..., where its number is nobody else's: so no random number of the others changes, and no picture.
 enum CameraDimension : int { pixel_dimension, lens_dimension, time_dimension, camera_dimensions };
 enum WaveDimension : int {
     choice_dimension = 0,

@@ -44,8 +44,8 @@ using Row = std::vector<double>;
 using Rows = std::vector<Row>;
 using Generator = std::mt19937_64;
 
-/// What one run of an experiment gave: an image, with the rays of each rt::RayKind that it took; or the probe's inputs and
-/// outputs row by row.
+/// What one run of an experiment gave: an image, and how many rays of each rt::RayKind it took; or the probe's inputs
+/// and outputs row by row.
 struct Observation {
     rt::Image image;
     std::vector<double> rays{};

@@ -228,7 +228,7 @@ KeyWords words_of(const Key<T>& key) {
     return {key.name, key.kind, key.limits, key.otherwise, key.meaning, key.unit};
 }
 
-/// Fills in what the table says, and leaves the rest as it is. Throws InputError, also for what must be there and is not.
+/// Fills in what the table says, and leaves the rest as it is. Throws InputError, also where a key is missing.
 template <class T, std::size_t n>
 void read_keys(const Table& table, const Key<T> (&keys)[n], T& to) {
     for (const Key<T>& key : keys)
