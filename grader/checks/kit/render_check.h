@@ -3,6 +3,7 @@
 #include "checks/kit/estimate.h"
 #include "checks/kit/later.h"
 #include "checks/kit/scene.h"
+#include "rt/ray.h"
 #include "statistics/region.h"
 
 /// Checks that render, and numbers of their pictures.
@@ -23,6 +24,9 @@ struct Picture {
     Cause cause{};
 };
 Statistic of_picture(const Picture& picture);
+
+/// Rays of one kind for each ray of the camera: what costs time, and what it is to save.
+Statistic rays_of_kind(std::string id, rt::RayKind kind, double truth, double delta, Hint hint);
 
 /// One statistic for each channel.
 std::vector<Statistic> rgb(const std::function<Statistic(int channel, const std::string& name)>& of_channel);
