@@ -146,8 +146,8 @@ const std::vector<Mistake> mistakes = {
 
 const std::string view = "[camera]\neye = [0, 0, 5]\ntarget = [0, 0, 0]\n";
 
-std::string shape(const std::string& keys) {
-    return view + "[materials.lamp]\nemission = 1\n[[shape]]\nmaterial = \"lamp\"\n" + keys;
+std::string shape(const std::string& key_of_material, const std::string& keys) {
+    return view + "[materials.only]\n" + key_of_material + " = 1\n[[shape]]\nmaterial = \"only\"\n" + keys;
 }
 
 /// Other texts, and what each must be told.
@@ -157,22 +157,18 @@ const std::vector<std::pair<std::string, std::string>> no_scenes = {
     {"\n[materials.white]\nalbedo = 0.5\n", "s.toml:1:1: there is no camera; expected "},
     {view + "[light]\ntype = \"point\"\n", "s.toml:4:1: 'light' is a table; expected "},
     {view + "[materials.wh\0]\xff\xfe\x80"s, "s.toml:4:15: Encountered invalid utf-8 sequence; expected "},
-    {shape("type = \"triangle\"\na = [0, 0, 0]\nb = [1, 0, 0]\nc = [0, 1, 0]\n"),
+    {shape("emission", "type = \"triangle\"\na = [0, 0, 0]\nb = [1, 0, 0]\nc = [0, 1, 0]\n"),
      "s.toml:7:12: shadow rays cannot look for"},
-    {shape("type = \"mesh\"\nfile = \"nowhere.obj\"\n"),
+    {shape("albedo", "type = \"mesh\"\nfile = \"nowhere.obj\"\n"),
      "s.toml:9:8: 'nowhere.obj' cannot be read: No such file or directory; expected "},
-    {shape("type = \"mesh\"\nfile = \"bad_face.obj\"\n"), "bad_face.obj:4:7: a face has vertex 4; expected "},
-    {shape("type = \"mesh\"\nfile = \"bad_face.obj\"\nscale = [1, 0, 1]\n"), "s.toml:10:13: 'scale' is 0; expected "},
+    {shape("albedo", "type = \"mesh\"\nfile = \"bad_face.obj\"\n"), "bad_face.obj:4:7: a face has vertex 4; expected "},
+    {shape("albedo", "type = \"mesh\"\nfile = \"bad_face.obj\"\nscale = [1, 0, 1]\n"),
+     "s.toml:10:13: 'scale' is 0; expected "},
 };
 
 /// The message of the InputError that the text earns; empty: it is a scene.
 std::string complaint(const std::string& text, const fs::path& path = "s.toml") {
-    try {
-        rt::parse_scene(text, path.string());
-        return "";
-    } catch (const rt::InputError& error) {
-        return error.what();
-    }
+    return complaint_of([&] { rt::parse_scene(text, path.string()); });
 }
 
 bool is_located(const std::string& message) {

@@ -3,8 +3,7 @@
 #include <algorithm>
 
 #include "checks/kit/render_check.h"
-#include "statistics/irradiance.h"
-#include "statistics/projection.h"
+#include "statistics/closed_forms.h"
 #include "statistics/spread.h"
 
 namespace grade {
