@@ -19,7 +19,7 @@ struct GradeArguments {
     std::optional<std::uint64_t> seed;
     std::optional<double> required;
     int jobs = 0;
-    double time_limit = 10;
+    double time_limit = 5;
     bool trusted = false, fresh = false, watch = false;
 };
 
@@ -30,7 +30,7 @@ void add_grade_options(CLI::App& app, GradeArguments& arguments);
 int run_grade(const GradeArguments& arguments, const std::string& toolchain, const std::string& command);
 
 struct PictureArguments {
-    std::string scene, submission, out;
+    std::string scene, submission, with, out;
     std::vector<std::string> mine;
     std::vector<int> size;
     int samples = 0;
@@ -41,8 +41,8 @@ struct PictureArguments {
 
 CLI::App* add_picture_command(CLI::App& app, PictureArguments& arguments);
 
-/// grade picture: a scene as the submission's fragments draw it, as the solution's do, and the difference. Returns the
-/// exit code: 0; 1 where the submission's program gave no picture.
+/// grade picture: a scene as the submission's fragments draw it, as the solution's do, and the difference; or points of
+/// a warp. Returns the exit code: 0; 1 where the submission's program gave no picture.
 int run_picture(const PictureArguments& arguments, const std::string& toolchain);
 
 struct CallArguments {
