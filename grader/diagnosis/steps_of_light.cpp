@@ -10,14 +10,26 @@ using namespace rt;
 
 std::vector<Steps> of_point_light() {
     return {steps(
-        "intensity * max(dot(n, d), 0) / distance^2", {{"Real", "dot(n, d)"}, {"Real", "distance^2"}},
-        +[](const PointLight& light, const vec3& p, const vec3& n) {
-            const vec3 to = light.directional ? light.position : light.position - p;
-            return row(dot(n, unit(to)), light.directional ? 1 : dot(to, to));
-        },
-        +[](const double* s, const PointLight& light, const vec3&, const vec3&) {
-            return row(light.intensity * (s[0] > 0 ? s[0] : 0) / s[1]);
-        })};
+                "intensity * max(dot(n, d), 0) / distance^2", {{"Real", "dot(n, d)"}, {"Real", "distance^2"}},
+                +[](const PointLight& light, const vec3& p, const vec3& n) {
+                    const vec3 to = light.directional ? light.position : light.position - p;
+                    return row(dot(n, unit(to)), light.directional ? 1 : dot(to, to));
+                },
+                +[](const double* s, const PointLight& light, const vec3&, const vec3&) {
+                    return row(light.intensity * (s[0] > 0 ? s[0] : 0) / s[1]);
+                }),
+            steps(
+                "intensity * max(dot(n, d), 0) / distance^2, d = unit(light.position - p)",
+                {{"vec3", "d"}, {"vec3", "light.position - p"}},
+                +[](const PointLight& light, const vec3& p, const vec3&) {
+                    const vec3 to = light.directional ? light.position : light.position - p;
+                    return row(unit(to), to);
+                },
+                +[](const double* s, const PointLight& light, const vec3&, const vec3& n) {
+                    const vec3 to(s[3], s[4], s[5]);
+                    return row(light.intensity * std::max(dot(n, vec3(s[0], s[1], s[2])), 0.0) /
+                               (light.directional ? 1 : dot(to, to)));
+                })};
 }
 
 Real cosine_of_highlight(vec3 n, vec3 to_light, vec3 to_viewer) {
