@@ -31,15 +31,15 @@ Ask limited(const Ask& ask, std::size_t& left) {
     };
 }
 
-/// Calls of which `most` are picked evenly, as many wrong as right ones where there are.
-Calls picked(const Calls& all, std::size_t most) {
+/// Calls of which `most` are picked evenly, as many wrong as right ones where there are; others in between.
+Calls picked(const Calls& all, std::size_t most, bool others = false) {
     std::vector<std::size_t> wrong, good;
     for (std::size_t k = 0; k < all.size(); ++k)
         (is_equal(all.result, all.mine[k], all.right[k]) ? good : wrong).push_back(k);
-    const auto thin = [](std::vector<std::size_t> from, std::size_t count) {
+    const auto thin = [others](std::vector<std::size_t> from, std::size_t count) {
         if (from.size() <= count) return from;
         std::vector<std::size_t> some;
-        for (std::size_t i = 0; i < count; ++i) some.push_back(from[i * from.size() / count]);
+        for (std::size_t i = 0; i < count; ++i) some.push_back(from[(2 * i + others) * from.size() / (2 * count)]);
         return some;
     };
     const std::size_t of_right = std::min(good.size(), most - std::min(wrong.size(), most * 2 / 3));
@@ -325,10 +325,14 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_min
     auto relation = relation_of(compared_calls, right, sampled, right_otherwise);
     if (right_otherwise) return {};
     relation = simpler(std::move(relation), relation_of_steps(compared_calls, right, sampled));
-    if (relation && relation->explains != Relation::Explains::nothing) {
-        // what holds for some calls by chance does not hold for all
-        relation = relation_of(many_calls, right, sampled, right_otherwise);
-        relation = simpler(std::move(relation), relation_of_steps(many_calls, right, sampled));
+    if (relation && relation->explains == Relation::Explains::all) {
+        // what holds for some calls by chance does not hold for others
+        std::size_t again = most_calls;
+        const Ask right_again = limited(ask_right, again);
+        const Calls more_calls = picked(many_calls, most_compared, true);
+        auto other = relation_of(more_calls, right_again, sampled, right_otherwise);
+        other = simpler(std::move(other), relation_of_steps(more_calls, right_again, sampled));
+        if (other && other->words != relation->words) relation.reset();
     }
     finding.sampled = sampled;
     if (relation) relation->words += relation->usually;

@@ -103,7 +103,7 @@ std::optional<std::vector<vec2>> nearest_numbers(const Places& places, std::size
 
 std::optional<Calls> with_own_numbers(const Calls& calls, const Ask& right) {
     constexpr std::size_t most = 48, least = 10;
-    constexpr double near = 1e-6, nearly_all = 0.9;
+    constexpr double near = 1e-6, many = 0.6;
     const auto& parts = calls.layouts.front().parts;
     const auto u = std::ranges::find(parts, "u", &Field::name);
     const auto place = std::ranges::find_if(calls.result.parts, is_place);
@@ -134,7 +134,7 @@ std::optional<Calls> with_own_numbers(const Calls& calls, const Ask& right) {
         own.rows.push_back(rows[k]), own.layouts.push_back(some.layouts[k]);
         own.mine.push_back(some.mine[k]), own.right.push_back(answers[k]);
     }
-    const bool is_enough = own.size() >= least && double(own.size()) >= nearly_all * double(some.size());
+    const bool is_enough = own.size() >= least && double(own.size()) >= many * double(some.size());
     return is_enough ? std::optional(std::move(own)) : std::nullopt;
 }
 

@@ -7,7 +7,8 @@
 namespace grade {
 
 /// The calls with those random numbers with which the solution puts its sample where mine is, so that the rest of both
-/// answers can be compared whatever a fragment does with its numbers. None: it puts hardly any sample there.
+/// answers can be compared whatever a fragment does with its numbers. Calls in which there are none
+/// are left out. None: too few are left.
 std::optional<Calls> with_own_numbers(const Calls& calls, const Ask& right);
 
 }  // namespace grade

@@ -151,8 +151,7 @@ private:
     std::optional<Relation> where_it_is_not_nothing() {
         std::vector<std::size_t> some;
         for (const std::size_t k : all_)
-            if (std::ranges::any_of(calls_.right[k], [](double x) { return std::isfinite(x) && x != 0; }))
-                some.push_back(k);
+            if (is_something(calls_.right[k])) some.push_back(k);
         if (some.size() < 2 * enough || some.size() == all_.size()) return std::nullopt;
         region_ = "where the right answer is not 0 or inf, ";
         one_change(same_, some);
@@ -227,21 +226,29 @@ private:
         return forms.empty() ? as : fmt::format("{}, but {}", as, forms);
     }
 
-    /// Whether the changed answers differ from right ones as often as mine do, and not by one number only.
+    /// Whether the changed answers differ from right ones as often as mine do, and not by one number only, unless it is
+    /// told in which calls they are left as they are.
     bool tells(const Rows& changed, const std::vector<std::size_t>& scope) const {
         constexpr double clearly = 10 * equal_within;
-        std::size_t other = 0;
+        std::size_t other = 0, left = 0;
         const Row* first = nullptr;
         bool varies = false;
         for (const std::size_t k : scope) {
-            if (is_alike(calls_.result, changed[k], calls_.right[k], clearly)) continue;
+            if (is_alike(calls_.result, changed[k], calls_.right[k], clearly)) {
+                left += is_something(changed[k]);
+                continue;
+            }
             ++other;
             if (!first)
                 first = &changed[k];
             else
                 varies = varies || !is_equal(calls_.result, *first, changed[k]);
         }
-        return other >= enough && varies;
+        return other >= enough && (varies || (other >= 2 * enough && left >= 2 * enough));
+    }
+
+    static bool is_something(const Row& answer) {
+        return std::ranges::any_of(answer, [](double x) { return std::isfinite(x) && x != 0; });
     }
 
     /// Calls with which a change is sifted.
@@ -318,9 +325,6 @@ private:
                 const bool equal = is_equal(calls_.result, (*right)[k], calls_.mine[k]);
                 ++changed, same += equal;
                 // nothing, or something, may be right for many reasons
-                const auto is_something = [](const Row& answer) {
-                    return std::ranges::any_of(answer, [](double x) { return std::isfinite(x) && x != 0; });
-                };
                 telling += equal && is_something(calls_.mine[k]) && is_something(calls_.right[k]);
             }
             const bool explains = double(same) >= share_of_wrong * double(wrong_.size()) &&

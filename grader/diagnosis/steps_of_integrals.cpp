@@ -98,8 +98,9 @@ std::vector<Steps> of_strata() {
          {"bool", "the last stratum left out"},
          {"bool", "the square of the number of u"},
          {"bool", "the width of the last stratum before the sum of all"},
-         {"bool", "f(low + u * high): u multiplied by high"}},
-        +[](const Integrand&, const List&) { return Row(16); },
+         {"bool", "f(low + u * high): u multiplied by high"},
+         {"bool", "high in place of the width before the sum"}},
+        +[](const Integrand&, const List&) { return Row(17); },
         +[](const double* s, const Integrand& f, const List& strata) {
             std::size_t all = 0;
             for (const StratumOf& own : strata) all += own.u.size();
@@ -111,7 +112,13 @@ std::vector<Steps> of_strata() {
                 const Real before = width(s[0] != 0 ? strata.front() : s[14] != 0 ? strata.back() : own);
                 const Real count = Real(s[8] != 0 ? all : s[9] != 0 ? strata.size() : own.u.size());
                 sum = (s[5] != 0 ? sum : 0) + of_stratum(s, f, own, width(strata.front()));
-                total += (s[6] != 0 ? 1 : before) * sum / (s[7] != 0 ? 1 : s[13] != 0 ? count * count : count);
+                total += (s[6] != 0    ? 1
+                          : s[16] != 0 ? own.high
+                                       : before) *
+                         sum /
+                         (s[7] != 0    ? 1
+                          : s[13] != 0 ? count * count
+                                       : count);
             }
             return row(s[10] != 0 ? total / Real(strata.size()) : total);
         })};
