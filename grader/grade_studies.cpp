@@ -36,7 +36,12 @@ struct Arguments {
     authoring::AuditArguments audit;
 
     /// That of this program, where none is named.
-    const std::string& chain() { return toolchain.empty() ? toolchain = own_toolchain().string() : toolchain; }
+    const std::string& chain() {
+        if (!toolchain.empty()) return toolchain;
+        toolchain = own_toolchain().string();
+        tell_whose_assignment(toolchain);
+        return toolchain;
+    }
 };
 
 using Commands = std::vector<std::pair<CLI::App*, std::function<int()>>>;

@@ -61,6 +61,12 @@ TEST_CASE("reports show what a picture costs and how noisy it is, beside the sol
     check.solution_cost = PictureCost{1e-4, 0.25};
     CHECK(check.cost->rmse() == Approx(0.02));
     CHECK(check.cost->efficiency().value() == Approx(5000));
+    // what is wrong has no efficiency
+    CHECK_FALSE(record.efficiency_ratio().has_value());
+    CHECK(page(record).find("One picture: RMSE 0.02 in 0.5 s of CPU time. The") != std::string::npos);
+    CHECK(page(record).find("the solution's in the median") == std::string::npos);
+    CHECK(table(record, false).find("Efficiency") == std::string::npos);
+    record.fragments[0].verdict = Verdict::passed;
     CHECK(record.efficiency_ratio().value() == Approx(0.125));
     const auto json = nlohmann::json::parse(to_json(record));
     CHECK(json["fragments"][0]["checks"][0]["picture"]["mse"] == Approx(4e-4));

@@ -9,6 +9,8 @@
 #include "checks/kit/check.h"
 #include "diagnosis/diagnosis.h"
 #include "report/describe.h"
+#include "report/scene_tables.h"
+#include "rt/files/scene_keys.h"
 
 using namespace grade;
 namespace fs = std::filesystem;
@@ -74,17 +76,14 @@ TEST_CASE("each statistic has a family, and each section to which a hint sends i
     CHECK_THROWS_AS(subject_of("Z9"), std::out_of_range);
 }
 
-TEST_CASE("the handout documents each key of a scene file") {
-    std::set<std::string> keys;
-    for (const char* file : {"scene_reader.cpp", "read_materials.cpp", "read_shapes.cpp"})
-        for (const auto& list : found(text_of_page(fs::path("starter/rt/files") / file), "only\\(\\{([^}]*)\\}"))
-            for (const auto& key : found(list, "\"(\\w+)\"")) keys.insert(key);
-    REQUIRE(keys.size() > 40);
-    const std::string scene_files = handout().substr(handout().find("\n## Scene files"));
-    for (const std::string& key : keys) {
-        INFO(key);
-        CHECK(std::regex_search(scene_files, std::regex("[`.\\[{, ]" + key + "[`\\].,} ]")));
+TEST_CASE("the schema of scenes is what the program gives, and the handout has each of their tables") {
+    INFO("make it anew: build/release/grader/grade describe --update scenes/scene.schema.json");
+    CHECK(scene_schema() == text_of_page("scenes/scene.schema.json"));
+    for (const rt::KeyTable& table : rt::scene_tables()) {
+        const std::string name(table.name.empty() ? "file" : table.name.substr(0, table.name.find('.')));
+        CHECK(handout().find("<!-- keys: " + name + " -->") != std::string::npos);
     }
+    CHECK(describe_keys("no_such").empty());
 }
 
 TEST_CASE("the handout documents each option of raytrace and grade") {
@@ -134,6 +133,23 @@ TEST_CASE("what a course gives or leaves out is neither counted nor has checks i
     CHECK(describe_points(assignment).find(dropped) == std::string::npos);
     const std::string block = "<!-- checks: " + dropped + " -->\n<!-- end -->\n";
     CHECK(with_new_tables(block, assignment, "h.md").find("Not part of this assignment") != std::string::npos);
+}
+
+TEST_CASE("a handed-out handout lacks the sections of what a course leaves out") {
+    Assignment assignment = read_assignment("assignment.toml");
+    CHECK(handed_out(handout(), assignment, "h.md") == handout());
+    assignment.fragments.erase(assignment.fragments.begin() + std::ptrdiff_t(assignment.place("moved")));
+    const std::string part = assignment.fragments.front().part;
+    std::erase_if(assignment.fragments, [&](const Fragment& fragment) { return fragment.part == part; });
+    const std::string text = handed_out(handout(), assignment, "h.md");
+    for (const char* gone : {"\n### moved\n", "\n### integrate_uniform\n", "\n<!-- checks: integrate_stratified -->\n"})
+        CHECK(text.find(gone) == std::string::npos);
+    CHECK(text.find("\n## Part 1: numerical integration\n\nNot part of this assignment") != std::string::npos);
+    std::vector<std::string> sections;
+    for (const auto& title : found(text, "\n### (\\w+)\n"))
+        if (std::ranges::count(assignment.names(), title) > 0) sections.push_back(title);
+    CHECK(sections == assignment.names());
+    CHECK(text.substr(text.find("\n## The grader\n")) == handout().substr(handout().find("\n## The grader\n")));
 }
 
 TEST_CASE("a block without end and an unknown fragment are errors with their line") {

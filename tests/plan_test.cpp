@@ -83,6 +83,20 @@ TEST_CASE("what a scene does not have sends no ray, in every scene") {
     CHECK(scenes >= 40);
 }
 
+TEST_CASE("each dimension of each wave has a number of its own, and a new one changes nobody else's") {
+    const RenderPlan plan = make_plan(read_scene("scenes/many_lights.toml"));
+    std::set<std::uint64_t> numbers;
+    for (int camera = 0; camera < camera_dimensions; ++camera) numbers.insert(std::uint64_t(camera));
+    for (int wave = 0; wave < 100; ++wave)
+        for (int dimension = -most_new_dimensions; dimension < plan.wave_dimensions; ++dimension) {
+            CHECK(numbers.insert(plan.number(wave, dimension)).second);
+            CHECK(plan.place(dimension) < plan.pairs.size());
+        }
+    // as they have been since pictures have hashes
+    CHECK(plan.number(0, choice_dimension) == 3);
+    CHECK(plan.number(2, light_dimension + 1) == std::uint64_t(3 + 2 * plan.wave_dimensions + 6));
+}
+
 TEST_CASE("a feature that is there in name only changes no bit and sends no ray") {
     const std::string text = R"(
 [render]

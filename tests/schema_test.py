@@ -50,8 +50,6 @@ def broken(text, old, new):
 
 
 scenes = schema("scenes/scene.schema.json")
-readers = [f"starter/rt/files/{name}.cpp" for name in ("scene_reader", "read_materials", "read_shapes")]
-expect(keys_in(scenes.schema) == keys_in_code(readers), f"keys of scenes: {keys_in(scenes.schema) ^ keys_in_code(readers)}")
 files = sorted((ROOT / "scenes").rglob("*.toml"))
 expect(len(files) > 40, f"{len(files)} scenes; expected those of scenes/")
 for file in files:

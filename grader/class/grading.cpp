@@ -86,7 +86,7 @@ Outcome grade_all(const std::vector<Entry>& entries, const std::vector<Result>& 
     if (open.empty()) return outcome;
     const std::vector<std::pair<std::string, const Entry*>> list(open.begin(), open.end());
     const FutureChecks checks = ready(all_checks(setup.seed));
-    ProgressLine line;
+    ProgressLine line(true);
     std::mutex lock;
     int in_a_row = 0;
     line.show(0, int(list.size()), counted(list.size()));

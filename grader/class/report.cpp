@@ -18,12 +18,12 @@ namespace grade::course {
 
 namespace {
 
-/// A name that any file system takes, and any address.
+/// A name that any file system takes, and any address: the letters of all languages, digits, and little else.
 std::string safe_name(const std::string& name) {
     std::string safe;
-    for (const char c : name.substr(0, 100)) {
-        const bool plain = std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '.';
-        safe += plain ? c : '_';
+    for (const char c : printable(name, 100)) {
+        const auto byte = static_cast<unsigned char>(c);
+        safe += std::isalnum(byte) || byte >= 0x80 || c == '-' || c == '.' ? c : '_';
     }
     return safe.empty() || safe.front() == '.' ? "_" + safe : safe;
 }

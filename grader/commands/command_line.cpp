@@ -17,6 +17,7 @@
 #include "hand_out/gradescope.h"
 #include "hand_out/hand_out.h"
 #include "report/describe.h"
+#include "report/scene_tables.h"
 #include "rt/files/scene_reader.h"
 #include "studies/studies.h"
 
@@ -24,8 +25,18 @@ namespace grade {
 
 namespace {
 
-int describe(const std::string& handout, const std::string& toolchain) {
-    const Assignment assignment = read_assignment((read_toolchain(toolchain).source / "assignment.toml").string());
+int describe(const std::string& handout, const std::string& students, const std::string& toolchain) {
+    const fs::path source = read_toolchain(toolchain).source;
+    const Assignment assignment = read_assignment((source / "assignment.toml").string());
+    if (!students.empty()) {
+        const std::string own = (source / "handout.md").string();
+        write_text(students, handed_out(read_text(own).value_or(""), assignment, own));
+        return graded;
+    }
+    if (fs::path(handout).extension() == ".json") {
+        write_text(handout, scene_schema());
+        return graded;
+    }
     if (handout.empty()) {
         fmt::print("{}\n", describe_points(assignment));
         for (const Fragment& fragment : assignment.fragments)
@@ -103,7 +114,7 @@ int start_study(const Study& study, char** argv) {
 
 int run_command_line(int argc, char** argv) {
     CLI::App app("Grades a submission: renders with its fragments, and measures what comes out", "grade");
-    std::string toolchain, handout;
+    std::string toolchain, handout, students;
     app.add_option("--toolchain", toolchain, "what the build wrote about itself")->group("");
     app.set_version_flag("--version", fmt::format("grade {}", PENUMBRA_VERSION));
 
@@ -119,7 +130,9 @@ int run_command_line(int argc, char** argv) {
     HandOutArguments hand_out_arguments;
     CLI::App* starter = add_hand_out_command(app, hand_out_arguments);
     CLI::App* tables = app.add_subcommand("describe", "print the handout's tables of points and checks");
-    tables->add_option("--update", handout, "make them anew in this file")->type_name("FILE");
+    tables->add_option("--update", handout, "make them anew in this file: a handout, or a schema of scenes")
+        ->type_name("FILE");
+    tables->add_option("--handed-out", students, "write the handout as a kit has it")->type_name("FILE");
 
     try {
         app.parse(argc, argv);
@@ -130,8 +143,11 @@ int run_command_line(int argc, char** argv) {
     return exit_code_of([&] {
         for (const Study& study : studies)
             if (app.got_subcommand(study.name)) return start_study(study, argv);
-        if (toolchain.empty()) toolchain = own_toolchain().string();
-        if (tables->parsed()) return describe(handout, toolchain);
+        if (toolchain.empty()) {
+            toolchain = own_toolchain().string();
+            tell_whose_assignment(toolchain);
+        }
+        if (tables->parsed()) return describe(handout, students, toolchain);
         if (starter->parsed()) return run_hand_out(hand_out_arguments, toolchain);
         if (picture->parsed()) return run_picture(picture_arguments, toolchain);
         if (call->parsed()) return run_call(call_arguments, toolchain);

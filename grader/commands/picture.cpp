@@ -4,8 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 
+#include "commands/warp.h"
 #include "commands/words.h"
 #include "files/interrupt.h"
 #include "judging/own_picture.h"
@@ -74,7 +76,10 @@ fs::path program_of(Programs& programs, const PictureArguments& arguments, const
 CLI::App* add_picture_command(CLI::App& app, PictureArguments& arguments) {
     CLI::App* picture =
         app.add_subcommand("picture", "a scene as your fragments draw it, the right one, and the difference");
-    picture->add_option("SCENE", arguments.scene, "a scene file (TOML)")->required();
+    picture
+        ->add_option("SCENE", arguments.scene,
+                     "a scene file (TOML); or a fragment that makes points of random numbers: where they lie")
+        ->required();
     picture->add_option("SUBMISSION", arguments.submission, "a folder, a .zip or a .tar.gz; default: starter");
     picture
         ->add_option("--mine", arguments.mine,
@@ -88,6 +93,8 @@ CLI::App* add_picture_command(CLI::App& app, PictureArguments& arguments) {
                      "all three side by side; with NAME_mine.exr, NAME_right.exr and NAME_difference.exr beside it; "
                      "default: the scene's name")
         ->type_name("NAME.png");
+    picture->add_option("--with", arguments.with, "arguments of that fragment: \"exponent = 20\"")
+        ->type_name("ARGUMENTS");
     picture->add_option("--samples", arguments.samples, "samples a pixel; default: the scene's")
         ->check(CLI::Range(1, 1 << 20));
     picture->add_option("--size", arguments.size, "size of the film, WIDTHxHEIGHT; default: the scene's")
@@ -107,7 +114,10 @@ int run_picture(const PictureArguments& arguments, const std::string& toolchain)
     const Toolchain chain = read_toolchain(toolchain);
     const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
     check_names(arguments.mine, chain, assignment);
-    rt::read_scene(arguments.scene);  // says what is wrong with it, before all the work
+    const std::vector<std::string> names = assignment.names();
+    const bool is_warp = std::ranges::count(names, arguments.scene) > 0;
+    const Rows calls = is_warp ? calls_of_warp(arguments.scene, arguments.with, chain) : Rows();
+    if (!is_warp) rt::read_scene(arguments.scene);  // says what is wrong with it, before all the work
     const fs::path out = arguments.out.empty() ? fs::path(arguments.scene).stem().string() + ".png" : arguments.out;
     require_folder_of(out.string(), "--out");
     if (out.extension() != ".png")
@@ -121,9 +131,15 @@ int run_picture(const PictureArguments& arguments, const std::string& toolchain)
     BuildSettings build;
     build.trusted = arguments.trusted || (chain.is_kit && chosen.own);
     if (const auto cache = cache_folder(chain); cache && chosen.own) build.kept = Kept(*cache / "kept", chain);
-    Programs programs(read_submission(chosen.submission, assignment.names()), chain, build, progress);
-    const fs::path mine = program_of(programs, arguments, assignment);
+    Programs programs(read_submission(chosen.submission, names), chain, build, progress);
+    PictureArguments of_one = arguments;
+    if (is_warp) of_one.mine = {arguments.scene};
+    const fs::path mine = program_of(programs, of_one, assignment);
     progress.tell("drawing both pictures");
+    if (is_warp) {
+        line.clear();
+        return draw_warp(arguments.scene, calls, programs, mine, arguments.time_limit, out);
+    }
     const rt::ivec2 size = arguments.size.empty() ? rt::ivec2(0) : rt::ivec2(arguments.size[0], arguments.size[1]);
     const Compared both =
         draw_compared(programs, mine, arguments.scene, {arguments.samples, size, arguments.seed, arguments.time_limit});

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "convert/formats.h"
 #include "convert/words.h"
 #include "report/escape.h"
+#include "report/terminal.h"
 
 namespace grade {
 
@@ -28,12 +30,38 @@ const Record* first_of(const std::vector<TableRow>& rows) {
 
 std::string points_or_none(const TableRow& row) { return row.record ? short_number(row.record->score()) : ""; }
 
+/// Without its name where that is all that is said.
+std::string own_words_on(const FragmentRecord& fragment) {
+    if (fragment.verdict == Verdict::not_started && fragment.message.starts_with("fill in "))
+        return in_words(fragment.verdict);
+    constexpr std::string_view missing = "not in the submission";
+    return fragment.message.ends_with(missing) ? fmt::format("{}: {}", in_words(fragment.verdict), missing)
+                                               : words_on(fragment);
+}
+
+/// What is to be said of each fragment; the same words of several once, where the first of them stands.
 std::string feedback(const Record& record) {
+    struct Same {
+        std::string words;
+        std::vector<std::string> names;
+        double points = 0, most = 0;
+    };
+    std::vector<Same> all;
+    for (const FragmentRecord& fragment : record.fragments) {
+        if (fragment.verdict == Verdict::passed || fragment.visibility != "visible") continue;
+        const std::string words = own_words_on(fragment);
+        auto same = std::ranges::find(all, words, &Same::words);
+        if (same == all.end()) same = all.insert(all.end(), Same{words});
+        same->names.push_back(fragment.name);
+        same->points += fragment.points, same->most += fragment.max_points;
+    }
     std::string text = score_in_words(record);
-    for (const FragmentRecord& fragment : record.fragments)
-        if (fragment.verdict != Verdict::passed && fragment.visibility == "visible")
-            text += fmt::format("\n{} {} of {}: {}", fragment.name, short_number(fragment.points),
-                                short_number(fragment.max_points), words_on(fragment));
+    for (const Same& same : all) {
+        const bool every = same.names.size() > 1 && same.names.size() == record.fragments.size();
+        text +=
+            fmt::format("\n{} {} of {}: {}", every ? "all fragments" : fmt::format("{}", fmt::join(same.names, ", ")),
+                        short_number(same.points), short_number(same.most), same.words);
+    }
     return text;
 }
 

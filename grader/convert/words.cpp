@@ -22,8 +22,8 @@ std::string words_on(const FragmentRecord& fragment) {
     if (fragment.verdict == Verdict::passed) return text;
     const Diagnosis diagnosis = diagnose(fragment);
     if (!diagnosis.words.empty()) text += "\n" + printable(diagnosis.words);
-    if (!diagnosis.section.empty() && fragment.verdict != Verdict::did_not_build)
-        text += "\n" + reading(diagnosis.section);
+    const bool says_all = fragment.verdict == Verdict::did_not_build || fragment.verdict == Verdict::not_started;
+    if (!diagnosis.section.empty() && !says_all) text += "\n" + reading(diagnosis.section);
     return text;
 }
 

@@ -276,14 +276,14 @@ void hand_out(const fs::path& project, const Assignment& assignment, const fs::p
     const auto blanks = make_starter((project / "solution").string(), assignment.asked());
     // first, for it may be no handout of this assignment
     const std::string handout =
-        with_new_tables(read_text(project / "handout.md").value_or(""), assignment, (project / "handout.md").string());
+        handed_out(read_text(project / "handout.md").value_or(""), assignment, (project / "handout.md").string());
 
     fs::create_directories(folder);
     copy_entries(project, folder, handout);
     write_text(folder / "handout.md", handout);
     // of this very text
     if (const fs::path page = built_toolchain.parent_path() / "handout.html";
-        fs::exists(page) && read_text(project / "handout.md") == handout)
+        fs::exists(page) && read_text(built_toolchain.parent_path() / "handout.md") == handout)
         fs::copy_file(page, folder / "handout.html");
     fs::copy_file(project / "grader/kit/grade", folder / "grade");
     if (whom == For::students) write_repository(project, folder);

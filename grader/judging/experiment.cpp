@@ -55,6 +55,7 @@ Outcome<Observation> observe(Runner& runner, const Check& check, std::uint64_t s
     auto outcome = runner.render(std::get<Render>(check.experiment), seed);
     if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
     observation.image = std::move(std::get<rt::Image>(outcome));
+    observation.rays = runner.rays_of_each_kind();
     if (const auto fault = image_fault(observation.image, observation.image.width, observation.image.height))
         return Fault{fault->verdict, fault->words, {}, fault->trouble};
     return observation;

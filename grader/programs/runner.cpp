@@ -141,8 +141,7 @@ Outcome<rt::Image> Runner::render(const Render& experiment, std::uint64_t seed, 
     if (numbers.size() != count || numbers[0] != size.x || numbers[1] != size.y)
         return Fault{Verdict::failed, "a picture of the wrong size came back", {}};
     last_seconds_ = numbers[2];
-    last_rays_ = 0;
-    for (std::size_t i = 3; i < image_head; ++i) last_rays_ += numbers[i];
+    last_rays_.assign(numbers.begin() + 3, numbers.begin() + image_head);
     rt::Image image(size.x, size.y);
     for (std::size_t i = 0; i < pixels; ++i)
         image.pixels[i] = {numbers[image_head + 3 * i], numbers[image_head + 1 + 3 * i],

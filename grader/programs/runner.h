@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <variant>
@@ -53,7 +54,8 @@ public:
     }
 
     /// Rays of all kinds in the last picture, likewise.
-    double rays() const { return last_rays_; }
+    double rays() const { return std::accumulate(last_rays_.begin(), last_rays_.end(), 0.0); }
+    const std::vector<double>& rays_of_each_kind() const { return last_rays_; }
 
 private:
     struct Answer;
@@ -70,7 +72,8 @@ private:
     std::unique_ptr<Process> process_;
     std::string scene_, fragment_;  // what the child was told last
     rt::ivec2 size_{0};             // of that scene's image
-    double last_seconds_ = 0, last_rays_ = 0, answers_seconds_ = 0;
+    double last_seconds_ = 0, answers_seconds_ = 0;
+    std::vector<double> last_rays_;
 };
 
 }  // namespace grade

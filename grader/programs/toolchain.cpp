@@ -11,6 +11,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "files/files.h"
 #include "programs/process.h"
 #include "programs/refuse.h"
 #include "rt/processor.h"
@@ -140,6 +141,7 @@ Toolchain read_toolchain(const fs::path& path) try {
     chain.includes = places("includes");
     if (const std::string cache = text("cache"); !cache.empty()) chain.cache = place(cache);
     chain.link = list(file, "link");
+    if (fs::exists("/usr/bin/ld.gold")) chain.link.emplace_back("-fuse-ld=gold");  // in half the time of the usual one
     chain.archives = places("archives");
     chain.libraries = list(file, "libraries");
     for (const fs::path& library : places("kit_libraries")) chain.libraries.push_back(library.string());
@@ -175,6 +177,25 @@ fs::path own_toolchain() {
                         "its own: ./grade makes it",
                         here.parent_path().string(), home.string()));
     return built;
+}
+
+void tell_whose_assignment(const fs::path& toolchain) {
+    std::error_code error;
+    const fs::path source =
+        (fs::absolute(toolchain).parent_path() / toml::parse_file(toolchain.string())["source"].value_or(std::string()))
+            .lexically_normal();
+    const auto own = read_text(source / "assignment.toml");
+    for (fs::path folder = fs::current_path(error); !error; folder = folder.parent_path()) {
+        if (const auto here = read_text(folder / "assignment.toml")) {
+            if (own != here)
+                fmt::print(
+                    stderr,
+                    "this grader is of {}, and its assignment counts; {} is another one: for that, its own grader\n",
+                    source.string(), (folder / "assignment.toml").string());
+            return;
+        }
+        if (folder == folder.root_path()) return;
+    }
 }
 
 }  // namespace grade

@@ -47,4 +47,7 @@ Toolchain read_toolchain(const fs::path& path);
 /// program stands in. Throws std::runtime_error where that was built in another place: its paths lead there.
 fs::path own_toolchain();
 
+/// Says in one line on stderr whose assignment counts, where a grader is called in the tree of another one.
+void tell_whose_assignment(const fs::path& toolchain);
+
 }  // namespace grade

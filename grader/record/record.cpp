@@ -20,12 +20,14 @@ double PictureCost::rmse() const { return std::sqrt(std::max(mse, 0.0)); }
 
 std::optional<double> Record::efficiency_ratio() const {
     std::vector<double> ratios;
-    for (const FragmentRecord& fragment : fragments)
+    for (const FragmentRecord& fragment : fragments) {
+        if (fragment.verdict != Verdict::passed) continue;
         for (const CheckRecord& check : fragment.checks) {
             const auto mine = check.cost ? check.cost->efficiency() : std::nullopt;
             const auto theirs = check.solution_cost ? check.solution_cost->efficiency() : std::nullopt;
             if (mine && theirs) ratios.push_back(*mine / *theirs);
         }
+    }
     if (ratios.empty()) return std::nullopt;
     std::ranges::sort(ratios);
     return (ratios[(ratios.size() - 1) / 2] + ratios[ratios.size() / 2]) / 2;

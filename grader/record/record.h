@@ -133,7 +133,8 @@ struct Record {
     double max_score() const;
     bool is_complete() const;
 
-    /// The submission's efficiency over the solution's, the median of all pictures with noise; none: there are none.
+    /// The submission's efficiency over the solution's, the median of all pictures with noise of fragments that pass;
+    /// none: there are none.
     std::optional<double> efficiency_ratio() const;
 };
 

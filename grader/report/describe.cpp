@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <sstream>
 
 #include "checks/kit/check.h"
+#include "report/scene_tables.h"
 #include "rt/files/scene_reader.h"
 
 namespace grade {
@@ -132,6 +134,10 @@ std::string with_new_tables(const std::string& handout, const Assignment& assign
             if (checks_of(fragment, 1).empty())
                 fail(fmt::format("no fragment is named \"{}\"; expected one of fragments.h", fragment));
             block = describe_checks(assignment, fragment);
+        } else if (name.starts_with("keys: ")) {
+            block = describe_keys(name == "keys: file" ? "" : name.substr(6));
+            if (block.empty())
+                fail(fmt::format("scenes have no table \"{}\"; expected one of scene_keys.h", name.substr(6)));
         } else if (name != "count") {
             continue;
         }
@@ -141,6 +147,36 @@ std::string with_new_tables(const std::string& handout, const Assignment& assign
         text += end_marker;
         at = end + end_marker.size();
     }
+}
+
+std::string handed_out(const std::string& handout, const Assignment& assignment, const std::string& path) {
+    const std::vector<std::string> names = assignment.names();
+    std::istringstream lines(with_new_tables(handout, assignment, path));
+    std::string text, part;  // part: since its heading of the second level
+    bool code = false, out = false;
+    int left = 0, dropped = 0;
+    const auto close = [&] {
+        if (left == 0 && dropped > 0)
+            part = part.substr(0, part.find('\n')) +
+                   "\n\nNot part of this assignment: its fragments are handed out filled in.\n\n";
+        text += part;
+        part.clear(), left = dropped = 0;
+    };
+    for (std::string line; std::getline(lines, line);) {
+        code ^= line.starts_with("```");
+        const bool heading = !code && (line.starts_with("# ") || line.starts_with("## ") || line.starts_with("### "));
+        if (heading) {
+            const std::string title = line.substr(line.find(' ') + 1);
+            if (!line.starts_with("### ")) close();
+            out = line.starts_with("### ") && std::ranges::count(names, title) == 0 &&
+                  handout.find(fmt::format("<!-- checks: {} -->", title)) != handout.npos;
+            dropped += out, left += std::ranges::count(names, title) > 0;
+        }
+        if (!out) part += line + "\n";
+    }
+    close();
+    if (!handout.ends_with('\n')) text.pop_back();
+    return text;
 }
 
 }  // namespace grade

@@ -18,9 +18,14 @@ std::string describe_checks(const Assignment& assignment, const std::string& fra
 ///
 ///     <!-- points -->           ... <!-- end -->
 ///     <!-- checks: FRAGMENT --> ... <!-- end -->
+///     <!-- keys: TABLE -->      ... <!-- end -->    of scene files; "file": those that are in no table
 ///     <!-- count -->32<!-- end -->    how many fragments students fill in, within a line
 ///
-/// path is for errors: throws rt::InputError for a marker without end and for an unknown fragment.
+/// path is for errors: throws rt::InputError for a marker without end and for an unknown fragment or table.
 std::string with_new_tables(const std::string& handout, const Assignment& assignment, const std::string& path);
+
+/// The same as it is handed out: without the sections of fragments that the assignment leaves out. Where a part has
+/// none left, its heading stays, for links, and says so.
+std::string handed_out(const std::string& handout, const Assignment& assignment, const std::string& path);
 
 }  // namespace grade

@@ -101,7 +101,7 @@ std::string statistics(const CheckRecord& check) {
     return text;
 }
 
-std::string check_section(const CheckRecord& check) {
+std::string check_section(const CheckRecord& check, bool fragment_passes) {
     std::string text =
         fmt::format("<details class=\"check\"{}><summary><h4>{}</h4>{}</summary>\n",
                     check.verdict == Verdict::passed ? "" : " open", html(check.name), badge(check.verdict));
@@ -109,7 +109,7 @@ std::string check_section(const CheckRecord& check) {
         text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(check.verdict), html_with_code(check.message));
     if (!check.excerpt.empty())
         text += fmt::format("<p class=\"soft\">It printed:</p><pre tabindex=\"0\">{}</pre>\n", html(check.excerpt));
-    text += pictures(check) + cost_line(check) + statistics(check);
+    text += pictures(check) + cost_line(check, fragment_passes) + statistics(check);
     if (!check.scene.empty())
         text += fmt::format(
             "<details><summary class=\"soft\">scene, {} samples a pixel, {}</summary><pre "
@@ -152,7 +152,8 @@ std::string fragment_section(const FragmentRecord& fragment, const std::string& 
     if (const std::string link = read_link(diagnose(fragment).section, handout); !link.empty())
         text += fmt::format("<p class=\"soft\">{}</p>\n", link);
     if (fragment.verdict != Verdict::did_not_build && fragment.verdict != Verdict::not_started)
-        for (const CheckRecord& check : fragment.checks) text += check_section(check);
+        for (const CheckRecord& check : fragment.checks)
+            text += check_section(check, fragment.verdict == Verdict::passed);
     return text + "</section>\n";
 }
 

@@ -100,19 +100,25 @@ std::string table(const Record& record, bool color) {
     if (!record.changes.empty()) text += "Since the last run:\n";
     for (const std::string& change : record.changes) text += "  " + change + "\n";
     if (const auto ratio = record.efficiency_ratio())
-        text +=
-            fmt::format("Efficiency of pictures, 1/(MSE x CPU time): {:.2g} times the solution's (median)\n", *ratio);
+        text += fmt::format("Efficiency of right pictures, 1/(MSE x CPU time): {:.2g} times the solution's (median)\n",
+                            *ratio);
     return text;
 }
 
-ProgressLine::ProgressLine() : on_(isatty(STDERR_FILENO)) {}
+ProgressLine::ProgressLine(bool long_work) : on_(isatty(STDERR_FILENO)), long_work_(long_work) {}
 
 void ProgressLine::show(int done, int all, const std::string& doing) {
-    if (!on_) return;
-    const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    const Clock::time_point now = Clock::now();
+    const bool between = done > 0 && done < all;
+    if (!on_ && !(long_work_ && between && now >= next_)) return;
+    const double elapsed = std::chrono::duration<double>(now - start_).count();
     std::string left;
-    if (done > 0 && done < all && elapsed > 1)
-        left = fmt::format(", about {:.0f} s left", elapsed * (all - done) / done);
+    if (between && (elapsed > 1 || !on_)) left = fmt::format(", about {:.0f} s left", elapsed * (all - done) / done);
+    if (!on_) {
+        next_ = now + std::chrono::seconds(10);
+        fmt::print(stderr, "{} of {}{}\n", done, all, left);
+        return;
+    }
     fmt::print(stderr, "\r\033[K{:.0f} %{}  {}", all > 0 ? std::min(100.0, 100.0 * done / all) : 0, left,
                printable(doing, 60));
     std::fflush(stderr);

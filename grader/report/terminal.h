@@ -13,18 +13,21 @@ std::string table(const Record& record, bool color);
 /// Its middle: a row for each fragment, and below it what to do about it.
 std::string fragment_rows(const Record& record, bool color);
 
-/// One line about how far a grading is, rewritten in place. Says nothing where stderr is no terminal.
+/// One line about how far a grading is, rewritten in place. Where stderr is no terminal it says nothing, or, of long
+/// work, a line after the first step and then one every ten seconds.
 class ProgressLine {
 public:
-    ProgressLine();
+    explicit ProgressLine(bool long_work = false);
     ~ProgressLine() { clear(); }
     void show(int done, int all, const std::string& doing);
     void clear();
 
 private:
-    bool on_;
+    using Clock = std::chrono::steady_clock;
+
+    bool on_, long_work_;
     bool shown_ = false;
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    Clock::time_point start_ = Clock::now(), next_ = start_;
 };
 
 /// A verdict in words for people: "not started".

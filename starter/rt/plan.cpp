@@ -94,21 +94,22 @@ void decide_lamps(const Scene& scene, RenderPlan& plan) {
 
 /// Numbers the dimensions that are drawn, without gaps.
 void number_pairs(RenderPlan& plan) {
-    plan.pairs.assign(std::size_t(plan.camera_dimensions + plan.wave_dimensions), -1);
+    plan.pairs.assign(std::size_t(plan.camera_dimensions + plan.wave_dimensions + most_new_dimensions), -1);
     int next = 0;
-    const auto number = [&](int dimension, bool drawn) {
-        if (drawn) plan.pairs[std::size_t(dimension)] = next++;
+    const auto number_at = [&](std::size_t place, bool drawn) {
+        if (drawn) plan.pairs[place] = next++;
     };
-    number(pixel_dimension, plan.pixel);
-    number(lens_dimension, plan.lens);
-    number(time_dimension, plan.time);
-    const int before = next, wave = plan.camera_dimensions;
-    for (int light = light_dimension; light < plan.wave_dimensions; ++light) number(wave + light, plan.light);
-    number(wave + environment_dimension, plan.environment_lit);
-    number(wave + lobe_dimension, plan.lobe || plan.bounce);
-    number(wave + choice_dimension, plan.choice);
-    number(wave + flight_dimension, plan.medium);
-    number(wave + phase_dimension, plan.medium);
+    number_at(pixel_dimension, plan.pixel);
+    number_at(lens_dimension, plan.lens);
+    number_at(time_dimension, plan.time);
+    const int before = next;
+    const auto number = [&](int dimension, bool drawn) { number_at(plan.place(dimension), drawn); };
+    for (int light = light_dimension; light < plan.wave_dimensions; ++light) number(light, plan.light);
+    number(environment_dimension, plan.environment_lit);
+    number(lobe_dimension, plan.lobe || plan.bounce);
+    number(choice_dimension, plan.choice);
+    number(flight_dimension, plan.medium);
+    number(phase_dimension, plan.medium);
     plan.pairs_of_wave = next - before;
 }
 

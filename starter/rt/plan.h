@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -8,16 +9,18 @@
 
 namespace rt {
 
-/// The pattern's dimensions: first those of the camera, then as many for each wave.
+/// The pattern's dimensions: first those of the camera, then as many for each wave. A new one is named below zero, -1,
+/// -2, ..., where its number is nobody else's: so no random number of the others changes, and no picture.
 enum CameraDimension : int { pixel_dimension, lens_dimension, time_dimension, camera_dimensions };
 enum WaveDimension : int {
-    choice_dimension,
+    choice_dimension = 0,
     lobe_dimension,
     flight_dimension,
     phase_dimension,
     environment_dimension,
-    light_dimension
+    light_dimension  // and those of further lamps
 };
+constexpr int most_new_dimensions = 16;
 
 /// How the pixels of a picture are sampled.
 struct Sampling {
@@ -76,6 +79,15 @@ struct RenderPlan {
     int wave_dimensions = 0;    // of each following wave
     std::vector<int> pairs;     // of the camera's dimensions and a wave's: which of those that are drawn; -1: not drawn
     int pairs_of_wave = 0;      // drawn
+
+    /// A dimension of the waves: its place among the pairs, and what its random numbers are made of.
+    std::size_t place(int dimension) const {
+        return std::size_t(dimension + (dimension < 0 ? int(pairs.size()) : camera_dimensions));
+    }
+    std::uint64_t number(int wave, int dimension) const {
+        return std::uint64_t(dimension < 0 ? dimension - wave * most_new_dimensions
+                                           : camera_dimensions + wave * wave_dimensions + dimension);
+    }
 
     Sampling sampling;
 };

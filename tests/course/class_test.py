@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""A class: class_test.py [--all] [--size N] [--kills N] [--filled N] [--keep DIR] GRADE
+"""A class: class_test.py [--all] [--size N] [--kills N] [--filled N] [--whole] [--keep DIR] GRADE
 
 Fast: submissions as Canvas, Moodle, Blackboard, Gradescope and repositories have them, of few fragments each: who they are of,
 which of several is taken, what is wrong with those that cannot be graded, and that they are told; the same records whatever the
 number of jobs and shards, and after SIGKILL; tables, pages, twins, comparison.
 
---all: a class of 60 (--size) made of the project's variants (tests/variants), with all (--filled) fragments filled in at most.
+--all: a class of 60 (--size) made of the project's variants (tests/variants), with all (--filled) fragments filled in at most; with
+--whole, everybody has filled in as many.
 Graded whole; in parts, with other numbers of jobs, onto a disk that is full at first, and killed at 50 (--kills) random moments:
 the same outcome. All records in all formats; regraded after points have changed; what it costs beside its submissions one by one.
 """
@@ -21,7 +22,7 @@ import tempfile
 import time
 
 from classes import WRONG_MIRROR, archive, folder, outcome, rows, text
-from helpers import BLANKS, SOLUTION, end, expect, record_at, run
+from helpers import BLANKS, ROOT, SOLUTION, end, expect, record_at, run
 from whole import check_whole
 
 
@@ -87,13 +88,15 @@ def check_small(grade, work):
     expect(table["'=Eve \"E\" <b>"]["id"] == "4711", "Gradescope's number of a student")
     expect("cannot be unpacked" in table["broken"]["notes"] and "holds no fragment" in table["carol"]["notes"], "what is wrong")
     expect(str(work) not in (out / "class.csv").read_text(), "a path of this machine in the table")
-    expect("about" in said or "9 submissions, 7 graded" in said, f"the table on the terminal: {said}")
+    expect("9 submissions, 7 graded" in said, f"the table on the terminal: {said}")
+    expect(re.search(r"^[1-6] of 7, about \d+ s left$", said, re.MULTILINE), f"where there is no terminal nobody hears how far it is: {said}")
     eve = record_at(out / "submissions/submission_9.json")
     moved = next(f for f in eve["fragments"] if f["name"] == "moved")
     expect("there is Moved.cpp: rename it" in moved["message"], f"a name that is nearly right: {moved['message']}")
     possible, *canvas = rows(out / "canvas.csv")
     expect({row["ID"] for row in canvas} >= {"12345", "222"} and "Points Possible" in possible["Student"], "Canvas's table")
     expect("Participant 77" in {row["Identifier"] for row in rows(out / "moodle.csv")}, "Moodle's table")
+    expect((out / "submissions/Zoë_Müller_77_assignsubmission_file_.html").is_file(), "a page's name has lost letters")
     page = (out / "index.html").read_text()
     expect("<b>" not in re.sub(r"<b>[\d.]+</b>", "", page) and "&lt;b&gt;" in page, "a name's markup in the page")
     twins = page[page.index("<h2>Twins"):page.index("<h2>Submissions")]
@@ -160,6 +163,7 @@ def trial_class(at):
     folder(at, {"nowork_52345_67896_essay.pdf": "%PDF", "submission_metadata.yml":
                 '---\nsubmission_9:\n  :submitters:\n  - :name: "=HYPERLINK(\\"h\\\\\\u00e9\\x41\\")"\n    :sid: \'it\'\'s\'\n'})
     folder(at / "submission_9", {"moved.cpp": text("moved")})
+    folder(at / "Em Pty_114_assignsubmission_file_", {path.name: path.read_text() for path in BLANKS.glob("*.cpp")})
     archive(at / "nearly_62345_67899_work.zip", {"Phong.cpp": text("phong"), "hit-sphere.cpp": text("hit_sphere")})
     # a zip, and a file of it once more; a zip that came through half
     folder(at / "Both Ways_113_assignsubmission_file_", {"moved.cpp": blank})
@@ -180,11 +184,16 @@ def check_trial(grade, work):
     hyperlink = '\'=HYPERLINK("h\\éA")'
     expected = {"Jane Doe": total("moved"), "Ty Ped": "", "kimpat": total("phong", "hit_sphere", "moved"),
                 "twoatt": total("mirror_direction"), "nowork": "", hyperlink: total("moved"), "nearly": "0", "hw1-link": "",
-                "Both Ways": total("moved", "mirror_direction"), "half": ""}
+                "Both Ways": total("moved", "mirror_direction"), "half": "", "Em Pty": "0"}
     expect(points == expected, f"points are {points}, expected {expected}")
     expect(table[hyperlink]["id"] == "it's", f"an apostrophe in YAML: {table[hyperlink]['id']}")
     page = (out / "index.html").read_text()
     moodle = {row["Full name"]: row["Feedback comments"] for row in rows(out / "moodle.csv")}
+    everything = total(*worth)
+    expect(moodle["Em Pty"] == f"0 of {everything} points\nall fragments 0 of {everything}: not started",
+           f"what is said of a hand-in without a line: {moodle['Em Pty']}")
+    for who in ("nearly", "Jane Doe"):
+        expect(moodle[who].count(": not in the submission") == 1, f"what is said of what is missing: {moodle[who]}")
     for who, what in [("kimpat", "kimpat_42345_100000_moved-2.cpp was taken, the latest; not kimpat_42345_99999_moved-3.cpp"),
                       ("kimpat", "not kimpat_42345_67896_moved.cpp"), ("twoatt", "there is Moved.cpp: rename it to moved.cpp"),
                       ("nearly", "phong: not in the submission; there is Phong.cpp: rename it to phong.cpp"),
@@ -198,7 +207,7 @@ def check_trial(grade, work):
             expect(what in moodle[who], f"{who}: moodle.csv does not say: {what}")
     expect("nowork" in {row["Student"] for row in rows(out / "canvas.csv")}, "who has no points is not in Canvas's table")
     expect(table["Jane Doe"]["notes"] == "", f"a note where there is nothing to know: {table['Jane Doe']['notes']}")
-    expect("10 submissions, 6 graded" in said, f"how many: {said}")
+    expect("11 submissions, 7 graded" in said, f"how many: {said}")
 
     # nobody can be graded
     none = work / "none-out"
@@ -209,6 +218,19 @@ def check_trial(grade, work):
     run([grade, export / "Jane Doe_111_assignsubmission_file_", "--seed", "5", "--json", work / "jane.json"])
     moved = next(f for f in record_at(work / "jane.json")["fragments"] if f["name"] == "moved")
     expect(moved["verdict"] == "passed", f"grade FOLDER does not look into the archive in it: {moved['verdict']}")
+
+
+def check_whose(grade, work):
+    """In a tree with an assignment of its own, a grader says whose assignment counts; in its own, and beside a copy, it does not."""
+    mine, theirs, copy = (ROOT / "assignment.toml").read_text(), work / "theirs", work / "copy"
+    folder(theirs, {"assignment.toml": mine.replace("points = 2", "points = 5"), "deep/moved.cpp": text("moved")})
+    folder(copy, {"assignment.toml": mine, "moved.cpp": text("moved")})
+    words = f"{theirs / 'assignment.toml'} is another one"
+    graded = lambda place: run([grade, "class", copy, "-o", work / "whose", "--seed", "5"], cwd=place)
+    expect((said := graded(theirs / "deep")).count(words) == 1, f"whose assignment counts: {said}")
+    for place in (copy, ROOT, work):
+        expect("another one" not in (said := graded(place)), f"told in {place}: {said}")
+    expect(words in run([grade, "describe", "--handed-out", work / "handout.md"], cwd=theirs), "describe says nothing")
 
 
 def check_pictures(grade, work):
@@ -237,17 +259,19 @@ def main():
     words.add_argument("--size", type=int, default=60)
     words.add_argument("--kills", type=int, default=50)
     words.add_argument("--filled", type=int, default=len(list(SOLUTION.glob("*.cpp"))))
+    words.add_argument("--whole", action="store_true")
     words.add_argument("--keep", type=pathlib.Path, help="leave everything in this new folder")
     asked = words.parse_args()
     with tempfile.TemporaryDirectory() as work:
         work = asked.keep or pathlib.Path(work)
         work.mkdir(exist_ok=True)
         if asked.all:
-            check_whole(asked.grade.absolute(), work, asked.size, asked.kills, asked.filled)
+            check_whole(asked.grade.absolute(), work, asked.size, asked.kills, asked.filled, not asked.whole)
         else:
             check_small(asked.grade.absolute(), work)
             check_trial(asked.grade.absolute(), work)
             check_pictures(asked.grade.absolute(), work)
+            check_whose(asked.grade.absolute(), work)
     end("a class is graded, in parts, again, and after SIGKILL, to the same records")
 
 

@@ -28,16 +28,16 @@ def variants_by_fragment():
     return variants
 
 
-def make_class(at, size, filled):
-    """As Canvas names them: archives of all fragments, of which so many are filled in, some of them by a right or a wrong variant;
-    the last is cut off. Returns how many of the others differ."""
+def make_class(at, size, filled, fewer):
+    """As Canvas names them: archives of all fragments, of which so many are filled in, or, where fewer is said, often fewer; some of
+    them by a right or a wrong variant; the last is cut off. Returns how many of the others differ."""
     at.mkdir()
     draw = random.Random(1)
     variants = variants_by_fragment()
     names = sorted(path.stem for path in SOLUTION.glob("*.cpp"))
     different = set()
     for student in range(size):
-        written = set(draw.sample(names, filled - draw.choice([0, 0, filled // 8, filled // 4, filled // 2])))
+        written = set(draw.sample(names, filled - draw.choice([0, 0, filled // 8, filled // 4, filled // 2] if fewer else [0])))
         files = {name: text(name) if name in written else (BLANKS / f"{name}.cpp").read_text() for name in names}
         for fragment in draw.sample(sorted(written & variants.keys()), min(len(written & variants.keys()), draw.randint(0, filled // 3 + 1))):
             files[fragment] = draw.choice(variants[fragment])
@@ -117,7 +117,7 @@ def grade_disturbed(grade, export, work, kills, longest):
     expect(killed > 0, "it was never killed")
 
 
-def check_cost(grade, export, out, cpu, size):
+def check_cost(grade, export, out, cpu, clock, size):
     """Every tenth submission alone takes as much as it does in the class."""
     some = sorted(path for path in export.iterdir())[:-1][::10]
     alone = sum(timed([grade, path, "--seed", "5", "--json", out.parent / "one.json"])[1] for path in some)
@@ -126,7 +126,8 @@ def check_cost(grade, export, out, cpu, size):
         shutil.copy(path, out.parent / "some")
     together = timed([grade, "class", out.parent / "some", "-o", out.parent / "some-graded", "--seed", "5"])[1]
     print(f"CPU time: {cpu:.0f} s for {size}; {len(some)} of them take {alone:.1f} s one by one and {together:.1f} s as a class: "
-          f"{together / alone:.2f} of it", flush=True)
+          f"{together / alone:.2f} of it; by the clock, the class takes {clock * os.cpu_count() * len(some) / (size * alone):.2f} "
+          f"of {size} submissions' CPU time over {os.cpu_count()} cores", flush=True)
     expect(together <= 1.1 * alone, "a class takes more than its submissions one by one, and a tenth")
 
 
@@ -169,14 +170,14 @@ def check_points_changed(grade, export, out, work):
     print(f"points changed: {words}", flush=True)
 
 
-def check_whole(grade, work, size, kills, filled):
+def check_whole(grade, work, size, kills, filled, fewer):
     export, out = work / "class", work / "graded"
-    different = make_class(export, size, filled)
+    different = make_class(export, size, filled, fewer)
     said, cpu, clock = timed([grade, "class", export, "-o", out, "--seed", "5"])
     cores, load = os.cpu_count(), os.getloadavg()[0]
     expect(f"{size} submissions, {size - 1} graded" in said, f"the class: {said[-500:]}")
-    print(f"{said.splitlines()[-2]}; {clock:.0f} s by the clock on {cores} cores at a load of {load:.0f}", flush=True)
-    check_cost(grade, export, out, cpu, size - 1)
+    print(f"{re.search('.* submissions, .* graded.*', said)[0]}; {clock:.0f} s by the clock on {cores} cores at a load of {load:.0f}", flush=True)
+    check_cost(grade, export, out, cpu, clock, size - 1)
     grade_disturbed(grade, export, work, kills, 3 * clock / size)
     expect(outcome(work / "merged") == outcome(out), "another outcome in parts, after SIGKILL and a full disk")
     expect(len(records(out)) == different, f"{len(records(out))} records of {different} submissions that differ")

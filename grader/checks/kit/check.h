@@ -44,9 +44,11 @@ using Row = std::vector<double>;
 using Rows = std::vector<Row>;
 using Generator = std::mt19937_64;
 
-/// What one run of an experiment gave: an image, or the probe's inputs and outputs row by row.
+/// What one run of an experiment gave: an image, and how many rays of each rt::RayKind it took; or the probe's inputs
+/// and outputs row by row.
 struct Observation {
     rt::Image image;
+    std::vector<double> rays{};
     Rows inputs, outputs;
 };
 

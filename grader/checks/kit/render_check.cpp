@@ -1,6 +1,6 @@
 #include "checks/kit/render_check.h"
 
-#include <array>
+#include <fmt/format.h>
 
 namespace grade {
 
@@ -18,6 +18,19 @@ Statistic of_picture(const Picture& p) {
             .exact = p.exact,
             .hint = p.hint,
             .cause = p.cause};
+}
+
+Statistic rays_of_kind(std::string id, rt::RayKind kind, double truth, double delta, Hint hint) {
+    return {.id = std::move(id),
+            .what = fmt::format("{} rays for each of the camera", rt::ray_kind_names[std::size_t(kind)]),
+            .measure =
+                [kind](const Observation& seen) {
+                    return seen.rays.at(std::size_t(kind)) / seen.rays.at(std::size_t(rt::RayKind::camera));
+                },
+            .truth = truth,
+            .delta0 = delta / 10,
+            .delta = delta,
+            .hint = std::move(hint)};
 }
 
 std::vector<Statistic> rgb(const std::function<Statistic(int channel, const std::string& name)>& of_channel) {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "checks/kit/estimate.h"
+#include "checks/kit/later.h"
 #include "checks/kit/scene.h"
+#include "rt/ray.h"
 #include "statistics/region.h"
 
 /// Checks that render, and numbers of their pictures.
@@ -23,6 +25,9 @@ struct Picture {
 };
 Statistic of_picture(const Picture& picture);
 
+/// Rays of one kind for each ray of the camera: what costs time, and what it is to save.
+Statistic rays_of_kind(std::string id, rt::RayKind kind, double truth, double delta, Hint hint);
+
 /// One statistic for each channel.
 std::vector<Statistic> rgb(const std::function<Statistic(int channel, const std::string& name)>& of_channel);
 
@@ -33,15 +38,22 @@ std::vector<Statistic> rgb(const std::function<Statistic(int channel, const std:
 /// due(x, y)     what it must add
 template <class Chosen, class Light, class Due>
 PictureNumber light_over_due(rt::ivec2 size, Chosen chosen, Light light, Due due) {
-    std::vector<rt::ivec2> pixels;
-    double all_due = 0;
-    for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x)
-            if (chosen(x, y)) pixels.emplace_back(x, y), all_due += due(x, y);
+    const auto pixels = later([=] {
+        std::vector<rt::ivec2> all;
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x)
+                if (chosen(x, y)) all.emplace_back(x, y);
+        return all;
+    });
+    const auto all_due = later([=] {
+        double sum = 0;
+        for (const rt::ivec2 p : pixels()) sum += due(p.x, p.y);
+        return sum;
+    });
     return [=](const rt::Image& image) {
         double seen = 0;
-        for (const rt::ivec2 p : pixels) seen += light(image.at(p.x, p.y));
-        return seen / all_due;
+        for (const rt::ivec2 p : pixels()) seen += light(image.at(p.x, p.y));
+        return seen / all_due();
     };
 }
 

@@ -143,7 +143,7 @@ struct Reading {
                            word.find(',') == word.npos ? "three numbers" : "three numbers, with a point and no comma");
             if (extra) continue;
             if (!(std::abs(*number) <= huge))
-                lines.fail(word, fmt::format("{} is {}", in_quotes(word), *number), any_number.expected);
+                lines.fail(word, fmt::format("{} is {}", in_quotes(word), *number), any_number.expected());
             exact[count] = *number;
             text += ' ';
             text += without_plus(word);

@@ -4,37 +4,30 @@
 #include <system_error>
 
 #include "rt/files/obj_reader.h"
+#include "rt/files/scene_keys.h"
 #include "rt/files/scene_parts.h"
 #include "rt/plan.h"
 
 namespace rt {
 namespace {
 
-int find_material(const Table& table, const Scene& scene) {
-    const std::string name = table.text("material");
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-        if (scene.materials[i].name == name) return int(i);
-        names.push_back(scene.materials[i].name);
-    }
+int find_material(const Table& table, const std::string& name, const Scene& scene) {
+    const std::vector<std::string>& names = scene.material_names;
+    if (const auto found = std::ranges::find(names, name); found != names.end()) return int(found - names.begin());
     const auto nearest = nearest_word(name, names);
     table.fail("material", "there is no material " + in_quotes(name),
                nearest ? in_quotes(*nearest) + "?" : "a table [materials.NAME] of this file");
 }
 
-Sphere read_sphere(const Table& table) {
-    return {table.vector("center", any_number), table.number("radius", positive)};
-}
-
 Triangle read_triangle(const Table& table) {
-    const Triangle t{table.vector("a", any_number), table.vector("b", any_number), table.vector("c", any_number)};
+    const auto t = read_keys(table, keys::triangle);
     const vec3 normal = cross(direction(t.b - t.a), direction(t.c - t.a));
     if (largest(normal) < 1e-14) table.fail("a", "the triangle has no area", "three points that are not on one line");
     return t;
 }
 
 Quad read_quad(const Table& table) {
-    const Quad q{table.vector("center", any_number), table.vector("u", any_number), table.vector("v", any_number)};
+    const auto q = read_keys(table, keys::quad);
     const vec3 u = direction(q.u), v = direction(q.v);
     for (const char* key : {"u", "v"})
         if ((*key == 'u' ? u : v) == vec3(0)) table.fail(key, fmt::format("'{}' is zero", key), "half an edge");
@@ -44,8 +37,8 @@ Quad read_quad(const Table& table) {
 }
 
 Disc read_disc(const Table& table) {
-    const Disc disc{table.vector("center", any_number), direction(table.vector("normal", any_number)),
-                    table.number("radius", positive)};
+    Disc disc = read_keys(table, keys::disc);
+    disc.normal = direction(disc.normal);
     if (disc.normal == vec3(0)) table.fail("normal", "'normal' is zero", "the direction that the disc faces");
     return disc;
 }
@@ -62,29 +55,25 @@ void transform(Mesh& mesh, vec3 scale, vec3 translate) {
 }
 
 Mesh read_mesh(const Table& table, const std::string& scene_path) {
-    constexpr Limits factor{[](Real x) { return std::abs(x) >= 1e-30 && std::abs(x) <= 1e30; },
-                            "a factor that is not 0 and not beyond 1e30"};
-    const std::string file = table.text("file");
-    const auto path = std::filesystem::path(scene_path).parent_path() / file;
-    const vec3 scale = table.color("scale", factor, vec3(1));
-    const vec3 translate = table.vector("translate", any_number, vec3(0));
+    const auto said = read_keys(table, keys::mesh);
+    const auto path = std::filesystem::path(scene_path).parent_path() / said.file;
     Mesh mesh;
     try {
-        mesh = read_obj(path.string(), table.flag("smooth", false));
+        mesh = read_obj(path.string(), said.smooth);
     } catch (const std::system_error& error) {
-        table.fail("file", fmt::format("{} cannot be read: {}", in_quotes(file), error.code().message()),
+        table.fail("file", fmt::format("{} cannot be read: {}", in_quotes(said.file), error.code().message()),
                    "an OBJ file, its path relative to this file");
     }
-    transform(mesh, scale, translate);
+    transform(mesh, said.scale, said.translate);
     return mesh;
 }
 
-void check_lamp(const Table& table, const Shape& shape, const Material& material) {
-    if (aim_at(shape, material) != Aim::impossible) return;
+void check_lamp(const Table& table, const Shape& shape, const Scene& scene) {
+    if (aim_at(shape, scene.materials[std::size_t(shape.material)]) != Aim::impossible) return;
     const char* what = std::holds_alternative<Triangle>(shape.geometry) ? "a triangle or mesh" : "a moving shape";
     table.fail("material", fmt::format("shadow rays cannot look for {} that shines", what),
                fmt::format("sampled = false in material {}, or a quad, disc or sphere that stands still",
-                           in_quotes(material.name)));
+                           in_quotes(name_of_material(scene, shape.material))));
 }
 
 }  // namespace
@@ -98,34 +87,18 @@ vec3 direction(vec3 v) {
 
 void read_shape(const Table& table, Scene& scene) {
     enum { sphere, triangle, quad, disc, mesh };
-    const int type = table.choice("type", {"sphere", "triangle", "quad", "disc", "mesh"});
-    switch (type) {
-        case sphere:
-            table.only({"type", "material", "velocity", "center", "radius"});
-            break;
-        case triangle:
-            table.only({"type", "material", "velocity", "a", "b", "c"});
-            break;
-        case quad:
-            table.only({"type", "material", "velocity", "center", "u", "v"});
-            break;
-        case disc:
-            table.only({"type", "material", "velocity", "center", "normal", "radius"});
-            break;
-        case mesh:
-            table.only({"type", "material", "velocity", "file", "scale", "translate", "smooth"});
-            break;
-    }
-    Shape shape{{}, find_material(table, scene), table.vector("velocity", any_number, vec3(0))};
+    const int type = read_type(table, "shape");
+    const auto said = read_keys(table, keys::shape);
+    Shape shape{{}, find_material(table, said.material, scene), said.velocity};
     if (type == triangle || type == mesh) shape.geometry = Triangle{};
-    check_lamp(table, shape, scene.materials[std::size_t(shape.material)]);
+    check_lamp(table, shape, scene);
     if (type == mesh) {
         scene.meshes.push_back(read_mesh(table, scene.path));
         scene.meshes.back().material = shape.material;
         scene.meshes.back().velocity = shape.velocity;
         return;
     }
-    if (type == sphere) shape.geometry = read_sphere(table);
+    if (type == sphere) shape.geometry = read_keys(table, keys::sphere);
     if (type == triangle) shape.geometry = read_triangle(table);
     if (type == quad) shape.geometry = read_quad(table);
     if (type == disc) shape.geometry = read_disc(table);

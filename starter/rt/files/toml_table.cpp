@@ -55,6 +55,14 @@ std::string type_of(const toml::node& node) {
     }
 }
 
+/// 1e70 and not 1e+70; two digits of what has many.
+std::string short_number(Real x) {
+    std::string text = fmt::format("{:.6g}", x);
+    if (text.size() > 7) text = fmt::format("{:.2g}", x);
+    std::erase(text, '+');
+    return text;
+}
+
 std::string one_of(const std::vector<std::string>& words) { return fmt::format("one of {}", fmt::join(words, ", ")); }
 
 int edit_distance(std::string_view a, std::string_view b) {
@@ -127,7 +135,7 @@ struct Table::Inside {
         return key.empty() ? "the file" : repeated ? fmt::format("[[{}]]", key) : fmt::format("[{}]", key);
     }
     const toml::node* find(std::string_view key, bool required) const;
-    Real checked(const toml::node& node, std::string_view key, Limits limits, const std::string& expected) const;
+    Real checked(const toml::node& node, std::string_view key, const Limits& limits) const;
     int whole(const toml::node& node, std::string_view key, int low, int high, const std::string& expected) const;
     [[noreturn]] void fail(std::string_view key, const std::string& wrong, const std::string& expected) const;
     [[noreturn]] void fail_at(const toml::node& node, const std::string& wrong, const std::string& expected) const;
@@ -154,7 +162,21 @@ Table Table::parse(std::string_view text, const std::string& path) {
     return table;
 }
 
-void Table::only(std::initializer_list<std::string_view> keys) const {
+bool Limits::hold(Real x) const {
+    if (or_inf && x == inf) return true;
+    return (above ? x > low : x >= low) && (below ? x < high : x <= high) && std::abs(x) >= least;
+}
+
+std::string Limits::expected() const {
+    if (least > 0)
+        return fmt::format("a number that is not 0, of a size from {} to {}", short_number(least), short_number(high));
+    const std::string start = above && below ? "between" : above ? "above" : "from";
+    std::string end = below ? " and " + short_number(high) : (above ? ", up to " : " to ") + short_number(high);
+    if (or_inf) end = ", or inf";
+    return fmt::format("a number {} {}{}{}", start, short_number(low), end, remark);
+}
+
+void Table::only(std::span<const std::string_view> keys) const {
     const std::vector<std::string> known(keys.begin(), keys.end());
     for (const auto& [key, node] : *inside_->table) {
         if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
@@ -193,11 +215,10 @@ const toml::node* Table::Inside::find(std::string_view key, bool required) const
     return node;
 }
 
-Real Table::Inside::checked(const toml::node& node, std::string_view key, Limits limits,
-                            const std::string& expected) const {
+Real Table::Inside::checked(const toml::node& node, std::string_view key, const Limits& limits) const {
     const auto value = node.is_number() ? node.value<double>() : std::nullopt;
-    if (!value) fail_at(node, fmt::format("{} is {}", in_quotes(key), type_of(node)), expected);
-    if (!limits.hold(*value)) fail_at(node, fmt::format("{} is {}", in_quotes(key), *value), expected);
+    if (!value) fail_at(node, fmt::format("{} is {}", in_quotes(key), type_of(node)), limits.expected());
+    if (!limits.hold(*value)) fail_at(node, fmt::format("{} is {}", in_quotes(key), *value), limits.expected());
     return *value;
 }
 
@@ -209,9 +230,9 @@ int Table::Inside::whole(const toml::node& node, std::string_view key, int low, 
     return int(value);
 }
 
-Real Table::number(std::string_view key, Limits limits, std::optional<Real> otherwise) const {
+Real Table::number(std::string_view key, const Limits& limits, std::optional<Real> otherwise) const {
     const toml::node* node = inside_->find(key, !otherwise);
-    return node ? inside_->checked(*node, key, limits, limits.expected) : *otherwise;
+    return node ? inside_->checked(*node, key, limits) : *otherwise;
 }
 
 int Table::integer(std::string_view key, int low, int high, std::optional<int> otherwise) const {
@@ -232,15 +253,15 @@ std::string Table::text(std::string_view key) const {
     return **node->as_string();
 }
 
-vec3 Table::vector(std::string_view key, Limits limits, std::optional<vec3> otherwise) const {
+vec3 Table::vector(std::string_view key, const Limits& limits, std::optional<vec3> otherwise) const {
     const toml::node* node = inside_->find(key, !otherwise);
     if (!node) return *otherwise;
     const toml::array* array = node->as_array();
-    const std::string expected = fmt::format("[x, y, z], each {}", limits.expected);
-    if (!array) fail(key, fmt::format("'{}' is {}", key, type_of(*node)), expected);
-    if (array->size() != 3) fail(key, fmt::format("'{}' has {} numbers", key, array->size()), expected);
+    const auto expected = [&] { return fmt::format("[x, y, z], each {}", limits.expected()); };
+    if (!array) fail(key, fmt::format("'{}' is {}", key, type_of(*node)), expected());
+    if (array->size() != 3) fail(key, fmt::format("'{}' has {} numbers", key, array->size()), expected());
     vec3 v;
-    for (int i = 0; i < 3; ++i) v[i] = inside_->checked((*array)[std::size_t(i)], key, limits, limits.expected);
+    for (int i = 0; i < 3; ++i) v[i] = inside_->checked((*array)[std::size_t(i)], key, limits);
     return v;
 }
 
@@ -254,9 +275,9 @@ ivec2 Table::pair(std::string_view key, int low, int high, std::optional<ivec2> 
     return {x, inside_->whole((*array)[1], key, low, high, expected)};
 }
 
-Color Table::color(std::string_view key, Limits limits, std::optional<Color> otherwise) const {
+Color Table::color(std::string_view key, const Limits& limits, std::optional<Color> otherwise) const {
     const toml::node* node = inside_->find(key, !otherwise);
-    if (node && node->is_number()) return Color(inside_->checked(*node, key, limits, limits.expected));
+    if (node && node->is_number()) return Color(inside_->checked(*node, key, limits));
     if (node && !node->is_array())
         fail(key, fmt::format("'{}' is {}", key, type_of(*node)), "[red, green, blue], or one number for all three");
     return vector(key, limits, otherwise);

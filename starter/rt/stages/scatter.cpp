@@ -197,8 +197,8 @@ void close_ranks(Batch& b, int first) {
 }
 
 template <WayOn way>
-[[gnu::noinline]] void follow(const World& world, Pattern pattern, Dimension dimension, const Batch& b,
-                              const Surfaces& s, const Leaving& leaving, Queue& next, Chunk& chunk) {
+[[gnu::noinline]] void follow(const World& world, Pattern pattern, int wave, const Batch& b, const Surfaces& s,
+                              const Leaving& leaving, Queue& next, Chunk& chunk) {
     constexpr RayKind kind = way == WayOn::mirror   ? RayKind::mirror
                              : way == WayOn::glass  ? RayKind::glass
                              : way == WayOn::bounce ? RayKind::bounce
@@ -209,7 +209,9 @@ template <WayOn way>
         Batch& to = next.open();
         const int first = to.count, taken = std::min(leaving.count - k, lanes - first);
         collect<way>(world, b, s, leaving.lane + k, taken, crossing, to, first);
-        if constexpr (!is_sharp(way)) draw_2d(pattern, dimension, crossing.key, crossing.sample, taken, u);
+        if constexpr (!is_sharp(way))
+            draw_2d(pattern, wave_dimension(world, wave, lobe_dimension, pattern.n), crossing.key, crossing.sample,
+                    taken, u);
         send<way>(u, crossing, leaving, k, taken, to, first);
         if (way == WayOn::glossy && world.plan.weigh) note_densities(crossing, taken, to, first);
         if (way != WayOn::bounce && world.plan.smooth) bring_back<way>(crossing, taken, to, first);
@@ -226,12 +228,11 @@ void scatter_stage(const World& world, Pattern pattern, int wave, const Batch& b
                    Chunk& chunk) {
     const RenderPlan& plan = world.plan;
     if (!plan.specular && !plan.lobe && !plan.bounce) return;
-    const Dimension choice = wave_dimension(world, wave, choice_dimension, pattern.n),
-                    lobe = wave_dimension(world, wave, lobe_dimension, pattern.n);
+    const Dimension choice = wave_dimension(world, wave, choice_dimension, pattern.n);
     AllLeaving leaving;
-    const auto mirror = [&] { follow<WayOn::mirror>(world, pattern, lobe, b, s, leaving.mirror, next, chunk); };
-    const auto glass = [&] { follow<WayOn::glass>(world, pattern, lobe, b, s, leaving.glass, next, chunk); };
-    const auto bounce = [&] { follow<WayOn::bounce>(world, pattern, lobe, b, s, leaving.bounce, next, chunk); };
+    const auto mirror = [&] { follow<WayOn::mirror>(world, pattern, wave, b, s, leaving.mirror, next, chunk); };
+    const auto glass = [&] { follow<WayOn::glass>(world, pattern, wave, b, s, leaving.glass, next, chunk); };
+    const auto bounce = [&] { follow<WayOn::bounce>(world, pattern, wave, b, s, leaving.bounce, next, chunk); };
     if (plan.split) {
         // Two paths may add to one sample: lane by lane, so that the order of the sum does not depend on what else is
         // in the batch.
@@ -246,9 +247,9 @@ void scatter_stage(const World& world, Pattern pattern, int wave, const Batch& b
     } else {
         choose_ways(world, pattern, choice, b, s, 0, b.count, leaving);
         mirror();
-        follow<WayOn::glossy>(world, pattern, lobe, b, s, leaving.glossy, next, chunk);
+        follow<WayOn::glossy>(world, pattern, wave, b, s, leaving.glossy, next, chunk);
         glass();
-        follow<WayOn::translucent>(world, pattern, lobe, b, s, leaving.translucent, next, chunk);
+        follow<WayOn::translucent>(world, pattern, wave, b, s, leaving.translucent, next, chunk);
         bounce();
     }
 }

@@ -105,8 +105,7 @@ inline Dimension camera_dimension(const World& world, int dimension, int n) {
 
 inline Dimension wave_dimension(const World& world, int wave, int dimension, int n) {
     const RenderPlan& plan = world.plan;
-    return {Bits(plan.camera_dimensions + wave * plan.wave_dimensions + dimension),
-            plan.pairs[std::size_t(plan.camera_dimensions + dimension)] + wave * plan.pairs_of_wave, n};
+    return {plan.number(wave, dimension), plan.pairs[plan.place(dimension)] + wave * plan.pairs_of_wave, n};
 }
 
 }  // namespace rt
