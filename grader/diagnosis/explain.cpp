@@ -344,7 +344,7 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_min
     if (not_numbers > 0 && !is_known)
         finding.how = of_numbers(compared_calls, right, sampled);
     else if (!is_known)
-        finding.how = sampled ? of_own_numbers(all, mine, right) : wrong_shares(all, mine, right);
+        finding.how = !sampled ? wrong_shares(all, mine, right) : broken ? "" : of_own_numbers(all, mine, right);
     if (is_near && !is_known) finding.how = small_offsets(all);
     if (finding.how.empty())
         finding.how = broken ? broken->words : is_nothing ? independence(all, depends) : relation->words;
@@ -370,7 +370,8 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_min
     bool is_place_wrong = false;
     for (std::size_t i = 0; i < wrong_parts.size(); ++i)
         is_place_wrong = is_place_wrong || (wrong_parts[i] && is_place(all.result.parts[i]));
-    const bool is_known_number = !sampled || is_known || not_numbers > 0 || !is_place_wrong;
+    const bool is_exact = relation && relation->explains != Relation::Explains::nothing && relation->everywhere;
+    const bool is_known_number = !sampled || is_known || is_exact || not_numbers > 0 || !is_place_wrong;
     if (is_known_number) finding.right = result_in_words(signature, simplest.right, wrong_parts);
     add_call(finding, signature, simplest);
     return finding;

@@ -244,7 +244,9 @@ private:
             else
                 varies = varies || !is_equal(calls_.result, *first, changed[k]);
         }
-        return other >= enough && (varies || (other >= 2 * enough && left >= 2 * enough));
+        if (other < enough) return false;
+        const bool is_number = std::ranges::none_of(*first, [](double x) { return std::isnan(x); });
+        return varies || (is_number && other >= 2 * enough && left >= enough);
     }
 
     static bool is_something(const Row& answer) {
