@@ -6,6 +6,7 @@
 #include "checks/kit/check.h"
 #include "checks/kit/estimate.h"
 #include "checks/kit/formula.h"
+#include "checks/kit/later.h"
 #include "checks/kit/render_check.h"
 #include "judging/experiment.h"
 #include "rt/files/scene_reader.h"
@@ -209,4 +210,14 @@ TEST_CASE("a picture that the solution draws under one seed does not pass under 
         else
             CHECK(fails >= 1);
     }
+}
+
+TEST_CASE("what takes a while is made once, when it is first asked for") {
+    int made = 0;
+    const auto number = later([&] { return ++made; });
+    const auto copy = number;
+    CHECK(made == 0);
+    CHECK(number() == 1);
+    CHECK(copy() == 1);
+    CHECK(made == 1);
 }

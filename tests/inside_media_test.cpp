@@ -225,7 +225,7 @@ TEST_CASE("which regions a point is in: spheres, boxes, closed meshes; not behin
     const auto start = [](const std::string& eye, const std::string& shapes) {
         const World world = make_world(parse_scene(lamp_in_fog(eye, shapes), "scenes/inside_media_test.toml"));
         const Index material = world.regions.medium(world.regions.start);
-        return material < 0 ? std::string() : world.scene.materials[std::size_t(material)].name;
+        return material < 0 ? std::string() : name_of_material(world.scene, material);
     };
     const std::string mesh = "[[shape]]\ntype = \"mesh\"\nfile = \"icosahedron.obj\"\nmaterial = \"fog\"\nscale = 3\n";
     CHECK(start("[0, 0, 2]", mesh) == "fog");

@@ -64,8 +64,11 @@ pictures=0
 for scene in $scenes; do
     first=""
     for renderer in $renderers; do
-        threads_of_it="1 2 3 7 16"
-        case $renderer in *_O* | *_baseline) threads_of_it="1 7" ;; esac
+        case $renderer in
+            "$build/raytrace") threads_of_it="1 2 3 7 16" ;;
+            *_O*) threads_of_it=7 ;;
+            *) threads_of_it="1 7" ;;
+        esac
         for threads in $threads_of_it; do
             "$renderer" "$scene" -o "$work/image.exr" --size 48x48 --samples 20 --threads "$threads" >"$work/said" || exit 1
             hash=$(sed -n 's/^hash *//p' "$work/said")

@@ -237,7 +237,7 @@ TEST_CASE("every key of a scene arrives", "[reader]") {
 
     REQUIRE(s.materials.size() == 1);
     const rt::Material& m = s.materials[0];
-    CHECK(m.name == "all");
+    CHECK(s.material_names == std::vector<std::string>{"all"});
     CHECK((m.ambient == rt::Color(0.1) && m.albedo == rt::Color(0.2, 0.3, 0.4) && m.specular == rt::Color(0.5)));
     REQUIRE(m.checker);
     CHECK((m.checker->albedo == rt::Color(0, 0.5, 1) && m.checker->size == 0.25));

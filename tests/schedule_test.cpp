@@ -100,20 +100,21 @@ TEST_CASE("with any sampler, the error that is estimated is the error, and the m
           "[schedule]") {
     const Scene scene = scene_of_file("scenes/gallery/cornell.toml");
     RenderSettings fine;
-    fine.samples = 1 << 14;
+    fine.samples = 1 << 12;
     fine.sampler = Sampler::sobol;
     fine.estimate_error = false;
     const Image truth = render(scene, fine).image;
     for (const Sampler sampler : {Sampler::random, Sampler::stratified, Sampler::sobol, Sampler::orthogonal}) {
         Sum squares, estimates, bias;
-        constexpr int pictures = 20;
+        constexpr int pictures = 12;
+        constexpr Real target = 0.06;
         for (int k = 0; k < pictures; ++k) {
             RenderSettings settings;
             settings.sampler = sampler;
-            settings.target_error = 0.04;
+            settings.target_error = target;
             settings.seed = std::uint64_t(100 + k);
             const Rendering r = render(scene, settings);
-            CHECK(r.rmse <= 0.04);
+            CHECK(r.rmse <= target);
             estimates.add(sqr(r.rmse) / pictures);
             for (std::size_t p = 0; p < truth.pixels.size(); ++p) {
                 const Color d = r.image.pixels[p] - truth.pixels[p];
@@ -125,7 +126,7 @@ TEST_CASE("with any sampler, the error that is estimated is the error, and the m
         INFO(sampler_names[std::size_t(sampler)] << ": error " << error << ", estimated " << estimate << ", bias "
                                                  << bias.value());
         CHECK((error > 0.85 * estimate && error < 1.25 * estimate));
-        CHECK(std::abs(bias.value()) < 4 * 0.04 / std::sqrt(Real(truth.pixels.size()) * pictures));
+        CHECK(std::abs(bias.value()) < 4 * target / std::sqrt(Real(truth.pixels.size()) * pictures));
     }
 }
 

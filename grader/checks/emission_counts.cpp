@@ -71,19 +71,21 @@ Check floor_under_lamp(Generator& random, const FloorUnderLamp& setting) {
                         place.floor("floor", 3) + quad("lamp", lamp);
     if (setting.pane) scene += material("pane", {{"transmittance", 1}}) + place.floor("pane", 1.5, 0.6);
 
-    const rt::Camera camera = camera_of(scene);
-    double due = 0;
-    for (int y = 0; y < view.size.y; ++y)
-        for (int x = 0; x < view.size.x; ++x) {
-            const double sight = over_pixel(x, y, [&](rt::vec2 film) {
-                return quad_irradiance(lamp, seen_on_plane(camera, film, place.origin, place.axes.z), place.axes.z);
-            });
-            due += albedo / rt::pi * radiance * sight / (view.size.x * view.size.y);
-        }
+    const auto due = later([=, camera = camera_of(scene)] {
+        double sum = 0;
+        for (int y = 0; y < view.size.y; ++y)
+            for (int x = 0; x < view.size.x; ++x) {
+                const double sight = over_pixel(x, y, [&](rt::vec2 film) {
+                    return quad_irradiance(lamp, seen_on_plane(camera, film, place.origin, place.axes.z), place.axes.z);
+                });
+                sum += albedo / rt::pi * radiance * sight / (view.size.x * view.size.y);
+            }
+        return sum;
+    });
     const Statistic light =
         of_picture({.id = "F1",
                     .what = "light of the floor, over what must be",
-                    .number = [=](const rt::Image& image) { return region_mean(image, whole(image)).r / due; },
+                    .number = [=](const rt::Image& image) { return region_mean(image, whole(image)).r / due(); },
                     .delta = 0.05,
                     .hint = by_ratio("the light of a floor under a lamp" + setting.where, {setting.known})});
     return render_check(setting.name, {scene, 32, "sobol"}, {light});

@@ -38,13 +38,15 @@ Check ball(Generator& random) {
              .what = "light that it reflects " + where + ", over what must be",
              .number = [=](const rt::Image& image) { return over_due(image) / around; },
              .delta = delta,
-             .hint = by_ratio(
-                 "what a glossy ball reflects " + where,
-                 {{(n + 1) / (n + 2), "does n + 1 stand for n + 2 in the BRDF?"},
-                  {(n + 2) / (n + 1), "is the cosine at the surface missing, or does (n + 2)/(n + 1) count twice?"},
-                  {1 / albedo(degrees * rt::pi / 180),
-                   "does the weight have the cosine at the surface, and is it 0 below the surface?"}},
-                 "expected (n + 2)/(2 pi) cos(alpha)^n x cosine at the surface / density, 0 below the surface")});
+             .hint = hint_later([=] {
+                 return by_ratio(
+                     "what a glossy ball reflects " + where,
+                     {{(n + 1) / (n + 2), "does n + 1 stand for n + 2 in the BRDF?"},
+                      {(n + 2) / (n + 1), "is the cosine at the surface missing, or does (n + 2)/(n + 1) count twice?"},
+                      {1 / albedo(degrees * rt::pi / 180),
+                       "does the weight have the cosine at the surface, and is it 0 below the surface?"}},
+                     "expected (n + 2)/(2 pi) cos(alpha)^n x cosine at the surface / density, 0 below the surface");
+             })});
     };
     return render_check("ball", {scene, 16, "sobol"},
                         {seen_at("P2", "where it is seen head on", 0, 25, 0, 0.05),

@@ -135,22 +135,15 @@ Check cells(const std::string& name, int n, double greatest = 0.999999) {
     return probe_check(name, inputs, {inside, area, overlap, shape, even, purity()});
 }
 
-/// Noise of N samples at the edges of a bright quad, over that of independent ones: N (L - p)^2 / (p (1 - p)), p the
-/// share of the pixel that the quad covers.
-Check edge_noise(Generator& random) {
-    constexpr int samples = 16;
-    const Place place = any_place(random);
-    const rt::Quad q = any_quad(random, place, 0, 1);
-    const std::string scene = toml(place.from_above(5, 40, figure_size)) + bright_lamp() + quad("lamp", q);
-    const rt::Camera camera = camera_of(scene);
-    const Sight seen = sight_of(q, camera);
-    struct EdgePixel {
-        int x, y;
-        double covered;
-    };
+struct EdgePixel {
+    int x, y;
+    double covered;
+};
+
+std::vector<EdgePixel> edge_pixels(rt::ivec2 size, const Sight& seen) {
     std::vector<EdgePixel> edges;
-    for (int y = 0; y < camera.size.y; ++y)
-        for (int x = 0; x < camera.size.x; ++x) {
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
             double covered = 0;
             for (int part = 0; part < 16; ++part) {
                 const auto sight = [&](vec2 share) {
@@ -161,11 +154,23 @@ Check edge_noise(Generator& random) {
             }
             if (covered > 0.15 && covered < 0.85) edges.push_back({x, y, covered});
         }
+    return edges;
+}
+
+/// Noise of N samples at the edges of a bright quad, over that of independent ones: N (L - p)^2 / (p (1 - p)), p the
+/// share of the pixel that the quad covers.
+Check edge_noise(Generator& random) {
+    constexpr int samples = 16;
+    const Place place = any_place(random);
+    const rt::Quad q = any_quad(random, place, 0, 1);
+    const std::string scene = toml(place.from_above(5, 40, figure_size)) + bright_lamp() + quad("lamp", q);
+    const rt::Camera camera = camera_of(scene);
+    const auto edges = later([=] { return edge_pixels(camera.size, sight_of(q, camera)); });
     const auto noise = [edges](const rt::Image& image) {
         double sum = 0;
-        for (const EdgePixel& e : edges)
+        for (const EdgePixel& e : edges())
             sum += samples * rt::sqr(image.at(e.x, e.y).x - e.covered) / (e.covered * (1 - e.covered));
-        return sum / double(edges.size());
+        return sum / double(edges().size());
     };
     return render_check("edge_noise", {scene, samples, "stratified"},
                         {of_picture({.id = "G2",

@@ -50,23 +50,26 @@ Check sky(Generator& random) {
             },
             brightness,
             [=](int x, int y) { return transmitted_share(angle_at(x, y), ior) * albedo(refracted(angle_at(x, y))); });
-        const double angle = degrees * rt::pi / 180, due = albedo(refracted(angle));
-        const double swapped = std::min(rt::pi / 2, std::asin(std::min(1.0, std::sin(angle) * ior)));
         return of_picture(
             {.id = id,
              .what = "light let through " + where + ", over what must be",
              .number = [=](const rt::Image& image) { return over_due(image) / around; },
              .delta = 0.05,
-             .hint = by_ratio(
-                 "what frosted glass lets through " + where,
-                 {{albedo(angle) / due, "is the lobe about the direction of travel? It must be refracted"},
-                  {albedo(swapped) / due, "are the two indices of refraction exchanged?"},
-                  {(n + 1) / (n + 2), "does n + 1 stand for n + 2 in the BTDF?"},
-                  {(n + 2) / (n + 1), "is the cosine at the surface missing, or does (n + 2)/(n + 1) count twice?"},
-                  {1 / due,
-                   "does the weight have the cosine at the surface, and is it 0 where the ray does not cross?"}},
-                 "expected (n + 2)/(2 pi) cos(alpha)^n x |cosine at the surface| / density, 0 where the ray does not "
-                 "cross")});
+             .hint = hint_later([=] {
+                 const double angle = degrees * rt::pi / 180, due = albedo(refracted(angle));
+                 const double swapped = std::min(rt::pi / 2, std::asin(std::min(1.0, std::sin(angle) * ior)));
+                 return by_ratio(
+                     "what frosted glass lets through " + where,
+                     {{albedo(angle) / due, "is the lobe about the direction of travel? It must be refracted"},
+                      {albedo(swapped) / due, "are the two indices of refraction exchanged?"},
+                      {(n + 1) / (n + 2), "does n + 1 stand for n + 2 in the BTDF?"},
+                      {(n + 2) / (n + 1), "is the cosine at the surface missing, or does (n + 2)/(n + 1) count twice?"},
+                      {1 / due,
+                       "does the weight have the cosine at the surface, and is it 0 where the ray does not cross?"}},
+                     "expected (n + 2)/(2 pi) cos(alpha)^n x |cosine at the surface| / density, 0 where the ray does "
+                     "not "
+                     "cross");
+             })});
     };
     return render_check("sky", {scene, 8, "sobol"},
                         {seen_at("P2", "where it is seen steeply", 0, 30, 24),

@@ -15,7 +15,7 @@ struct ClassArguments {
     std::string submissions, out, shard;
     std::optional<std::uint64_t> seed;
     int jobs = 0;
-    double time_limit = 10;
+    double time_limit = 5;
     bool trusted = false, pictures = false;
 };
 

@@ -29,7 +29,7 @@ std::string counted(std::size_t submissions);
 struct Setup {
     std::uint64_t seed = 0;
     Provenance provenance;
-    double time_limit = 10;
+    double time_limit = 5;
 };
 
 /// The name of a submission's record.

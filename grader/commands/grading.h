@@ -17,7 +17,7 @@ struct GradeArguments {
     std::optional<std::uint64_t> seed;
     std::optional<double> required;
     int jobs = 0;
-    double time_limit = 10;
+    double time_limit = 5;
     bool trusted = false, fresh = false, watch = false;
 };
 

@@ -15,12 +15,12 @@ namespace grade {
 struct GradingSettings {
     std::set<std::string> only;  // fragments to grade; empty: all
     std::uint64_t seed = 1;
-    double time_limit = 10;  // CPU time of one answer [s]
-    bool pictures = false;   // for the page
-    int replicates = 256;    // of a statistic, after which it is inconclusive
-    int statistics = 0;      // that share alpha; 0: those of these checks
-    std::string command;     // that it was asked for with
-    Provenance provenance;   // but for its checks; empty where no record is kept
+    double time_limit = 5;  // CPU time of one answer [s]
+    bool pictures = false;  // for the page
+    int replicates = 256;   // of a statistic, after which it is inconclusive
+    int statistics = 0;     // that share alpha; 0: those of these checks
+    std::string command;    // that it was asked for with
+    Provenance provenance;  // but for its checks; empty where no record is kept
     BuildSettings build;
 
     std::function<void(int done, int all, const std::string& doing)> progress;  // never called twice at a time

@@ -22,7 +22,7 @@ CLI::App* add_lesson_command(CLI::App& app, LessonArguments& arguments) {
 }
 
 void run_lesson(const LessonArguments& arguments, const std::string& toolchain) {
-    constexpr double time_limit = 10;  // CPU seconds of one answer
+    constexpr double time_limit = 5;  // CPU seconds of one answer
     const Toolchain chain = read_toolchain(toolchain);
     const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
     const std::string path = arguments.submission.empty() ? (chain.source / "starter").string() : arguments.submission;

@@ -165,19 +165,24 @@ Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const 
     const fs::path source = work / (fragment + ".cpp"), compiled = work / "compiled.o";
     write_text(source, text);
 
-    std::vector<std::string> command = compiler_of(chain);
+    const auto compile = [&](std::vector<fs::path> includes, std::vector<std::string> options) {
+        std::vector<std::string> command = compiler_of(chain);
+        command.insert(command.end(), options.begin(), options.end());
+        for (const fs::path& folder : includes) command.insert(command.end(), {"-I", folder.string()});
+        command.insert(command.end(), {"-c", source.string(), "-o", compiled.string()});
+        fs::remove(compiled);  // of an earlier try, maybe by another user
+        return run(sandbox, tool(command, work, includes));
+    };
     std::vector<fs::path> readable = chain.includes;
-    if (const fs::path header = precompiled_header(chain); !header.empty()) readable.insert(readable.begin(), header);
-    for (const fs::path& folder : readable) command.insert(command.end(), {"-I", folder.string()});
-    command.insert(command.end(), {"-c", source.string(), "-o", compiled.string()});
-
-    Ending compiler = run(sandbox, tool(command, work, readable));
+    const fs::path header = precompiled_header(chain);
+    if (!header.empty()) readable.insert(readable.begin(), header);
+    Ending compiler = compile(readable, {});
+    if (!compiler.good() && !header.empty() && cut_off(compiler, "").empty())
+        compiler = compile(chain.includes, {});  // that header lacks a little
     if (!compiler.good()) {
-        check_compiler(chain, sandbox, work);                    // else no fault of the submission
-        if (compiler.err.find("error:") == compiler.err.npos) {  // behind more warnings than are kept
-            command.push_back("-w");
-            compiler = run(sandbox, tool(command, work, readable));
-        }
+        check_compiler(chain, sandbox, work);                  // else no fault of the submission
+        if (compiler.err.find("error:") == compiler.err.npos)  // behind more warnings than are kept
+            compiler = compile(chain.includes, {"-w"});
         const std::string fault = source_fault(text, shown);
         return {false, {}, fault.empty() ? why_not_built(compiler, source.string(), shown) : fault, {}};
     }

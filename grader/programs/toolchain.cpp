@@ -141,6 +141,7 @@ Toolchain read_toolchain(const fs::path& path) try {
     chain.includes = places("includes");
     if (const std::string cache = text("cache"); !cache.empty()) chain.cache = place(cache);
     chain.link = list(file, "link");
+    if (fs::exists("/usr/bin/ld.gold")) chain.link.emplace_back("-fuse-ld=gold");  // in half the time of the usual one
     chain.archives = places("archives");
     chain.libraries = list(file, "libraries");
     for (const fs::path& library : places("kit_libraries")) chain.libraries.push_back(library.string());

@@ -3,10 +3,10 @@
 #include <functional>
 #include <span>
 
+#include "rt/parts.h"
 #include "rt/ray.h"
-#include "rt/scene.h"
 
-/// What fragments take and return, beside rays and what is in a scene.
+/// What fragments take and return, beside rays and the parts of a scene.
 namespace rt {
 
 using Function = std::function<Real(Real)>;

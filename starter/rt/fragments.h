@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "rt/answers.h"
 #include "rt/elementary.h"
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "rt/answers.h"
+#include "rt/scene.h"
 
 /// Random numbers and sampling patterns. A number depends only on where it is used: the pixel's key, the sample's index
 /// and the dimension. Nothing is stored, so any thread can draw any number.

@@ -52,4 +52,9 @@ Hint by_value(std::string what, std::vector<KnownValue> known, double near, std:
 using KnownRatio = KnownValue;
 Hint by_ratio(std::string what, std::vector<KnownRatio> known, std::string else_words = "");
 
+/// A hint whose known values take a while: made where it is told.
+inline Hint hint_later(std::function<Hint()> make) {
+    return [make = std::move(make)](double value, double truth) { return make()(value, truth); };
+}
+
 }  // namespace grade

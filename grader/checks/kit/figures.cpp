@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "checks/kit/later.h"
 #include "statistics/blob.h"
 
 namespace grade {
@@ -18,11 +19,15 @@ double seen_in_pixel(int x, int y, const Sight& sight) {
     return off == 0 ? first : over_pixel(x, y, sight, 32);
 }
 
-std::vector<Statistic> figure_statistics(const rt::Camera& camera, const Sight& sight, const std::string& figure) {
+Blob due_moments(const rt::Camera& camera, const Sight& sight) {
     rt::Image expected(camera.size.x, camera.size.y);
     for (int y = 0; y < expected.height; ++y)
         for (int x = 0; x < expected.width; ++x) expected.at(x, y) = rt::Color(seen_in_pixel(x, y, sight));
-    const Blob due = blob_moments(expected, whole(expected));
+    return blob_moments(expected, whole(expected));
+}
+
+std::vector<Statistic> figure_statistics(const rt::Camera& camera, const Sight& sight, const std::string& figure) {
+    const auto due = later([=] { return due_moments(camera, sight); });
     const auto blob = [](const rt::Image& image) { return blob_moments(image, whole(image)); };
 
     const auto beside = [&](const std::string& axis, PictureNumber off) {
@@ -45,13 +50,13 @@ std::vector<Statistic> figure_statistics(const rt::Camera& camera, const Sight& 
     };
     const Statistic light = of_picture({.id = "A1",
                                         .what = "light of the " + figure + ", over what must be",
-                                        .number = [=](const rt::Image& i) { return blob(i).mass / due.mass; },
+                                        .number = [=](const rt::Image& i) { return blob(i).mass / due().mass; },
                                         .delta = 0.03,
                                         .hint = by_ratio("the light of the " + figure, {{0, "it is not seen"}})});
-    return {beside("to the right", [=](const rt::Image& i) { return blob(i).centroid.x - due.centroid.x; }),
-            beside("downwards", [=](const rt::Image& i) { return blob(i).centroid.y - due.centroid.y; }),
-            ratio("width of the ", 0.02, [=](const rt::Image& i) { return blob(i).variance.x / due.variance.x; }),
-            ratio("height of the ", 0.02, [=](const rt::Image& i) { return blob(i).variance.y / due.variance.y; }),
+    return {beside("to the right", [=](const rt::Image& i) { return blob(i).centroid.x - due().centroid.x; }),
+            beside("downwards", [=](const rt::Image& i) { return blob(i).centroid.y - due().centroid.y; }),
+            ratio("width of the ", 0.02, [=](const rt::Image& i) { return blob(i).variance.x / due().variance.x; }),
+            ratio("height of the ", 0.02, [=](const rt::Image& i) { return blob(i).variance.y / due().variance.y; }),
             light};
 }
 

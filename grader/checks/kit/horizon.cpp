@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "checks/kit/later.h"
 #include "checks/kit/render_check.h"
 
 namespace grade {
@@ -87,16 +88,19 @@ Check horizon(Generator& random) {
         quad("board", board.place({board.start.x, board.start.y, 0}), 1e5 * board.square * board.place.axes.x,
              1e5 * board.square * board.place.axes.y);
 
-    const std::vector<double> due = covered(board);
-    std::vector<double> pattern;
-    for (int y = 0; y < rows; ++y)
-        for (int x = 0; x < columns; ++x) pattern.push_back(seen_regularly(board, x, y) - due[pattern.size()]);
+    const auto due = later([=] { return covered(board); });
+    const auto pattern = later([=] {
+        std::vector<double> all;
+        for (int y = 0; y < rows; ++y)
+            for (int x = 0; x < columns; ++x) all.push_back(seen_regularly(board, x, y) - due()[all.size()]);
+        return all;
+    });
     // how much of b there is in the picture, less what it must be
     const auto share = [=](const rt::Image& image, const std::vector<double>& b) {
         double sum = 0, whole = 0;
         for (std::size_t k = 0; k < b.size(); ++k) {
             const double seen = (2 * image.pixels[k].x - light - dark) / (light - dark);
-            sum += (seen - due[k]) * b[k], whole += b[k] * b[k];
+            sum += (seen - due()[k]) * b[k], whole += b[k] * b[k];
         }
         return sum / whole;
     };
@@ -104,7 +108,7 @@ Check horizon(Generator& random) {
         "horizon", {scene, cells * cells, "random"},
         {of_picture({.id = "A1",
                      .what = "contrast of a checkerboard's squares, over what a pixel's mean leaves of it",
-                     .number = [=](const rt::Image& image) { return 1 + share(image, due); },
+                     .number = [=](const rt::Image& image) { return 1 + share(image, due()); },
                      .delta = 0.1,
                      .hint =
                          [](double value, double) {
@@ -116,7 +120,7 @@ Check horizon(Generator& random) {
          of_picture(
              {.id = "A2",
               .what = "false patterns of a checkerboard towards its horizon, over those that regular points see",
-              .number = [=](const rt::Image& image) { return share(image, pattern); },
+              .number = [=](const rt::Image& image) { return share(image, pattern()); },
               .truth = 0,
               .delta = 0.2,
               .hint =

@@ -8,5 +8,6 @@
 #include "checks/kit/draw.h"
 #include "checks/kit/estimate.h"
 #include "checks/kit/formula.h"
+#include "checks/kit/later.h"
 #include "checks/kit/probe_check.h"
 #include "checks/kit/render_check.h"

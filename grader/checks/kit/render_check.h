@@ -1,6 +1,7 @@
 #pragma once
 
 #include "checks/kit/estimate.h"
+#include "checks/kit/later.h"
 #include "checks/kit/scene.h"
 #include "rt/ray.h"
 #include "statistics/region.h"
@@ -37,15 +38,22 @@ std::vector<Statistic> rgb(const std::function<Statistic(int channel, const std:
 /// due(x, y)     what it must add
 template <class Chosen, class Light, class Due>
 PictureNumber light_over_due(rt::ivec2 size, Chosen chosen, Light light, Due due) {
-    std::vector<rt::ivec2> pixels;
-    double all_due = 0;
-    for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x)
-            if (chosen(x, y)) pixels.emplace_back(x, y), all_due += due(x, y);
+    const auto pixels = later([=] {
+        std::vector<rt::ivec2> all;
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x)
+                if (chosen(x, y)) all.emplace_back(x, y);
+        return all;
+    });
+    const auto all_due = later([=] {
+        double sum = 0;
+        for (const rt::ivec2 p : pixels()) sum += due(p.x, p.y);
+        return sum;
+    });
     return [=](const rt::Image& image) {
         double seen = 0;
-        for (const rt::ivec2 p : pixels) seen += light(image.at(p.x, p.y));
-        return seen / all_due;
+        for (const rt::ivec2 p : pixels()) seen += light(image.at(p.x, p.y));
+        return seen / all_due();
     };
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "checks/kit/later.h"
 #include "checks/kit/render_check.h"
 #include "statistics/irradiance.h"
 #include "statistics/projection.h"
@@ -165,21 +166,21 @@ double floor_radiance(const ShadowScene& s, double x, double y, bool blocked) {
 Check shadow_check(Generator& random, const std::string& name, const ShadowScene& s) {
     const double camera_height = 0.8 * s.blocker_height;
     const std::string scene = text(random, s, camera_height);
-    const Due due = due_of(s, camera_of(scene), camera_height);
+    const auto due = later([=] { return due_of(s, camera_of(scene), camera_height); });
     const auto edge = [=](const rt::Image& image) {
-        return penumbra(column_profile(image, whole(image)), due.unblocked, due.reach);
+        return penumbra(column_profile(image, whole(image)), due().unblocked, due().reach);
     };
     std::vector<Statistic> statistics = {
         of_picture({.id = "L4",
                     .what = "brightest pixel of the umbra",
-                    .number = [=](const rt::Image& image) { return brightest(image, due.umbra); },
+                    .number = [=](const rt::Image& image) { return brightest(image, due().umbra); },
                     .truth = 0,
                     .exact = true,
                     .hint = always("light falls into the umbra, where the blocker hides the whole light")}),
         of_picture(
             {.id = "L1",
              .what = "light of the open floor, over what must be",
-             .number = [=](const rt::Image& image) { return brightness(region_mean(image, due.open)) / due.light; },
+             .number = [=](const rt::Image& image) { return brightness(region_mean(image, due().open)) / due().light; },
              .delta = 0.04,
              .hint = by_ratio(
                  "the light of the open floor",
@@ -195,7 +196,7 @@ Check shadow_check(Generator& random, const std::string& name, const ShadowScene
              .what = "width of the penumbra, over what must be",
              .number =
                  [=](const rt::Image& image) {
-                     return std::sqrt(std::max(0.0, edge(image).variance) / due.penumbra.variance);
+                     return std::sqrt(std::max(0.0, edge(image).variance) / due().penumbra.variance);
                  },
              .delta = 0.05,
              .hint = by_ratio("the width of the penumbra",
@@ -206,7 +207,7 @@ Check shadow_check(Generator& random, const std::string& name, const ShadowScene
     statistics.push_back(of_picture(
         {.id = "L3",
          .what = "place of the shadow's edge, off by [pixel]",
-         .number = [=](const rt::Image& image) { return edge(image).mean - due.penumbra.mean; },
+         .number = [=](const rt::Image& image) { return edge(image).mean - due().penumbra.mean; },
          .truth = 0,
          .delta = 0.6,
          .hint = always("the shadow's edge is shifted: the light is sampled more on one side, or the ray starts too "

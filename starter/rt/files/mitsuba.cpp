@@ -80,7 +80,9 @@ std::vector<std::string> find_unsaid(const Scene& scene) {
     for (std::size_t i = 0; i < used.size(); ++i) {
         if (!used[i]) continue;
         const Material& m = scene.materials[i];
-        const auto say = [&](const char* what) { unsaid.push_back(fmt::format("material \"{}\": {}", m.name, what)); };
+        const auto say = [&](const char* what) {
+            unsaid.push_back(fmt::format("material \"{}\": {}", name_of_material(scene, int(i)), what));
+        };
         if (m.specular != Color(0))
             say("Phong's highlight ('specular'); expected a lobe ('reflectance' and 'exponent')");
         if (m.ambient * scene.ambient != Color(0)) say("ambient light; expected 'environment'");

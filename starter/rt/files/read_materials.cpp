@@ -12,10 +12,9 @@ T read_inner(const Table& material, std::string_view name, const Key<T> (&keys)[
     return read_keys(table, keys);
 }
 
-Material read_material(const Table& table, const std::string& name) {
+Material read_material(const Table& table) {
     check_keys(table, "materials");
     Material m = read_keys(table, keys::material);
-    m.name = name;
     if (table.has("medium")) m.medium = read_inner(table, "medium", keys::medium);
     if (table.has("checker")) m.checker = read_inner(table, "checker", keys::checker);
     return m;
@@ -24,7 +23,10 @@ Material read_material(const Table& table, const std::string& name) {
 }  // namespace
 
 void read_materials(const Table& table, Scene& scene) {
-    for (const std::string& name : table.keys()) scene.materials.push_back(read_material(table.table(name), name));
+    for (const std::string& name : table.keys()) {
+        scene.materials.push_back(read_material(table.table(name)));
+        scene.material_names.push_back(name);
+    }
 }
 
 }  // namespace rt

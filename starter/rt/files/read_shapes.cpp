@@ -12,11 +12,8 @@ namespace rt {
 namespace {
 
 int find_material(const Table& table, const std::string& name, const Scene& scene) {
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-        if (scene.materials[i].name == name) return int(i);
-        names.push_back(scene.materials[i].name);
-    }
+    const std::vector<std::string>& names = scene.material_names;
+    if (const auto found = std::ranges::find(names, name); found != names.end()) return int(found - names.begin());
     const auto nearest = nearest_word(name, names);
     table.fail("material", "there is no material " + in_quotes(name),
                nearest ? in_quotes(*nearest) + "?" : "a table [materials.NAME] of this file");
@@ -71,12 +68,12 @@ Mesh read_mesh(const Table& table, const std::string& scene_path) {
     return mesh;
 }
 
-void check_lamp(const Table& table, const Shape& shape, const Material& material) {
-    if (aim_at(shape, material) != Aim::impossible) return;
+void check_lamp(const Table& table, const Shape& shape, const Scene& scene) {
+    if (aim_at(shape, scene.materials[std::size_t(shape.material)]) != Aim::impossible) return;
     const char* what = std::holds_alternative<Triangle>(shape.geometry) ? "a triangle or mesh" : "a moving shape";
     table.fail("material", fmt::format("shadow rays cannot look for {} that shines", what),
                fmt::format("sampled = false in material {}, or a quad, disc or sphere that stands still",
-                           in_quotes(material.name)));
+                           in_quotes(name_of_material(scene, shape.material))));
 }
 
 }  // namespace
@@ -94,7 +91,7 @@ void read_shape(const Table& table, Scene& scene) {
     const auto said = read_keys(table, keys::shape);
     Shape shape{{}, find_material(table, said.material, scene), said.velocity};
     if (type == triangle || type == mesh) shape.geometry = Triangle{};
-    check_lamp(table, shape, scene.materials[std::size_t(shape.material)]);
+    check_lamp(table, shape, scene);
     if (type == mesh) {
         scene.meshes.push_back(read_mesh(table, scene.path));
         scene.meshes.back().material = shape.material;

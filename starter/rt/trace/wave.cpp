@@ -21,12 +21,12 @@ void tell_medium(const Wave& wave, int i, Told& told) {
     const Batch& b = wave.batch;
     const Index medium = wave.world.plan.medium ? wave.world.regions.medium(b.inside[i]) : nothing;
     if (medium == nothing) return;
-    const Material& m = wave.world.scene.materials[std::size_t(medium)];
+    const Scene& scene = wave.world.scene;
     Numbers flight;
     draw_1d(wave.pattern, wave_dimension(wave.world, wave.number, flight_dimension, wave.pattern.n), b.key, b.sample,
             b.count, flight);
-    const Real t = free_flight(m.medium.extinction, flight.x[i]);
-    tell(told, "free_flight", "in {}, u {}: {} m{}", m.name, text(flight.x[i]), text(t),
+    const Real t = free_flight(scene.materials[std::size_t(medium)].medium.extinction, flight.x[i]);
+    tell(told, "free_flight", "in {}, u {}: {} m{}", name_of_material(scene, medium), text(flight.x[i]), text(t),
          b.shape[i] == ended ? ", before any surface" : ", beyond the surface");
 }
 
@@ -39,7 +39,7 @@ void tell_hit(const Wave& wave, int i, Told& told) {
         tell(told, "moved", "at {} s: {} is at {}", text(b.time[i]), text(record.center),
              text(moved(record.center, record.velocity, b.time[i])));
     tell(told, hit_name(world, b.shape[i]), "{} m: shape {}, material {}, seen from {}", text(b.far[i]), b.shape[i],
-         world.scene.materials[std::size_t(s.material[i])].name, s.behind[i] ? "behind" : "the front");
+         name_of_material(world.scene, s.material[i]), s.behind[i] ? "behind" : "the front");
     tell(told, "", "point {}, normal {}", text(s.hit(i).point), text(s.normal(i)));
 }
 
