@@ -352,7 +352,7 @@ expect 3 "Not found: libfmt-dev libglm-dev." in_it ./grade
 # ./check and .ci/run
 begin
 expect 0 "100% tests passed" in_it ./check --yes -R "a sphere"
-expect 0 "" called "ctest --preset release --parallel 2 -R a sphere"
+expect 0 "" called "ctest --preset release --parallel 3 -R a sphere"
 expect 0 "" called "cmake --preset release -DBUILD_TESTING=ON"
 expect 0 "" called "cmake --build $build --target all"
 mkdir -p "$tree/build/mitsuba/bin" "$tree/build/pages/bin"
