@@ -349,8 +349,8 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_min
     if (finding.how.empty())
         finding.how = broken ? broken->words : is_nothing ? independence(all, depends) : relation->words;
     if (finding.how.empty() && relation) finding.how = relation->words;
-    // Another parametrisation is wrong in no call. Where many answers are the solution's, the random numbers are used as
-    // the solution does, but perhaps not in calls of one kind.
+    // Another parametrisation is wrong in no call. Where many answers are the solution's, the random numbers are used
+    // as the solution does, but perhaps not in calls of one kind.
     constexpr double many = 0.2;
     const bool is_comparable = !sampled || not_numbers > 0 || double(all.size() - wrong) >= many * double(all.size());
     if (!is_comparable && !relation) return of_samples(finding, all, broken, ask_mine, ask_right);

@@ -15,8 +15,8 @@ extern const char* const page_script;
 /// confidence interval. Empty where there is no value.
 std::string bar(const StatisticRecord& statistic);
 
-/// What one picture of a check costs and how noisy it is, beside the solution's; empty: not known. How efficient that is
-/// says nothing where its fragment does not pass.
+/// What one picture of a check costs and how noisy it is, beside the solution's; empty: not known. How efficient that
+/// is says nothing where its fragment does not pass.
 std::string cost_line(const CheckRecord& check, bool passes);
 
 /// The section with error against run time, a dot for each picture; empty: there is none with noise.
