@@ -1,3 +1,4 @@
+#include <array>
 #include <fstream>
 #include <iterator>
 #include <random>
@@ -209,6 +210,181 @@ TEST_CASE("a mistake in the middle of a formula is named, in the words of its do
         return all;
     };
     CHECK_THAT(found("refracted_direction", rays, sign).how, ContainsSubstring("`-e * c` in place of `e * c`"));
+}
+
+namespace {
+
+/// Lamps of any kind, seen from any side.
+Rows lamps(int count = 200) {
+    return calls(
+        [](Generator& random) {
+            rt::Emitter lamp;
+            lamp.kind = rt::Emitter::Kind(whole_between(random, 0, 2));
+            const rt::Frame frame = rt::frame_about(direction(random));
+            lamp.quad = {box(random, -2, 2), between(random, 0.1, 0.3) * frame.x, between(random, 0.1, 0.3) * frame.y};
+            lamp.disc = {lamp.quad.center, frame.z, between(random, 0.1, 0.3)};
+            lamp.sphere = {lamp.quad.center, between(random, 0.1, 0.3)};
+            return row(lamp, lamp.quad.center + between(random, 1, 3) * direction(random), square(random));
+        },
+        count);
+}
+
+/// The solution's samples of lamps, with another density, made of the cosine at the lamp.
+template <class Density>
+Ask with_density(Density density) {
+    return [=](const Rows& rows) {
+        Rows all = answers("light_sample")(rows);
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            RowReader reader(rows[k]);
+            const auto lamp = read(reader, Tag<rt::Emitter>{});
+            if (lamp.kind == rt::Emitter::Kind::sphere) continue;
+            const rt::vec3 d(all[k][0], all[k][1], all[k][2]);
+            const double cosine = -rt::dot(d, rt::unit(rt::normal(lamp)));
+            all[k][4] = density(lamp, cosine, rt::sqr(all[k][3]) / rt::area(lamp));
+        }
+        return all;
+    };
+}
+
+}  // namespace
+
+TEST_CASE("where nothing comes, nobody must look somewhere: only the density is told, of a call in which it is wrong") {
+    const Ask both_sides =
+        with_density([](const rt::Emitter&, double cosine, double squared) { return squared / std::abs(cosine); });
+    const Ask elsewhere = [both_sides](const Rows& rows) {
+        Rows all = both_sides(rows), right = answers("light_sample")(rows);
+        for (std::size_t k = 0; k < all.size(); ++k)
+            if (right[k][4] == 0) all[k][0] = all[k][1] = 0, all[k][2] = 1, all[k][3] = 7;
+        return all;
+    };
+    for (const Ask& mine : {both_sides, elsewhere}) {
+        const Finding finding = found("light_sample", lamps(), mine);
+        CHECK_THAT(finding.where, ContainsSubstring("those where the right density is 0"));
+        CHECK(finding.answer.starts_with("density = "));
+        CHECK(finding.right == "density = 0");
+    }
+    CHECK_THAT(found("light_sample", lamps(), both_sides).how, ContainsSubstring("`abs(cos)` in place of `cos`"));
+}
+
+TEST_CASE("of a lamp of one kind, the others' fields are not told") {
+    const Ask no_cosine = with_density([](const rt::Emitter& lamp, double cosine, double squared) {
+        return cosine > 0 ? squared / (lamp.kind == rt::Emitter::Kind::quad ? 1 : cosine) : 0;
+    });
+    const std::string how = found("light_sample", lamps(), no_cosine).how;
+    CHECK_THAT(how, ContainsSubstring("where `light.kind` is quad, ") && ContainsSubstring("`1` in place of `cos"));
+    CHECK(how.find("disc") == how.npos);
+    const Ask whole_edges = [](const Rows& rows) {
+        Rows moved = rows;
+        for (Row& in : moved)
+            if (in[0] == 0)
+                for (const std::size_t at : {in.size() - 2, in.size() - 1}) in[at] = (1 + in[at]) / 2;
+        return answers("light_sample")(moved);
+    };
+    CHECK_THAT(found("light_sample", lamps(), whole_edges).how,
+               ContainsSubstring("where `light.kind` is quad, ") &&
+                   (ContainsSubstring("`u` in place of `at`") || ContainsSubstring("`(1 + u) / 2` in place of `u`")));
+}
+
+TEST_CASE("a change that spoils right calls is no cause") {
+    const Rows cells = calls([](Generator& random) {
+        const int n = std::array{4, 5, 9, 11}[std::size_t(whole_between(random, 0, 3))];
+        return row(whole_between(random, 0, n - 1), n, square(random));
+    });
+    // as wide as each other, whatever they hold
+    const Ask equal_columns = [](const Rows& rows) {
+        Rows all = answers("stratified_2d")(rows);
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            const double n = rows[k][1], columns = std::floor(std::sqrt(n)),
+                         column = std::floor(rows[k][0] * columns / n);
+            all[k][0] = (column + rows[k][2]) / columns;
+        }
+        return all;
+    };
+    const std::string how = found("stratified_2d", cells, equal_columns).how;
+    CHECK_THAT(how, ContainsSubstring("`column / columns` in place of `left`") &&
+                        ContainsSubstring("`1 / columns` in place of `width`"));
+    CHECK(how.find("`n + 1`") == how.npos);
+}
+
+TEST_CASE("the sign of what is 0 elsewhere is told") {
+    const Rows rays = calls([](Generator& random) {
+        const rt::vec3 n = direction(random);
+        return row(-tilted(random, n, between(random, 0, 1.5)), n, 1.5, 1.0, 3.0, square(random));
+    });
+    const Ask negative = [](const Rows& rows) {
+        Rows all = answers("translucency")(rows);
+        for (std::size_t k = 0; k < rows.size(); ++k)
+            if (all[k][3] == 0)
+                all[k] = row(rt::Scattered{rt::vec3(0, 0, 1), rt::Color(0)});
+            else
+                for (std::size_t c = 3; c < 6; ++c) all[k][c] *= -1;
+        return all;
+    };
+    CHECK(found("translucency", rays, negative).how == "`weight` has the opposite sign");
+}
+
+TEST_CASE("an offset that is small beside the answer is told") {
+    const Rows hits = calls([](Generator& random) {
+        const rt::vec3 n = direction(random);
+        return row(rt::Hit{box(random, -5, 5), n, 1e-14}, tilted(random, n, 0.5), between(random, 1, 9));
+    });
+    const Ask above = [](const Rows& rows) {
+        Rows all = answers("shadow_ray")(rows);
+        for (std::size_t k = 0; k < rows.size(); ++k)
+            for (std::size_t c = 0; c < 3; ++c) all[k][c] = rows[k][c] + 1e-4 * rows[k][3 + c];
+        return all;
+    };
+    CHECK(found("shadow_ray", hits, above).how == "`origin` is off by `0.0001 * hit.normal`");
+}
+
+TEST_CASE("with random numbers of its own, a sample is compared where it is") {
+    const Ask own = [](const Rows& rows) {
+        Rows all;
+        for (const Row& in : rows) {
+            const double z = std::sqrt(in[0]), r = std::sqrt(1 - in[0]), turn = 2 * rt::pi * in[1] + 0.4;
+            all.push_back({r * std::cos(turn), r * std::sin(turn), z, z / rt::pi * 2});
+        }
+        return all;
+    };
+    CHECK(found("cosine_hemisphere", squares(), own).how == "`density` is 2 times too large");
+}
+
+TEST_CASE("formulas are told as a person writes them") {
+    const Rows lobes = calls([](Generator& random) { return row(between(random, 1, 50), square(random)); });
+    const Ask no_one = [](const Rows& rows) {
+        Rows all;
+        for (const Row& in : rows) {
+            const double n = in[0], c = std::pow(in[1], 1 / n), s = std::sqrt(1 - c * c), turn = 2 * rt::pi * in[2];
+            all.push_back({s * std::cos(turn), s * std::sin(turn), c, (n + 1) / (2 * rt::pi) * std::pow(c, n)});
+        }
+        return all;
+    };
+    CHECK_THAT(found("phong_lobe", lobes, no_one).how, ContainsSubstring("`n` in place of `n + 1`"));
+    const auto no_root = [](Row& in) { in[0] *= in[0]; };
+    CHECK_THAT(found("uniform_disk", squares(), answers("uniform_disk", no_root)).how,
+               ContainsSubstring(": is a square root missing?") && !ContainsSubstring("missing?;"));
+    const Rows flights = calls([](Generator& random) { return row(between(random, 0.2, 5), between(random, 0, 1)); });
+    const Ask mean = [](const Rows& rows) {
+        Rows all;
+        for (const Row& in : rows) all.push_back({1 / in[0]});
+        return all;
+    };
+    CHECK(found("free_flight", flights, mean).how == "the answer is `1 / extinction`");
+}
+
+TEST_CASE("of flags and choices, all that are wrong are told") {
+    Rows table;
+    for (int event = 0; event < 5; ++event)
+        for (int times = 0; times < 4; ++times) table.push_back(row(rt::Event(event), times % 2 == 0));
+    const Ask two_forgotten = [](const Rows& rows) {
+        Rows all = answers("emission_counts")(rows);
+        for (std::size_t k = 0; k < rows.size(); ++k)
+            if (rows[k][0] >= 3 && rows[k][1] != 0) all[k] = {0};
+        return all;
+    };
+    const Finding finding = found("emission_counts", table, two_forgotten);
+    CHECK(finding.how.empty());
+    CHECK_THAT(finding.where, ContainsSubstring("those where `previous` is lobe or medium and `sampled` is true"));
 }
 
 TEST_CASE("numbers of a sum are told as its terms") {

@@ -1,6 +1,6 @@
 #include "asked/free_flight.h"
 #include "checks/kit/kit.h"
-#include "checks/kit/white_medium.h"
+#include "checks/kit/pictures.h"
 
 namespace grade {
 
@@ -57,6 +57,16 @@ Check any_extinction() {
                 rows.push_back(row(std::pow(10, decade + between(random, 0, 1)), (k + between(random, 0, 1)) / each));
         return rows;
     };
+    const Statistic spread =
+        uniform_in_square({.id = "V3",
+                           .what = "chi squared of the distances per degree of freedom, from 0.001 to 10,000 per metre",
+                           .point = of_call<rt::free_flight>(
+                               [](double t, double s, double) { return rt::vec2(-std::expm1(-t * s), 0.5); }),
+                           .columns = 16,
+                           .rows = 1,
+                           .delta0 = 1,
+                           .delta = 1.5,
+                           .hint = always("the distances are not distributed as s exp(-s t)")});
     return probe_check("any_extinction", inputs,
                        {mean_of({.id = "B1",
                                  .what = "mean distance times the extinction, from 0.001 to 10,000 per metre",
@@ -64,7 +74,8 @@ Check any_extinction() {
                                  .delta0 = 0.002,
                                  .delta = 0.012,
                                  .hint = by_ratio("the mean distance of extinctions from 0.001 to 10,000 per metre", {},
-                                                  "is the extinction clamped, or has it a factor?")})});
+                                                  "is the extinction clamped, or has it a factor?")}),
+                        spread});
 }
 
 /// A ball that absorbs, in front of an even light: each pixel keeps exp(-s l), l its ray's way through the ball.
@@ -111,7 +122,10 @@ Check attenuation(Generator& random) {
 }  // namespace
 
 Checks check_free_flight(Generator& random) {
-    return {distances(random), any_extinction(), ends(), attenuation(random), white_medium(random)};
+    Checks checks = {distances(random), any_extinction(), ends(), attenuation(random), white_medium(random)};
+    // any distances above 0 pass the other two
+    for (const std::size_t k : {0, 1, 3}) checks[k].share = 3;
+    return checks;
 }
 
 }  // namespace grade

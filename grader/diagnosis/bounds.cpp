@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "diagnosis/scalars.h"
 
 namespace grade {
@@ -11,7 +13,23 @@ namespace {
 /// A number of an answer that must stay between two bounds.
 class Bounds {
 public:
-    explicit Bounds(const Calls& calls) : calls_(calls) {}
+    Bounds(const Calls& calls, const Ask& right) : calls_(calls) {
+        const auto u = std::ranges::find(calls.layouts.front().parts, "u", &Field::name);
+        if (u == calls.layouts.front().parts.end()) return;
+        constexpr std::size_t most = 32, side = 4;
+        Rows rows;
+        std::vector<std::size_t> from;
+        for (std::size_t i = 0; i < std::min(most, calls.size()) * side * side; ++i) {
+            const std::size_t k = i / (side * side) * calls.size() / std::min(most, calls.size());
+            rows.push_back(calls.rows[k]), from.push_back(k);
+            double* numbers =
+                &rows.back()[calls.layouts[k].parts[std::size_t(u - calls.layouts.front().parts.begin())].at];
+            numbers[0] = (double(i % side) + 0.5) / side;
+            if (u->kind == Kind::pair) numbers[1] = (double(i / side % side) + 0.5) / side;
+        }
+        const Rows answers = right(rows);
+        for (std::size_t i = 0; i < answers.size(); ++i) more_.emplace_back(from[i], answers[i]);
+    }
 
     /// f(call, answer) of all right answers is within the bounds, and of one of mine it is not.
     template <class F>
@@ -19,7 +37,13 @@ public:
         constexpr double room = 1e-4;
         double worst = room;
         std::size_t where = 0;
+        for (const auto& [k, answer] : more_)
+            if (is_void(calls_.result, answer))
+                continue;
+            else if (const double due = f(k, answer); !(due >= low - 1e-9) || !(due <= high + 1e-9))
+                return;
         for (std::size_t k = 0; k < calls_.size(); ++k) {
+            if (is_void(calls_.result, calls_.right[k]) || is_void(calls_.result, calls_.mine[k])) continue;
             const double due = f(k, calls_.right[k]), x = f(k, calls_.mine[k]);
             if (!(due >= low - 1e-9) || !(due <= high + 1e-9)) return;
             const double off = std::isnan(x) ? 0 : std::max(low - x, x - high);  // that is another mistake
@@ -28,10 +52,13 @@ public:
         if (worst > room && !first) first = Broken{words, where};
     }
 
+    bool is_sampled() const { return !more_.empty(); }
+
     std::optional<Broken> first;
 
 private:
     const Calls& calls_;
+    std::vector<std::pair<std::size_t, Row>> more_;  // right answers for other random numbers, by call
 };
 
 std::string name_of(const Field& part) { return part.name.empty() ? "the answer" : "`" + part.name + "`"; }
@@ -57,8 +84,8 @@ void look_at_vector(const Calls& calls, const Field& part, Bounds& bounds) {
 
 }  // namespace
 
-std::optional<Broken> broken_bound(const Calls& calls) {
-    Bounds bounds(calls);
+std::optional<Broken> broken_bound(const Calls& calls, const Ask& right) {
+    Bounds bounds(calls, right);
     for (const Field& part : calls.result.parts) {
         if (part.kind == Kind::vector) look_at_vector(calls, part, bounds);
         if (part.kind == Kind::pair) {
@@ -69,7 +96,8 @@ std::optional<Broken> broken_bound(const Calls& calls) {
                 bounds.look(name_of(part) + " must be between 0 and 1 in both coordinates", 0, 1,
                             [&](std::size_t, const Row& answer) { return answer[part.at + c]; });
         }
-        if (part.kind == Kind::number)
+        // a plain number may be negative elsewhere
+        if (part.kind == Kind::number && (!part.name.empty() || bounds.is_sampled()))
             bounds.look(name_of(part) + " must not be negative", 0, rt::inf,
                         [&](std::size_t, const Row& answer) { return answer[part.at]; });
         for (std::size_t c = 0; part.kind == Kind::color && c < 3; ++c)

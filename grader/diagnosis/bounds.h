@@ -12,6 +12,6 @@ struct Broken {
     std::size_t call;   // where it is broken most
 };
 
-std::optional<Broken> broken_bound(const Calls& calls);
+std::optional<Broken> broken_bound(const Calls& calls, const Ask& right);
 
 }  // namespace grade

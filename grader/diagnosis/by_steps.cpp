@@ -25,6 +25,11 @@ bool is_used(const Calls& calls, const Steps& steps, std::size_t part) {
     return false;
 }
 
+Row behind(Row row, const Row& more) {
+    row.insert(row.end(), more.begin(), more.end());
+    return row;
+}
+
 /// The calls in which the formula is the solution's, with its steps behind the arguments.
 Calls with_steps(const Calls& calls, const Steps& steps) {
     Calls all = calls;
@@ -32,10 +37,7 @@ Calls with_steps(const Calls& calls, const Steps& steps) {
     all.layouts.clear();
     all.signature.arguments.insert(all.signature.arguments.end(), steps.names.begin(), steps.names.end());
     for (std::size_t k = 0; k < calls.size(); ++k) {
-        Row row = calls.rows[k];
-        const Row taken = steps.take(row);
-        row.insert(row.end(), taken.begin(), taken.end());
-        Row answer = steps.finish(row);
+        Row row = behind(calls.rows[k], steps.take(calls.rows[k])), answer = steps.finish(row);
         if (answer.size() > calls.right[k].size() || !is_equal(calls.result, answer, calls.right[k])) continue;
         all.layouts.push_back(all.signature.of_arguments(row));
         all.rows.push_back(std::move(row)), all.mine.push_back(calls.mine[k]);
@@ -89,6 +91,27 @@ std::optional<Relation> relation_of_steps(const Calls& calls, const Ask& right, 
         if (best) break;
     }
     return best;
+}
+
+Region where_wrong_in_steps(const Calls& calls, Region otherwise) {
+    for (const Steps& steps : steps_of(calls.signature.fragment)) {
+        Calls all = calls;
+        all.signature.arguments.insert(all.signature.arguments.end(), steps.names.begin(), steps.names.end());
+        for (std::size_t k = 0; k < calls.size(); ++k) {
+            all.rows[k] = behind(calls.rows[k], steps.take(calls.rows[k]));
+            all.layouts[k] = all.signature.of_arguments(all.rows[k]);
+        }
+        Region region = where_wrong(all);
+        if (!region.is_exact) continue;
+        if (!steps.formula.empty()) region.words += fmt::format(", in `{}`", steps.formula);
+        region.holds = [holds = region.holds, take = steps.take, signature = all.signature](
+                           const Row& row, const Layout&, const Row& right) {
+            const Row all_numbers = behind(row, take(row));
+            return holds(all_numbers, signature.of_arguments(all_numbers), right);
+        };
+        return region;
+    }
+    return otherwise;
 }
 
 }  // namespace grade

@@ -1,11 +1,15 @@
 #pragma once
 
 #include "diagnosis/relation.h"
+#include "diagnosis/where.h"
 
 namespace grade {
 
 /// The simplest relation of the steps of a fragment's formula (steps.h): a mistake in its middle. None: it has no
 /// formula, or no relation explains every call, or every wrong one.
 std::optional<Relation> relation_of_steps(const Calls& calls, const Ask& right, bool sampled);
+
+/// What sets wrong calls apart in numbers of the formula, if these tell it exactly; else `otherwise`.
+Region where_wrong_in_steps(const Calls& calls, Region otherwise);
 
 }  // namespace grade

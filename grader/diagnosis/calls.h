@@ -1,7 +1,7 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
-
 #include <functional>
 
 #include "diagnosis/arguments.h"
@@ -25,6 +25,12 @@ struct Calls {
 
     std::size_t size() const { return rows.size(); }
 };
+
+/// The parts that are told of these calls: of a shape that is one of several kinds, those of the kind that all have.
+std::vector<bool> told_of(const Calls& calls, const std::vector<std::size_t>& scope);
+
+/// Whether a part of an answer says where something is; else how much.
+inline bool is_place(const Field& part) { return part.kind == Kind::vector || part.kind == Kind::pair; }
 
 /// How far apart two answers may be that count as equal: single precision is.
 constexpr double equal_within = 1e-4;
@@ -50,13 +56,31 @@ inline bool is_equal(const Field& part, const Row& a, const Row& b, double withi
     return true;
 }
 
+inline bool is_measure(const Field& part) { return part.name == "density" || part.name == "weight"; }
+
+/// Whether an answer counts for nothing, as its density or its weight says: the rest of it may be anything.
+inline bool is_void(const Layout& result, const Row& answer) {
+    const auto part = std::ranges::find_if(result.parts, is_measure);
+    if (result.parts.size() < 2 || part == result.parts.end()) return false;
+    for (std::size_t c = 0; c < size_of(part->kind); ++c)
+        if (answer[part->at + c] != 0) return false;
+    return true;
+}
+
+/// Whether a part of two answers is to be compared.
+inline bool counts(const Layout& result, const Field& part, const Row& a, const Row& b) {
+    return is_measure(part) || (!is_void(result, a) && !is_void(result, b));
+}
+
 inline bool is_equal(const Layout& result, const Row& a, const Row& b) {
+    if (is_void(result, a) && is_void(result, b)) return true;
     for (const Field& part : result.parts)
         if (!is_equal(part, a, b)) return false;
     return true;
 }
 
 inline bool is_alike(const Layout& result, const Row& a, const Row& b, double within) {
+    if (is_void(result, a) && is_void(result, b)) return true;
     for (const Field& part : result.parts)
         if (!is_equal(part, a, b, within)) return false;
     return true;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 
 #include "diagnosis/functions.h"
 #include "diagnosis/quantities.h"
@@ -25,9 +26,22 @@ std::string bracketed(const std::string& name) {
     return is_sum ? "(" + name + ")" : name;
 }
 
+/// As a person writes it: "n + 1" for "(n + 2) - 1", "x" for "1 - (1 - x)", "length(u)" for "sqrt(dot(u, u))".
+std::string simplified(const std::string& text) {
+    static const std::regex sum("\\(([^()]+) \\+ ([0-9]+)\\) ([-+]) ([0-9]+)"), rest("1 - \\(1 - ([^()]+)\\)"),
+        length("sqrt\\(dot\\((\\w+), \\1\\)\\)"), alone("\\(([^()]+)\\)");
+    std::smatch found;
+    if (std::regex_match(text, found, alone) && text.find(',') == text.npos) return found[1];
+    if (std::regex_match(text, found, rest)) return found[1];
+    if (std::regex_match(text, found, length)) return fmt::format("length({})", found[1].str());
+    if (!std::regex_match(text, found, sum)) return text;
+    const int more = std::stoi(found[2]) + (found[3] == "+" ? 1 : -1) * std::stoi(found[4]);
+    return more == 0 ? found[1].str() : fmt::format("{} {} {}", found[1].str(), more < 0 ? '-' : '+', std::abs(more));
+}
+
 template <class... Names>
 std::string filled(const char* words, const Names&... names) {
-    return fmt::format(fmt::runtime(words), bracketed(names)...);
+    return simplified(fmt::format(fmt::runtime(words), bracketed(names)...));
 }
 
 /// "`2 * x` in place of `x`"
@@ -46,9 +60,9 @@ bool fits(double& x, double before, bool whole) {
 class Changes {
 public:
     Changes(const Layout& layout, const std::vector<bool>& told, const std::vector<bool>& changeable)
-        : layout_(layout), scalars_(scalars_of(layout, told)), changeable_(changeable) {
+        : layout_(layout), told_(told), scalars_(scalars_of(layout, told)), changeable_(changeable) {
         for (std::size_t i = 0; i < layout.parts.size(); ++i) {
-            if (i < told.size() && !told[i]) continue;
+            if (!is_told(i)) continue;
             if (layout.parts[i].kind == Kind::vector) vectors_.push_back(i);
             if (layout.parts[i].kind == Kind::color) colors_.push_back(i);
             if (layout.parts[i].kind == Kind::flag && may_change(i)) add_flag(i);
@@ -80,6 +94,7 @@ private:
     const std::string& name(std::size_t part) const { return layout_.parts[part].name; }
 
     bool of_arguments() const { return changeable_.empty(); }
+    bool is_told(std::size_t part) const { return part >= told_.size() || told_[part]; }
     bool may_change(std::size_t part) const { return changeable_.empty() || changeable_[part]; }
 
     std::vector<std::size_t> changed(std::vector<std::size_t> parts) const {
@@ -135,7 +150,7 @@ private:
             if (s.owner() == "u" && other.owner() == "u")
                 all_[all_.size() - std::size(of_two_scalars)].usually = ": one number is used for both";
             if (s.name < other.name && may_change(other.part))
-                add(fmt::format("`{}` and `{}` exchanged", s.name, other.name), 1.1,
+                add(fmt::format("`{}` and `{}` exchanged", s.name, other.name), of_arguments() ? 1.1 : 1.7,
                     [s, other](Row& row, const Layout& l) {
                         std::swap(row[s.at(l)], row[other.at(l)]);
                         return true;
@@ -270,29 +285,33 @@ private:
                 for (const Function& f : scalar_functions) {
                     if (s.name >= other.name || s.whole || other.whole || f.cost > dearest) continue;
                     if (!may_change(s.part) || !may_change(other.part)) continue;
-                    add(in_place(filled(f.words, s.name), s.name) + ", and " +
-                            in_place(filled(f.words, other.name), other.name),
-                        f.cost + 0.7, [s, other, f](Row& row, const Layout& l) {
+                    const std::string first = filled(f.words, s.name), second = filled(f.words, other.name);
+                    const double natural = first.starts_with("length(") ? 0.2 : 0;
+                    add(in_place(first, s.name) + ", and " + in_place(second, other.name), f.cost + 0.7 - natural,
+                        [s, other, f](Row& row, const Layout& l) {
                             for (const Scalar& one : {s, other}) row[one.at(l)] = f.value(row[one.at(l)]);
                             return true;
                         });
                 }
     }
 
-    /// A pair in place of another, as of an extent's corners.
+    /// A pair changed in both coordinates, or another one in its place, as of an extent's corners.
     void add_pairs() {
-        for (std::size_t i = 0; i < layout_.parts.size(); ++i)
+        for (std::size_t i = 0; i < layout_.parts.size(); ++i) {
+            if (!may_change(i) || !is_told(i) || layout_.parts[i].kind != Kind::pair) continue;
             for (std::size_t j = 0; j < layout_.parts.size(); ++j) {
-                if (i == j || !may_change(i) || layout_.parts[i].kind != Kind::pair ||
-                    layout_.parts[j].kind != Kind::pair)
-                    continue;
-                for (const double more : {0.0, 1.0})
-                    add(in_place(more != 0 ? name(j) + " + 1" : name(j), name(i)), 1.6,
-                        [i, j, more](Row& row, const Layout& l) {
-                            for (std::size_t c = 0; c < 2; ++c) row[l.parts[i].at + c] = row[l.parts[j].at + c] + more;
+                if (layout_.parts[j].kind != Kind::pair) continue;
+                for (const Function& f : pair_functions) {
+                    if (i != j && f.cost > 1.6) continue;
+                    add(in_place(filled(f.words, name(j)), name(i)), f.cost + (i != j ? 0.2 : 0),
+                        [i, j, f](Row& row, const Layout& l) {
+                            for (std::size_t c = 0; c < 2; ++c)
+                                row[l.parts[i].at + c] = f.value(row[l.parts[j].at + c]);
                             return true;
                         });
+                }
             }
+        }
     }
 
     void add_lists() {
@@ -323,6 +342,7 @@ private:
     }
 
     const Layout& layout_;
+    const std::vector<bool>& told_;
     std::vector<Scalar> scalars_;
     std::vector<std::size_t> vectors_, colors_;
     const std::vector<bool>& changeable_;

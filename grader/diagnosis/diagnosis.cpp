@@ -100,6 +100,7 @@ struct FirstHint {
     std::string words;
     StatisticRecord::Worth worth = StatisticRecord::Worth::guess;
     bool is_slow = false, is_changing = false;  // wrong answers may say why, or a variable without a value
+    bool is_nan = false;                        // others may be wrong as well
 };
 
 /// Whether a message says all: a program that breaks down, what is no number, what changes.
@@ -123,8 +124,13 @@ std::string in_order(const FragmentRecord& fragment, const FirstHint& hint) {
     std::string cause = (is_sure && !is_wrong_first) || finding.how.empty() ? hint.words : finding.how;
     if (hint.is_changing && !finding.fault.empty()) cause.clear();
     if (finding.how.empty() && !finding.arguments.empty() && hint.worth == StatisticRecord::Worth::guess) cause.clear();
+    const std::size_t others = hint.is_nan ? finding.how.find("where it is a number, ") : std::string::npos;
+    const std::string beside = others != std::string::npos ? finding.how.substr(others) : "";
+    // where no call shows it, what was measured does
+    const bool is_shown = !finding.arguments.empty() || hint.worth != StatisticRecord::Worth::fact;
     std::string text;
-    for (const std::string& line : {cause, finding.fault, finding.where, example(finding)})
+    for (const std::string& line : {cause, beside, is_shown || cause == hint.words ? "" : hint.words, finding.fault,
+                                    finding.where, example(finding)})
         if (!line.empty()) text += (text.empty() ? "" : "\n") + line;
     return text;
 }
@@ -156,7 +162,8 @@ Diagnosis diagnose(const FragmentRecord& fragment) {
         if (!check.message.empty())
             tell(rank_of(check.verdict, check, Subject::no_image),
                  {check.message, is_sure(check) ? StatisticRecord::Worth::cause : StatisticRecord::Worth::fact,
-                  check.verdict == Verdict::timed_out, check.trouble == Trouble::keeps_state},
+                  check.verdict == Verdict::timed_out, check.trouble == Trouble::keeps_state,
+                  check.verdict == Verdict::not_finite},
                  section_of(check, nullptr), {});
         for (const StatisticRecord& statistic : check.statistics)
             if (statistic.verdict != Verdict::passed && !statistic.hint.empty())

@@ -6,6 +6,8 @@
 
 #include "diagnosis/bounds.h"
 #include "diagnosis/by_steps.h"
+#include "diagnosis/offsets.h"
+#include "diagnosis/own_numbers.h"
 #include "diagnosis/relation.h"
 #include "diagnosis/shares.h"
 #include "diagnosis/simplest.h"
@@ -29,15 +31,15 @@ Ask limited(const Ask& ask, std::size_t& left) {
     };
 }
 
-/// Calls of which `most` are picked evenly, as many wrong as right ones where there are.
-Calls picked(const Calls& all, std::size_t most) {
+/// Calls of which `most` are picked evenly, as many wrong as right ones where there are; others in between.
+Calls picked(const Calls& all, std::size_t most, bool others = false) {
     std::vector<std::size_t> wrong, good;
     for (std::size_t k = 0; k < all.size(); ++k)
         (is_equal(all.result, all.mine[k], all.right[k]) ? good : wrong).push_back(k);
-    const auto thin = [](std::vector<std::size_t> from, std::size_t count) {
+    const auto thin = [others](std::vector<std::size_t> from, std::size_t count) {
         if (from.size() <= count) return from;
         std::vector<std::size_t> some;
-        for (std::size_t i = 0; i < count; ++i) some.push_back(from[i * from.size() / count]);
+        for (std::size_t i = 0; i < count; ++i) some.push_back(from[(2 * i + others) * from.size() / (2 * count)]);
         return some;
     };
     const std::size_t of_right = std::min(good.size(), most - std::min(wrong.size(), most * 2 / 3));
@@ -56,18 +58,19 @@ struct Dependence {
     double mine = 0, right = 0;
 };
 
-/// On which parts the answers depend: each is taken from another call.
-std::vector<Dependence> dependences(const Calls& calls, const Ask& mine, const Ask& right) {
-    const std::size_t count = std::min<std::size_t>(calls.size(), 32);
+/// On which parts the answers to these calls depend: each is taken from one of `others`.
+std::vector<Dependence> dependences(const Calls& calls, const Calls& others, const Ask& mine, const Ask& right) {
+    constexpr std::size_t most = 64;
+    const std::size_t count = std::min(calls.size(), most);
     const auto& parts = calls.layouts.front().parts;
     std::vector<Dependence> all(parts.size());
     for (std::size_t i = 0; i < parts.size(); ++i) {
         Rows rows;
         for (std::size_t k = 0; k < count; ++k) {
             Row row = calls.rows[k];
-            const std::size_t other = (k * 7 + 3) % calls.size();
+            const std::size_t other = (k * 7 + 3) % others.size();
             for (std::size_t c = 0; c < size_of(parts[i].kind); ++c)
-                row[calls.layouts[k].parts[i].at + c] = calls.rows[other][calls.layouts[other].parts[i].at + c];
+                row[calls.layouts[k].parts[i].at + c] = others.rows[other][others.layouts[other].parts[i].at + c];
             rows.push_back(std::move(row));
         }
         const auto differs = [&](const Rows& answers, const Rows& before) {
@@ -102,10 +105,16 @@ Calls crossed(const Calls& calls, const Ask& mine, const Ask& right) {
     const auto& parts = calls.layouts.front().parts;
     for (std::size_t i = 0; i < parts.size(); ++i)
         if (calls.told[i] && (parts[i].kind == Kind::number || parts[i].kind == Kind::pair)) numbers.push_back(i);
+    constexpr std::size_t few = 16;
+    std::vector<std::size_t> wrong;
+    for (std::size_t k = 0; k < calls.size(); ++k)
+        if (!is_equal(calls.result, calls.mine[k], calls.right[k])) wrong.push_back(k);
+    const bool is_rare = !wrong.empty() && wrong.size() < few;
     Rows rows;
     for (std::size_t k = 0; k < std::min(most, calls.size()) && !numbers.empty(); ++k) {
-        const std::size_t from = k * calls.size() / std::min(most, calls.size()),
-                          other = (from * 5 + 11) % calls.size();
+        const std::size_t from = is_rare && k % 2 ? wrong[k / 2 % wrong.size()]
+                                                  : k * calls.size() / std::min(most, calls.size()),
+                          other = (from * 5 + 11 + (is_rare ? k : 0)) % calls.size();
         const std::size_t i = numbers[k % numbers.size()];
         Row row = calls.rows[from];
         for (std::size_t c = 0; c < size_of(parts[i].kind); ++c)
@@ -124,6 +133,7 @@ Calls crossed(const Calls& calls, const Ask& mine, const Ask& right) {
 /// One answer that nearly all wrong calls get, as of a mistake by which nothing is hit.
 std::string usual_wrong_answer(const Calls& calls) {
     constexpr double nearly = 0.8;
+    if (calls.result.parts.front().kind == Kind::flag) return {};
     std::vector<std::size_t> wrong;
     for (std::size_t k = 0; k < calls.size(); ++k)
         if (!is_equal(calls.result, calls.mine[k], calls.right[k])) wrong.push_back(k);
@@ -168,7 +178,7 @@ Calls only_wrong(const Calls& all) {
 Calls with_parts_that_matter(Calls calls, const Ask& mine, const Ask& right) {
     const Calls wrong = only_wrong(calls);
     if (wrong.size() == 0) return calls;
-    const auto depends = dependences(wrong, mine, right);
+    const auto depends = dependences(wrong, calls, mine, right);
     for (std::size_t i = 0; i < depends.size(); ++i)
         calls.told[i] = calls.told[i] && (depends[i].mine > 0 || depends[i].right > 0);
     return calls;
@@ -196,18 +206,26 @@ Calls only_nan(Calls calls) {
     return calls;
 }
 
+std::string which(const Region& region) { return (region.is_exact ? "those " : "") + region.words; }
+
+/// What sets wrong calls apart, in arguments or in steps of the formula.
+Region region_of(const Calls& calls) {
+    Region region = where_wrong(calls);
+    return region.is_exact ? region : where_wrong_in_steps(calls, region);
+}
+
 /// Which calls are wrong, or which are no number.
 Region tell_where(Finding& finding, const Calls& all, std::size_t wrong, std::size_t not_numbers) {
     if (not_numbers > 0)
-        if (Region region = where_wrong(only_nan(all)); !region.words.empty()) {
-            finding.where = fmt::format("{} of {} calls are nan, those {}", not_numbers, all.size(), region.words);
+        if (Region region = region_of(only_nan(all)); !region.words.empty()) {
+            finding.where = fmt::format("{} of {} calls are nan, {}", not_numbers, all.size(), which(region));
             return region;
         }
     if (wrong == all.size()) return {};
-    Region region = where_wrong(all);
+    Region region = region_of(all);
     finding.where = fmt::format("{} of {} calls are wrong", wrong, all.size());
     if (not_numbers > 0) finding.where += fmt::format(", {} of them nan", not_numbers);
-    if (!region.words.empty()) finding.where += ", those " + region.words;
+    if (!region.words.empty()) finding.where += ", " + which(region);
     return region;
 }
 
@@ -220,7 +238,7 @@ std::optional<Relation> simpler(std::optional<Relation> of_arguments, std::optio
     if (is_change && everywhere && !of_arguments->everywhere) return of_steps;
     if (is_change && of_steps->cost < of_arguments->cost - clearly) return of_steps;
     if (is_change && of_arguments->words.starts_with(as_changed) && of_steps->cost <= of_arguments->cost + as_cheap)
-        of_arguments->words += "; or with " + of_steps->words.substr(as_changed.size());
+        of_arguments->words += ", or with " + of_steps->words.substr(as_changed.size());
     return of_arguments;
 }
 
@@ -236,9 +254,47 @@ Finding of_samples(Finding finding, const Calls& all, const std::optional<Broken
         add_call(finding, all.signature, example);
         return finding;
     }
-    const auto spread = spread_of(all, limited(ask_mine, left), limited(ask_right, left));
-    if (finding.how.empty()) finding.how = spread.value_or("");
+    if (finding.how.empty())
+        finding.how = spread_of(all, all, limited(ask_mine, left), limited(ask_right, left)).value_or("");
     return finding;
+}
+
+/// What is wrong with a sample beside its place.
+std::string of_own_numbers(const Calls& all, const Ask& mine, const Ask& right) {
+    const auto own = with_own_numbers(all, right);
+    if (!own) return {};
+    const auto differs = [&](std::size_t k) { return !is_equal(own->result, own->mine[k], own->right[k]); };
+    std::size_t wrong = 0;
+    for (std::size_t k = 0; k < own->size(); ++k) wrong += differs(k);
+    bool right_otherwise = false;
+    auto found = wrong > 0 ? relation_of(*own, right, false, right_otherwise) : std::nullopt;
+    if (wrong > 0) found = simpler(std::move(found), relation_of_steps(*own, right, false));
+    if (found && found->explains == Relation::Explains::all) return found->words + found->usually;
+    if (wrong > 0) return {};
+    const auto place = std::ranges::find_if(own->result.parts, is_place),
+               measure = std::ranges::find_if_not(own->result.parts, is_place);
+    const auto spread = spread_of(all, all, mine, right);
+    if (!spread || measure == own->result.parts.end()) return {};
+    return fmt::format("each `{}` is right for its `{}`, but these are not spread so: {}", measure->name, place->name,
+                       *spread);
+}
+
+/// What is wrong where the answer is a number.
+std::string of_numbers(const Calls& calls, const Ask& right, bool sampled) {
+    Calls some = calls;
+    for (auto* list : {&some.rows, &some.mine, &some.right}) list->clear();
+    some.layouts.clear();
+    for (std::size_t k = 0; k < calls.size(); ++k) {
+        if (is_nan(calls.mine[k], calls.right[k])) continue;
+        some.rows.push_back(calls.rows[k]), some.layouts.push_back(calls.layouts[k]);
+        some.mine.push_back(calls.mine[k]), some.right.push_back(calls.right[k]);
+    }
+    bool right_otherwise = false;
+    auto found = some.size() > 0 ? relation_of(some, right, sampled, right_otherwise) : std::nullopt;
+    if (some.size() > 0) found = simpler(std::move(found), relation_of_steps(some, right, sampled));
+    const std::string words = "some answers are nan where the right one is a number";
+    if (!found || found->explains != Relation::Explains::all) return words;
+    return fmt::format("{}; where it is a number, {}", words, found->words + found->usually);
 }
 
 }  // namespace
@@ -249,37 +305,56 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_min
     Calls all = compared(signature, rows, mine, right);
     std::size_t wrong = 0;
     for (std::size_t k = 0; k < all.size(); ++k) wrong += !is_equal(all.result, all.mine[k], all.right[k]);
-    if (wrong == 0) return {};
-    const auto depends = dependences(all, mine, right);
+    if (wrong == 0) {
+        Finding finding;
+        finding.how = small_offsets(all);
+        return finding;
+    }
+    constexpr double nearly = 1e-3;
+    bool is_near = true;
+    for (std::size_t k = 0; k < all.size(); ++k)
+        is_near = is_near && is_alike(all.result, all.mine[k], all.right[k], nearly);
+    const auto depends = dependences(all, all, mine, right);
     for (const Dependence& d : depends) all.told.push_back(d.mine > 0 || d.right > 0);
 
     const auto& arguments = signature.arguments;
     const bool sampled = std::ranges::any_of(arguments, [](const auto& argument) { return argument.name == "u"; });
     bool right_otherwise = false;
     Finding finding;
-    const Calls compared_calls = picked(crossed(all, mine, right), most_compared);
+    const Calls many_calls = crossed(all, mine, right), compared_calls = picked(many_calls, most_compared);
     auto relation = relation_of(compared_calls, right, sampled, right_otherwise);
     if (right_otherwise) return {};
     relation = simpler(std::move(relation), relation_of_steps(compared_calls, right, sampled));
+    if (relation && relation->explains == Relation::Explains::all) {
+        // what holds for some calls by chance does not hold for others
+        std::size_t again = most_calls;
+        const Ask right_again = limited(ask_right, again);
+        const Calls more_calls = picked(many_calls, most_compared, true);
+        auto other = relation_of(more_calls, right_again, sampled, right_otherwise);
+        other = simpler(std::move(other), relation_of_steps(more_calls, right_again, sampled));
+        if (other && other->words != relation->words) relation.reset();
+    }
     finding.sampled = sampled;
+    if (relation) relation->words += relation->usually;
     const bool is_known = relation && relation->explains == Relation::Explains::all;
     const bool is_nothing = !relation || relation->explains == Relation::Explains::nothing;
-    const auto broken = is_nothing ? broken_bound(all) : std::nullopt;
+    const auto broken = is_nothing ? broken_bound(all, right) : std::nullopt;
     std::size_t not_numbers = 0;
     for (std::size_t k = 0; k < all.size(); ++k) not_numbers += is_nan(all.mine[k], all.right[k]);
     if (not_numbers > 0 && !is_known)
-        finding.how = "some answers are nan where the right one is a number";
+        finding.how = of_numbers(compared_calls, right, sampled);
     else if (!is_known)
-        finding.how = wrong_shares(all, mine, right);
+        finding.how = !sampled ? wrong_shares(all, mine, right) : broken ? "" : of_own_numbers(all, mine, right);
+    if (is_near && !is_known) finding.how = small_offsets(all);
     if (finding.how.empty())
         finding.how = broken ? broken->words : is_nothing ? independence(all, depends) : relation->words;
     if (finding.how.empty() && relation) finding.how = relation->words;
-    // another parametrisation is wrong in no call
-    // but where many are the solution's, the random numbers are used as the solution does
+    // Another parametrisation is wrong in no call. Where many answers are the solution's, the random numbers are used as
+    // the solution does, but perhaps not in calls of one kind.
     constexpr double many = 0.2;
     const bool is_comparable = !sampled || not_numbers > 0 || double(all.size() - wrong) >= many * double(all.size());
     if (!is_comparable && !relation) return of_samples(finding, all, broken, ask_mine, ask_right);
-    if (sampled && finding.how.empty()) finding.how = spread_of(only_wrong(all), mine, right).value_or("");
+    if (sampled && finding.how.empty()) finding.how = spread_of(only_wrong(all), all, mine, right).value_or("");
 
     const Region region =
         is_comparable ? tell_where(finding, with_parts_that_matter(all, mine, right), wrong, not_numbers) : Region{};
@@ -287,9 +362,17 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_min
     const Ask mine_again = limited(ask_mine, more), right_again = limited(ask_right, more);
     const Example simplest = simplest_wrong(all, region, mine_again, right_again);
     std::vector<bool> wrong_parts;
-    for (const Field& part : all.result.parts) wrong_parts.push_back(!is_equal(part, simplest.mine, simplest.right));
+    for (const Field& part : all.result.parts)
+        wrong_parts.push_back(counts(all.result, part, simplest.mine, simplest.right) &&
+                              !is_equal(part, simplest.mine, simplest.right));
     finding.answer = result_in_words(signature, simplest.mine, wrong_parts);
-    finding.right = result_in_words(signature, simplest.right, wrong_parts);
+    // of a sample there may be more than one right place
+    bool is_place_wrong = false;
+    for (std::size_t i = 0; i < wrong_parts.size(); ++i)
+        is_place_wrong = is_place_wrong || (wrong_parts[i] && is_place(all.result.parts[i]));
+    const bool is_exact = relation && relation->explains != Relation::Explains::nothing && relation->everywhere;
+    const bool is_known_number = !sampled || is_known || is_exact || not_numbers > 0 || !is_place_wrong;
+    if (is_known_number) finding.right = result_in_words(signature, simplest.right, wrong_parts);
     add_call(finding, signature, simplest);
     return finding;
 } catch (const std::out_of_range&) {

@@ -42,8 +42,11 @@ public:
         }
         const PartOfCalls some{calls_, part_, right_, shining};
         const bool fewer = shining.size() > 8 && shining.size() < scope_.size() && 2 * wrong_shining > wrong;
-        if (fewer)
-            if (auto form = first_of(Forms(some))) return Form{form->words + " where it is not 0", form->cost + 0.4};
+        if (fewer) {
+            auto form = Forms(some).simple();
+            if (!form || form->words.empty()) form = first_of(Forms(some));
+            if (form) return Form{form->words + " where it is not 0", form->cost + 0.4};
+        }
         const PartOfCalls& lit = fewer ? some : of_;
         for (const auto& look : {quantity_of, product_of, terms_of, difference_of})
             if (auto form = look(lit)) return form;
@@ -72,7 +75,10 @@ private:
             for (std::size_t c = 0; c < size_; ++c)
                 if (std::isfinite(right(k, c)) && std::isfinite(mine(k, c)) && std::abs(right(k, c)) > most)
                     most = std::abs(right(k, c)), ratio = mine(k, c) / right(k, c);
-        if (ratio == 0 || !equals([&](std::size_t k, std::size_t c) { return ratio * right(k, c); }))
+        // as near as that, anything is a factor
+        constexpr double clearly = 5 * equal_within;
+        if (ratio == 0 || std::abs(ratio - 1) < clearly ||
+            !equals([&](std::size_t k, std::size_t c) { return ratio * right(k, c); }))
             return std::nullopt;
         const bool large = std::abs(ratio) > 1;
         return Form{fmt::format("is {} times too {}{}", constant(large ? std::abs(ratio) : 1 / std::abs(ratio)),
@@ -165,8 +171,10 @@ private:
 
     std::optional<Form> with_argument() const {
         const auto& parts = calls_.layouts.front().parts;
+        const auto told = told_of(calls_, scope_);
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            if (size_of(parts[i].kind) != size_ || parts[i].kind == Kind::flag || parts[i].kind == Kind::choice)
+            if (!told[i] || size_of(parts[i].kind) != size_ || parts[i].kind == Kind::flag ||
+                parts[i].kind == Kind::choice)
                 continue;
             const auto argument = [&](std::size_t k, std::size_t c) {
                 return calls_.rows[k][calls_.layouts[k].parts[i].at + c];
@@ -195,7 +203,11 @@ private:
 
 std::optional<Form> form_of(const Calls& calls, const Field& part, const Rows& right,
                             const std::vector<std::size_t>& scope, bool only_simple) {
-    const PartOfCalls of{calls, part, right, scope};
+    std::vector<std::size_t> counting;
+    for (const std::size_t k : scope)
+        if (counts(calls.result, part, calls.mine[k], right[k])) counting.push_back(k);
+    if (counting.empty()) return Form{};
+    const PartOfCalls of{calls, part, right, counting};
     return only_simple ? Forms(of).simple() : Forms(of).any();
 }
 

@@ -63,7 +63,21 @@ inline constexpr Function scalar_functions[] = {
     {"pow({}, 3)", 1.9, [](double x) { return x * x * x; }},
     {"pow({}, 1.5)", 2, [](double x) { return std::pow(x, 1.5); }},
     {"pow({}, 4)", 2, [](double x) { return x * x * x * x; }},
-    {"{0} / (1 - {0})", 2.2, [](double x) { return x / (1 - x); }},
+};
+
+/// Of both coordinates of a pair.
+inline constexpr Function pair_functions[] = {
+    {"{}", 1.4, [](double x) { return x; }},
+    {"{} + 1", 1.4, [](double x) { return x + 1; }},
+    {"2 * {} - 1", 1.5, [](double x) { return 2 * x - 1; }},
+    {"{} - 0.5", 1.6, [](double x) { return x - 0.5; }},
+    {"(1 + {}) / 2", 1.6, [](double x) { return (1 + x) / 2; }},
+    {"{} / 2", 1.7, [](double x) { return x / 2; }},
+    {"2 * {}", 1.7, [](double x) { return 2 * x; }},
+    {"{0} * {0}", 1.8, [](double x) { return x * x; }},
+    {"sqrt({})", 1.8, [](double x) { return std::sqrt(x); }},
+    {"(0.5, 0.5)", 1.5, [](double) { return 0.5; }},
+    {"(0, 0)", 1.5, [](double) { return 0.0; }},
 };
 
 struct TwoScalars {

@@ -31,7 +31,7 @@ std::vector<Column> columns_of(const PartOfCalls& of) {
         }
         if (std::isfinite(least) && std::isfinite(most) && most - least > 1e-3) list.push_back({words, std::move(log)});
     };
-    const auto quantities = quantities_of(of.calls.layouts.front(), of.calls.told, &of.calls.result);
+    const auto quantities = quantities_of(of.calls.layouts.front(), told_of(of.calls, of.scope), &of.calls.result);
     const auto at = [&](const Quantity& q, std::size_t k) {
         return q.value(of.calls.rows[k], of.calls.layouts[k], of.calls.mine[k]);
     };
@@ -58,20 +58,27 @@ std::vector<Column> columns_of(const PartOfCalls& of) {
     return list;
 }
 
-/// The logarithm of mine over right in each call of the scope, the same in all components.
-std::optional<std::vector<double>> log_ratio(const PartOfCalls& of) {
+/// Mine over right in each call of the scope, the same in all components: its logarithm, and its one sign.
+struct Ratio {
     std::vector<double> log;
+    bool is_negative = false;
+};
+
+std::optional<Ratio> ratio_of(const PartOfCalls& of) {
+    Ratio all;
     for (const std::size_t k : of.scope) {
         std::size_t most = 0;
         for (std::size_t c = 1; c < of.size(); ++c)
             if (std::abs(of.right(k, c)) > std::abs(of.right(k, most))) most = c;
         const double ratio = of.mine(k, most) / of.right(k, most);
         if (!(std::abs(ratio) > 0) || !std::isfinite(ratio)) return std::nullopt;
+        if (!all.log.empty() && all.is_negative != (ratio < 0)) return std::nullopt;
+        all.is_negative = ratio < 0;
         for (std::size_t c = 0; c < of.size(); ++c)
             if (!is_close(of.mine(k, c), ratio * of.right(k, c), std::abs(of.mine(k, most)))) return std::nullopt;
-        log.push_back(std::log(std::abs(ratio)));
+        all.log.push_back(std::log(std::abs(ratio)));
     }
-    return log;
+    return all;
 }
 
 std::optional<double> nice_power(double p) {
@@ -80,10 +87,25 @@ std::optional<double> nice_power(double p) {
     return std::nullopt;
 }
 
-std::string power(const std::string& words, double p) { return p == 1 ? words : fmt::format("{}^{:g}", words, p); }
+struct Power {
+    std::string words;
+    double p;
+};
 
-std::string times(double c, const std::string& words) {
-    return std::abs(c - 1) < 1e-4 ? words : constant(c) + " * " + words;
+/// "2 * x / y^2"
+std::string product_in_words(double c, const std::vector<Power>& powers) {
+    std::string above = std::abs(c - 1) < 1e-4 ? "" : constant(c), below;
+    for (const auto& [words, p] : powers) {
+        const double size = std::abs(p);
+        const std::string one = size == 1     ? words
+                                : size == 0.5 ? "sqrt(" + words + ")"
+                                              : fmt::format("{}^{:g}", words, size);
+        std::string& side = p > 0 ? above : below;
+        side += (side.empty() ? "" : " * ") + one;
+    }
+    if (below.empty()) return above;
+    const bool is_many = below.find(" * ") != below.npos;
+    return fmt::format(fmt::runtime(is_many ? "{} / ({})" : "{} / {}"), above.empty() ? "1" : above, below);
 }
 
 struct Fit {
@@ -143,16 +165,16 @@ std::optional<Form> quantity_of(const PartOfCalls& of) {
     for (const Column& q : all)
         if (const auto fit = fitted(log, {&q}); fit && nice_power(fit->powers[0]))
             if (is_named(std::exp(fit->constant)))
-                return Form{
-                    fmt::format("is `{}`", times(std::exp(fit->constant), power(q.words, *nice_power(fit->powers[0])))),
-                    2.4};
+                return Form{fmt::format("is `{}`", product_in_words(std::exp(fit->constant),
+                                                                    {{q.words, *nice_power(fit->powers[0])}})),
+                            2.4};
     for (std::size_t a = 0; a < all.size(); ++a)
         for (std::size_t b = a + 1; b < all.size(); ++b)
             if (const auto fit = fitted(log, {&all[a], &all[b]}); fit && is_named(std::exp(fit->constant))) {
                 const auto p = nice_power(fit->powers[0]), q = nice_power(fit->powers[1]);
                 if (p && q)
-                    return Form{fmt::format("is `{}`", times(std::exp(fit->constant), power(all[a].words, *p) + " * " +
-                                                                                          power(all[b].words, *q))),
+                    return Form{fmt::format("is `{}`", product_in_words(std::exp(fit->constant),
+                                                                        {{all[a].words, *p}, {all[b].words, *q}})),
                                 3.4};
             }
     return std::nullopt;
@@ -173,30 +195,31 @@ std::optional<Form> difference_of(const PartOfCalls& of) {
     if (const auto fit = fitted_constant(log)) return Form{fmt::format(fmt::runtime(words), constant(*fit)), 2.4};
     for (const Column& q : columns_of(of))
         if (const auto fit = fitted(log, {&q}); fit && nice_power(fit->powers[0]) && is_named(std::exp(fit->constant)))
-            return Form{fmt::format(fmt::runtime(words),
-                                    times(std::exp(fit->constant), power(q.words, *nice_power(fit->powers[0])))),
+            return Form{fmt::format(fmt::runtime(words), product_in_words(std::exp(fit->constant),
+                                                                          {{q.words, *nice_power(fit->powers[0])}})),
                         2.5};
     return std::nullopt;
 }
 
 std::optional<Form> product_of(const PartOfCalls& of) {
-    const auto log = log_ratio(of);
-    if (!log) return std::nullopt;
+    const auto ratio = ratio_of(of);
+    if (!ratio) return std::nullopt;
+    const auto* log = &ratio->log;
     const auto all = columns_of(of);
-    const auto form = [](double c, const std::string& words, double cost) {
-        return Form{fmt::format("is `{}` times what it must be", times(c, words)), cost};
+    const auto form = [&](double c, const std::vector<Power>& powers, double cost) {
+        return Form{
+            fmt::format("is `{}{}` times what it must be", ratio->is_negative ? "-" : "", product_in_words(c, powers)),
+            cost};
     };
     for (const Column& q : all)
         if (const auto fit = fitted(*log, {&q}))
-            if (const auto p = nice_power(fit->powers[0]))
-                return form(std::exp(fit->constant), power(q.words, *p), 2.5);
+            if (const auto p = nice_power(fit->powers[0])) return form(std::exp(fit->constant), {{q.words, *p}}, 2.5);
     for (std::size_t a = 0; a < all.size(); ++a)
         for (std::size_t b = a + 1; b < all.size(); ++b)
             if (const auto fit = fitted(*log, {&all[a], &all[b]})) {
                 const auto p = nice_power(fit->powers[0]), q = nice_power(fit->powers[1]);
                 if (p && q && is_named(std::exp(fit->constant)))
-                    return form(std::exp(fit->constant), power(all[a].words, *p) + " * " + power(all[b].words, *q),
-                                3.5);
+                    return form(std::exp(fit->constant), {{all[a].words, *p}, {all[b].words, *q}}, 3.5);
             }
     return std::nullopt;
 }

@@ -7,6 +7,7 @@
 #include "diagnosis/changes.h"
 #include "diagnosis/families.h"
 #include "diagnosis/forms.h"
+#include "diagnosis/where.h"
 
 namespace grade {
 
@@ -15,6 +16,7 @@ namespace {
 constexpr std::size_t enough = 5;       // wrong calls, below which anything may be chance
 constexpr std::size_t few = 10;         // calls with which two changes at once are sifted
 constexpr std::size_t most_pairs = 36;  // changes that are tried by twos
+constexpr std::size_t most_pairs_of_steps = 150;
 constexpr double best_cost = 100;
 
 std::string named(const Field& part) { return part.name.empty() ? "the answer" : "`" + part.name + "`"; }
@@ -28,7 +30,8 @@ public:
         }
         for (const Field& part : calls.result.parts)
             for (const std::size_t k : wrong_)
-                if (!is_equal(part, calls.mine[k], calls.right[k])) {
+                if (counts(calls.result, part, calls.mine[k], calls.right[k]) &&
+                    !is_equal(part, calls.mine[k], calls.right[k])) {
                     parts_.push_back(&part);
                     break;
                 }
@@ -56,54 +59,99 @@ public:
         one_constant(all_);
         if (best_) return best_;
         if (auto there = by_choice()) return there;
-        const bool some_right = wrong_.size() < all_.size() && !sampled_;
+        const bool is_flag = calls_.result.parts.front().kind == Kind::flag;  // true and false agree by chance
+        const bool some_right = wrong_.size() < all_.size() && !sampled_ && !is_flag;
+        Region there;
         if (some_right) {
             consider(calls_.right, {}, 0, wrong_, false);
-            one_change(bases.front(), wrong_);
-            if (!best_) one_constant(wrong_);
+            // a change that would spoil right calls is no cause, unless it is known which calls it is made in
+            there = where_wrong(calls_);
+            if (there.is_exact) {
+                region_ = there.words + ", ";
+                one_change(bases.front(), wrong_);
+                if (!best_) one_constant(wrong_);
+                region_.clear();
+            }
             if (best_) return best_;
         }
         if (!sampled_)
             if (auto there = where_it_is_not_nothing()) return there;
         two_changes(all_);
         if (best_ || !calls_.changeable.empty()) return best_;
-        if (some_right) two_changes(wrong_);
+        if (there.is_exact) {
+            region_ = there.words + ", ";
+            two_changes(wrong_);
+            region_.clear();
+        }
         if (!best_) one_of_several();
         if (best_) return best_;
         return by_parts();
     }
 
 private:
-    /// One mistake in calls of one kind: of a disc, say.
-    std::optional<Relation> by_choice() {
+    /// One mistake in calls of one kind, or of some: of a disc, say.
+    std::optional<Relation> by_choice() const {
         const auto& parts = calls_.layouts.front().parts;
+        // true and false agree by chance
+        if (calls_.result.parts.front().kind == Kind::flag) return std::nullopt;
         for (std::size_t i = 0; i < parts.size(); ++i) {
             if ((parts[i].kind != Kind::choice && parts[i].kind != Kind::flag) || !calls_.told[i]) continue;
+            std::optional<Relation> first;
+            std::string kinds;
+            bool is_all = true;
             for (int value = 0; value < 5; ++value) {
-                std::vector<std::size_t> some;
-                std::size_t wrong = 0;
-                for (const std::size_t k : all_)
-                    if (calls_.rows[k][calls_.layouts[k].parts[i].at] == value)
-                        some.push_back(k), wrong += !is_equal(calls_.result, calls_.mine[k], calls_.right[k]);
-                if (wrong < enough || some.size() == all_.size()) continue;
-                region_ = fmt::format("where `{}` is {}, ", parts[i].name,
-                                      value_in_words({parts[i].name, parts[i].kind, 0}, {double(value)}));
-                consider(calls_.right, {}, 0, some, false);
-                one_change(same_, some);
-                if (!best_) one_constant(some);
-                if (best_) return best_;
+                const Calls some = calls_with(i, value);
+                if (some.size() == 0 || some.size() == calls_.size()) continue;
+                Search search(some, ask_, sampled_);
+                if (search.wrong_.empty()) continue;
+                const auto found = search.one_mistake();
+                const bool is_same = found && (!first || first->words == found->words);
+                is_all = is_all && is_same;
+                if (!is_same) continue;
+                if (!first) first = found;
+                kinds +=
+                    (kinds.empty() ? "" : " or ") + value_in_words({parts[i].name, parts[i].kind, 0}, {double(value)});
             }
+            if (!first) continue;
+            first->words = fmt::format("where `{}` is {}, {}", parts[i].name, kinds, first->words);
+            if (!is_all) first->words += "; elsewhere something else is wrong";
+            first->everywhere = false;
+            return first;
         }
-        region_.clear();
         return std::nullopt;
+    }
+
+    Calls calls_with(std::size_t part, int value) const {
+        Calls some = calls_;
+        for (auto* list : {&some.rows, &some.mine, &some.right}) list->clear();
+        some.layouts.clear();
+        for (const std::size_t k : all_) {
+            if (calls_.rows[k][calls_.layouts[k].parts[part].at] != value) continue;
+            some.rows.push_back(calls_.rows[k]), some.layouts.push_back(calls_.layouts[k]);
+            some.mine.push_back(calls_.mine[k]), some.right.push_back(calls_.right[k]);
+        }
+        return some;
+    }
+
+    std::optional<Relation> one_mistake() {
+        if (wrong_.size() < enough) return std::nullopt;
+        for (const Change& base : same_sampling(calls_.layouts.front())) {
+            if (!sampled_ && base.cost > 0) break;
+            const auto right = answers(base, nullptr, all_);
+            if (!right || all_equal(*right, all_)) continue;
+            consider(*right, {}, base.cost, all_, false);
+            one_change(base, all_);
+            if (best_) return best_;
+        }
+        one_constant(all_);
+        return best_;
     }
 
     /// One change where the right answer is neither 0 nor inf: what happens there may be a second mistake.
     std::optional<Relation> where_it_is_not_nothing() {
         std::vector<std::size_t> some;
         for (const std::size_t k : all_)
-            if (std::ranges::any_of(calls_.right[k], [](double x) { return std::isfinite(x) && x != 0; }))
-                some.push_back(k);
+            if (is_something(calls_.right[k])) some.push_back(k);
         if (some.size() < 2 * enough || some.size() == all_.size()) return std::nullopt;
         region_ = "where the right answer is not 0 or inf, ";
         one_change(same_, some);
@@ -111,9 +159,9 @@ private:
         return best_;
     }
 
-    /// The right answers for changed arguments, where `scope` has calls; elsewhere those that are right.
-    std::optional<Rows> answers(const Change& first, const Change* second,
-                                const std::vector<std::size_t>& scope) const {
+    /// The right answers for changed arguments, to the calls of `scope`.
+    std::optional<Rows> answers_in(const Change& first, const Change* second,
+                                   const std::vector<std::size_t>& scope) const {
         Rows rows;
         for (const std::size_t k : scope) {
             Row row = calls_.rows[k];
@@ -126,11 +174,18 @@ private:
         }
         Rows given = ask_(rows);
         if (given.size() != rows.size()) return std::nullopt;
+        for (std::size_t i = 0; i < scope.size(); ++i)
+            if (given[i].size() != calls_.mine[scope[i]].size()) return std::nullopt;
+        return given;
+    }
+
+    /// Elsewhere, those that are right.
+    std::optional<Rows> answers(const Change& first, const Change* second,
+                                const std::vector<std::size_t>& scope) const {
+        auto given = answers_in(first, second, scope);
+        if (!given) return given;
         Rows all = calls_.right;
-        for (std::size_t i = 0; i < scope.size(); ++i) {
-            if (given[i].size() != all[scope[i]].size()) return std::nullopt;
-            all[scope[i]] = std::move(given[i]);
-        }
+        for (std::size_t i = 0; i < scope.size(); ++i) all[scope[i]] = std::move((*given)[i]);
         return all;
     }
 
@@ -141,7 +196,7 @@ private:
 
     /// A relation of all parts that are wrong, if it costs less than the best one.
     void consider(const Rows& right, const std::string& change, double cost, const std::vector<std::size_t>& scope,
-                  bool only_simple) {
+                  bool only_simple, const std::string& usually = {}) {
         std::string forms;
         for (const Field* part : parts_) {
             const auto form = form_of(calls_, *part, right, scope, only_simple);
@@ -153,13 +208,16 @@ private:
         }
         // what is right must stay so
         for (const Field& part : calls_.result.parts)
-            if (std::ranges::count(parts_, &part) == 0 &&
-                !std::ranges::all_of(scope, [&](std::size_t k) { return is_equal(part, calls_.mine[k], right[k]); }))
+            if (std::ranges::count(parts_, &part) == 0 && !std::ranges::all_of(scope, [&](std::size_t k) {
+                    return !counts(calls_.result, part, calls_.mine[k], right[k]) ||
+                           is_equal(part, calls_.mine[k], right[k]);
+                }))
                 return;
         if (best_ && best_->cost <= cost) return;
         const bool everywhere = scope.size() == all_.size();
         const std::string there = !region_.empty() ? region_ : everywhere ? "" : "in the wrong calls ";
-        best_ = Relation{there + sentence(change, forms), everywhere, cost, Relation::Explains::all};
+        best_ = Relation{there + sentence(change, forms), forms.empty() ? usually : "", everywhere, cost,
+                         Relation::Explains::all};
     }
 
     static std::string sentence(const std::string& change, const std::string& forms) {
@@ -168,20 +226,31 @@ private:
         return forms.empty() ? as : fmt::format("{}, but {}", as, forms);
     }
 
-    /// Whether the changed answers differ from right ones as often as mine do, and not by one number only.
+    /// Whether the changed answers differ from right ones as often as mine do, and not by one number only, unless it is
+    /// told in which calls they are left as they are.
     bool tells(const Rows& changed, const std::vector<std::size_t>& scope) const {
-        std::size_t other = 0;
+        constexpr double clearly = 10 * equal_within;
+        std::size_t other = 0, left = 0;
         const Row* first = nullptr;
         bool varies = false;
         for (const std::size_t k : scope) {
-            if (is_equal(calls_.result, changed[k], calls_.right[k])) continue;
+            if (is_alike(calls_.result, changed[k], calls_.right[k], clearly)) {
+                left += is_something(changed[k]);
+                continue;
+            }
             ++other;
             if (!first)
                 first = &changed[k];
             else
                 varies = varies || !is_equal(calls_.result, *first, changed[k]);
         }
-        return other >= enough && varies;
+        if (other < enough) return false;
+        const bool is_number = std::ranges::none_of(*first, [](double x) { return std::isnan(x); });
+        return varies || (is_number && other >= 2 * enough && left >= enough);
+    }
+
+    static bool is_something(const Row& answer) {
+        return std::ranges::any_of(answer, [](double x) { return std::isfinite(x) && x != 0; });
     }
 
     /// Calls with which a change is sifted.
@@ -207,7 +276,7 @@ private:
             if (const auto some = answers(change, &base, sample); !some || !may_be(*some, sample)) continue;
             const auto right = answers(change, &base, scope);
             if (right && tells(*right, scope))
-                consider(*right, change.words + change.usually, change.cost + base.cost, scope, true);
+                consider(*right, change.words, change.cost + base.cost, scope, true, change.usually);
         }
     }
 
@@ -258,9 +327,6 @@ private:
                 const bool equal = is_equal(calls_.result, (*right)[k], calls_.mine[k]);
                 ++changed, same += equal;
                 // nothing, or something, may be right for many reasons
-                const auto is_something = [](const Row& answer) {
-                    return std::ranges::any_of(answer, [](double x) { return std::isfinite(x) && x != 0; });
-                };
                 telling += equal && is_something(calls_.mine[k]) && is_something(calls_.right[k]);
             }
             const bool explains = double(same) >= share_of_wrong * double(wrong_.size()) &&
@@ -270,8 +336,18 @@ private:
             best_ = Relation{fmt::format("in {} of {} wrong calls the answers are exactly what the right fragment "
                                          "answers with {}; in the others something else is wrong",
                                          same, wrong_.size(), change.words),
-                             false, best_cost, Relation::Explains::some};
+                             {},
+                             false,
+                             best_cost,
+                             Relation::Explains::some};
         }
+    }
+
+    bool is_same_in(const Change& first, const Change& second, const std::vector<std::size_t>& scope) const {
+        const auto some = answers_in(first, &second, scope);
+        for (std::size_t i = 0; some && i < scope.size(); ++i)
+            if (!is_equal(calls_.result, calls_.mine[scope[i]], (*some)[i])) return false;
+        return some.has_value();
     }
 
     void two_changes(const std::vector<std::size_t>& scope) {
@@ -280,8 +356,9 @@ private:
         for (const std::size_t k : wrong_)
             if (sample.size() < few) sample.push_back(k);
         std::vector<const Change*> list;
+        const bool of_steps = !calls_.changeable.empty();
         for (const Change& change : changes_) {
-            if (list.size() >= most_pairs) break;
+            if (list.size() >= (of_steps ? most_pairs_of_steps : most_pairs)) break;
             if (change.cost > 1.5) break;
             const auto right = answers(change, nullptr, sample);
             if (right && std::ranges::any_of(sample, [&](std::size_t k) {
@@ -293,8 +370,8 @@ private:
             for (std::size_t b = 0; b < list.size(); ++b) {
                 const double cost = list[a]->cost + list[b]->cost + 1;
                 if (a == b || (best_ && cost >= best_->cost)) continue;
-                const auto some = answers(*list[a], list[b], sample);
-                if (!some || !all_equal(*some, sample)) continue;
+                if (of_steps && !is_same_in(*list[a], *list[b], {sample.front()})) continue;
+                if (!is_same_in(*list[a], *list[b], sample)) continue;
                 const auto right = answers(*list[a], list[b], scope);
                 if (right && tells(*right, scope))
                     consider(*right, list[a]->words + ", and " + list[b]->words, cost, scope, true);
@@ -319,10 +396,9 @@ private:
             }
             if (!found.empty()) words += (words.empty() ? "" : "; ") + found;
         }
-        if (!words.empty()) return Relation{words, true, best_cost, Relation::Explains::some};
+        if (!words.empty()) return Relation{words, {}, true, best_cost, Relation::Explains::some};
         // where a direction is right, the random numbers are used as the solution does, and what is wrong is wrong; the
         // other way round, another direction may be as good
-        const auto is_place = [](const Field& part) { return part.kind == Kind::vector || part.kind == Kind::pair; };
         if (parts_.size() == calls_.result.parts.size() ||
             std::ranges::any_of(parts_, [&](const Field* part) { return is_place(*part); }))
             return std::nullopt;
@@ -333,7 +409,10 @@ private:
         return Relation{
             fmt::format("{} {} right, {} {} not", good, calls_.result.parts.size() - parts_.size() > 1 ? "are" : "is",
                         words, parts_.size() > 1 ? "are" : "is"),
-            true, best_cost, Relation::Explains::nothing};
+            {},
+            true,
+            best_cost,
+            Relation::Explains::nothing};
     }
 
     const Calls& calls_;

@@ -12,6 +12,7 @@ constexpr std::string_view as_changed = "the answers are exactly what the right 
 /// What wrong answers have to do with right ones, in every call that was looked at.
 struct Relation {
     std::string words;
+    std::string usually{};   // what that is in most code
     bool everywhere = true;  // else in those calls only that are wrong
     double cost = 0;
 

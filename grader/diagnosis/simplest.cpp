@@ -166,6 +166,7 @@ bool shows(const Calls& calls, const Row& mine, const Row& right) {
     for (const double x : right)
         if (std::isnan(x)) return false;
     for (const Field& part : calls.result.parts) {
+        if (!counts(calls.result, part, mine, right)) continue;
         const double scale = scale_of(part, mine, right);
         for (std::size_t c = 0; c < size_of(part.kind); ++c) {
             const double a = mine[part.at + c], b = right[part.at + c];

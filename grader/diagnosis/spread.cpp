@@ -11,10 +11,10 @@ namespace grade {
 
 namespace {
 
-constexpr int side = 16;               // squared: random numbers for each of the calls
-constexpr std::size_t most_bases = 2;  // calls, with all of these
-constexpr double as_good = 0.004;      // mean distance of two spreads that count as one, over their range
-constexpr double dearest = 2;          // change that is tried
+constexpr int side = 16;                              // squared: random numbers for each of the calls
+constexpr std::size_t few_bases = 2, more_bases = 8;  // calls, with all of these: to find what to say, to check it
+constexpr double as_good = 0.004;  // mean distance of two spreads that count as one, over their range
+constexpr double dearest = 2;      // change that is tried
 
 /// Numbers of an answer whose spread is looked at.
 struct Projection {
@@ -52,9 +52,9 @@ std::vector<Projection> projections(const Calls& calls) {
 }
 
 /// Some of the calls, each with random numbers from all over the square.
-Rows over_the_square(const Calls& calls, const Field& u) {
+Rows over_the_square(const Calls& calls, const Field& u, std::size_t most) {
     Rows rows;
-    const std::size_t bases = std::min(most_bases, calls.size());
+    const std::size_t bases = std::min(most, calls.size());
     for (std::size_t b = 0; b < bases; ++b)
         for (int i = 0; i < side * side; ++i) {
             Row row = calls.rows[b * calls.size() / bases];
@@ -110,22 +110,28 @@ std::string mean_and_range(const std::vector<double>& x) {
 
 }  // namespace
 
-std::optional<std::string> spread_of(const Calls& calls, const Ask& mine, const Ask& right) {
+std::optional<std::string> spread_of(const Calls& calls, const Calls& all, const Ask& mine, const Ask& right) {
     const auto& parts = calls.layouts.front().parts;
     const auto u = std::ranges::find(parts, "u", &Field::name);
     if (u == parts.end() || calls.size() == 0) return std::nullopt;
     const std::vector<Projection> list = projections(calls);
-    const Rows rows = over_the_square(calls, *u);
+    const Rows rows = over_the_square(calls, *u, few_bases), more = over_the_square(all, *u, more_bases);
     const Spreads own = spreads(rows, mine(rows), list), due = spreads(rows, right(rows), list);
     if (own.empty() || due.empty() || most_apart(own, due) <= as_good) return std::nullopt;
+    Spreads own_more;
+    const auto is_alike = [&](const Change& change, Rows changed, const Spreads& wanted) {
+        const Rows before = changed;
+        const bool made = std::ranges::all_of(changed, [&](Row& row) {
+            return change.make(row, calls.layouts.front()) && row.size() == before[0].size();
+        });
+        // the projections of the call as it was
+        return made && most_apart(wanted, spreads(before, right(changed), list)) <= as_good;
+    };
     for (const Change& change : changes_of(calls.layouts.front(), calls.told)) {
         if (change.cost > dearest) break;
-        Rows changed = rows;
-        const bool made = std::ranges::all_of(
-            changed, [&](Row& row) { return change.make(row, calls.layouts.front()) && row.size() == rows[0].size(); });
-        if (!made) continue;
-        // the projections of the call as it was
-        if (most_apart(own, spreads(rows, right(changed), list)) <= as_good)
+        if (!is_alike(change, rows, own)) continue;
+        if (own_more.empty()) own_more = spreads(more, mine(more), list);
+        if (is_alike(change, more, own_more))
             return "the answers are spread as those of the right fragment with " + change.words + change.usually;
     }
     std::size_t worst = 0;

@@ -7,7 +7,7 @@
 namespace grade {
 
 /// What wrong answers have to do with right ones where random numbers may be used in another way: not call by call, but
-/// as they are spread over many random numbers. None: they are spread as they must be.
-std::optional<std::string> spread_of(const Calls& calls, const Ask& mine, const Ask& right);
+/// as they are spread over many random numbers, for any of all calls. None: they are spread as they must be.
+std::optional<std::string> spread_of(const Calls& calls, const Calls& all, const Ask& mine, const Ask& right);
 
 }  // namespace grade

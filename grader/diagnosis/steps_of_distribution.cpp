@@ -69,28 +69,55 @@ Row sphere_light(const Emitter& light, vec3 p, vec2 u) {
         LightSample{direction, along - safe_sqrt(radius2 - dot(off, off)), squared > radius2 ? 1 / (2 * pi * m) : 0});
 }
 
-vec3 point_of(const Emitter& light, vec2 u) {
-    if (light.kind == Emitter::Kind::quad)
-        return light.quad.center + (2 * u.x - 1) * light.quad.u + (2 * u.y - 1) * light.quad.v;
-    const vec2 p = light.disc.radius * on_disk(u);
-    const Frame frame = frame_about(light.disc.normal);
-    return light.disc.center + p.x * frame.x + p.y * frame.y;
+/// In units of the half edges, or of the radius.
+vec2 on_light(const Emitter& light, vec2 u) {
+    return light.kind == Emitter::Kind::quad ? 2.0 * u - vec2(1) : on_disk(u);
 }
+
+vec3 point_of(const Emitter& light, vec2 at) {
+    if (light.kind == Emitter::Kind::quad) return light.quad.center + at.x * light.quad.u + at.y * light.quad.v;
+    const Frame frame = frame_about(light.disc.normal);
+    return light.disc.center + light.disc.radius * (at.x * frame.x + at.y * frame.y);
+}
+
+Real cosine_at(const Emitter& light, vec3 to) { return -dot(unit(to), unit(normal(light))); }
 
 std::vector<Steps> of_light() {
     return {
         steps(
             "density = distance^2 / (cos * area) for cos > 0, the front side, with cos = -dot(unit(point - p), "
             "unit(normal(light)))",
-            {{"Real", "distance^2"}, {"Real", "cos"}, {"Real", "area"}},
+            {{"Real", "distance^2"},
+             {"Real", "cos"},
+             {"Real", "area"},
+             {"Real", "cos in the density"},
+             {"bool", "cos <= 0, the back side, counted"},
+             {"Real", "distance^2 / cos"},
+             {"Real", "-dot(unit(point - p), normal(light))"},
+             {"Real", "-dot(point - p, unit(normal(light)))"},
+             {"Real", "distance"}},
             +[](const Emitter& light, const vec3& p, const vec2& u) {
-                const vec3 to = point_of(light, u) - p, n = normal(light);
-                return row(dot(to, to), -dot(unit(to), unit(n)), area(light));
+                const vec3 to = point_of(light, on_light(light, u)) - p;
+                const Real cosine = cosine_at(light, to), distance = length(to);
+                return row(dot(to, to), cosine, area(light), cosine, false, dot(to, to) / cosine,
+                           cosine * length(normal(light)), cosine * distance, distance);
             },
             +[](const double* s, const Emitter& light, const vec3& p, const vec2& u) {
                 if (light.kind == Emitter::Kind::sphere) return sphere_light(light, p, u);
-                const vec3 to = point_of(light, u) - p;
-                return row(LightSample{unit(to), length(to), s[1] > 0 ? s[0] / (s[1] * s[2]) : 0});
+                const vec3 to = point_of(light, on_light(light, u)) - p;
+                const Real right = cosine_at(light, to), cosine = s[1] != right ? s[1] : s[3];
+                const Real whole = s[5] != dot(to, to) / right ? s[5] : s[0] / cosine;
+                return row(LightSample{unit(to), length(to), s[1] > 0 || s[4] != 0 ? whole / s[2] : 0});
+            }),
+        steps(
+            "point = center + at.x * u + at.y * v with at = 2 * u - 1 of a quad, center + radius * (at.x * x + at.y * "
+            "y) with at = uniform_disk(u).point of a disc",
+            {{"vec2", "at"}}, +[](const Emitter& light, const vec3&, const vec2& u) { return row(on_light(light, u)); },
+            +[](const double* s, const Emitter& light, const vec3& p, const vec2& u) {
+                if (light.kind == Emitter::Kind::sphere) return sphere_light(light, p, u);
+                const vec3 to = point_of(light, {s[0], s[1]}) - p;
+                const Real cosine = cosine_at(light, to);
+                return row(LightSample{unit(to), length(to), cosine > 0 ? dot(to, to) / (cosine * area(light)) : 0});
             }),
         steps(
             "of a sphere, distance = along - half, half = sqrt(radius^2 - beside^2) half of the ray's way through it",
@@ -106,8 +133,8 @@ std::vector<Steps> of_light() {
                     all.distance = s[1] - s[0];
                     return row(all);
                 }
-                const vec3 to = point_of(light, u) - p;
-                const Real cosine = -dot(unit(to), unit(normal(light)));
+                const vec3 to = point_of(light, on_light(light, u)) - p;
+                const Real cosine = cosine_at(light, to);
                 return row(LightSample{unit(to), length(to), cosine > 0 ? dot(to, to) / (cosine * area(light)) : 0});
             })};
 }
@@ -119,21 +146,55 @@ std::pair<vec3, Real> lobe_about(vec3 axis, Real exponent, vec2 u) {
     return {frame_about(axis).to_world({s * circle.x, s * circle.y, c}), c};
 }
 
-const std::vector<Signature::Argument> lobe_names = {
-    {"Real", "cos(theta)"}, {"Real", "cos(alpha)"}, {"Real", "n + 2"}, {"Real", "n + 1"}};
+const std::vector<Signature::Argument> lobe_names = {{"Real", "cos(theta)"},
+                                                     {"Real", "cos(alpha)"},
+                                                     {"Real", "n + 2"},
+                                                     {"Real", "n + 1"},
+                                                     {"Real", "the factor cos(theta)"}};
 constexpr const char* lobe_formula = "weight = (n + 2) / (n + 1) * cos(theta) for cos(theta) > 0";
 
-Scattered weighed(const double* s, vec3 direction) { return {direction, Color(s[0] > 0 ? s[2] / s[3] * s[0] : 0)}; }
+const std::vector<Signature::Argument> estimate_names = {
+    {"Real", "brdf"}, {"Real", "density"}, {"Real", "cos(theta)"}, {"Real", "cos(alpha)^n"}};
+constexpr const char* estimate_formula =
+    "weight = brdf * cos(theta) / density for cos(theta) > 0, brdf = (n + 2) / (2 * pi) * cos(alpha)^n, density = (n + "
+    "1) / (2 * pi) * cos(alpha)^n";
+
+Row steps_of_weight(Real theta, Real alpha, Real n) { return row(theta, alpha, n + 2, n + 1, theta); }
+
+Scattered weighed(const double* s, Real theta, vec3 direction) {
+    const Real cosine = s[0] != theta ? s[0] : s[4];
+    return {direction, Color(s[0] > 0 ? s[2] / s[3] * cosine : 0)};
+}
+
+Row steps_of_estimate(Real theta, Real alpha, Real n) {
+    const Real power = std::pow(alpha, n);
+    return row((n + 2) / (2 * pi) * power, (n + 1) / (2 * pi) * power, theta, power);
+}
+
+Scattered estimated(const double* s, Real theta, vec3 direction) {
+    return {direction, Color(theta > 0 ? s[0] * s[2] / s[1] : 0)};
+}
 
 std::vector<Steps> of_glossy() {
     return {steps(
                 lobe_formula, lobe_names,
                 +[](const vec3& d, const vec3& n, const Real& exponent, const vec2& u) {
                     const auto [direction, alpha] = lobe_about(d - 2 * dot(d, n) * n, exponent, u);
-                    return row(dot(direction, n), alpha, exponent + 2, exponent + 1);
+                    return steps_of_weight(dot(direction, n), alpha, exponent);
                 },
                 +[](const double* s, const vec3& d, const vec3& n, const Real& exponent, const vec2& u) {
-                    return row(weighed(s, lobe_about(d - 2 * dot(d, n) * n, exponent, u).first));
+                    const vec3 direction = lobe_about(d - 2 * dot(d, n) * n, exponent, u).first;
+                    return row(weighed(s, dot(direction, n), direction));
+                }),
+            steps(
+                estimate_formula, estimate_names,
+                +[](const vec3& d, const vec3& n, const Real& exponent, const vec2& u) {
+                    const auto [direction, alpha] = lobe_about(d - 2 * dot(d, n) * n, exponent, u);
+                    return steps_of_estimate(dot(direction, n), alpha, exponent);
+                },
+                +[](const double* s, const vec3& d, const vec3& n, const Real& exponent, const vec2& u) {
+                    const vec3 direction = lobe_about(d - 2 * dot(d, n) * n, exponent, u).first;
+                    return row(estimated(s, dot(direction, n), direction));
                 }),
             steps(
                 "the axis of the lobe is d - 2 * dot(d, n) * n", {{"vec3", "the axis"}},
@@ -156,13 +217,27 @@ std::vector<Steps> of_translucency() {
             lobe_formula, lobe_names,
             +[](const vec3& d, const vec3& n, const Real& from, const Real& to, const Real& exponent, const vec2& u) {
                 const auto [direction, alpha] = lobe_about(refracted(d, n, from, to), exponent, u);
-                return row(-dot(direction, n), alpha, exponent + 2, exponent + 1);
+                return steps_of_weight(-dot(direction, n), alpha, exponent);
             },
             +[](const double* s, const vec3& d, const vec3& n, const Real& from, const Real& to, const Real& exponent,
                 const vec2& u) {
                 const vec3 axis = refracted(d, n, from, to);
                 if (axis == vec3(0)) return row(Scattered{d, Color(0)});
-                return row(weighed(s, lobe_about(axis, exponent, u).first));
+                const vec3 direction = lobe_about(axis, exponent, u).first;
+                return row(weighed(s, -dot(direction, n), direction));
+            }),
+        steps(
+            estimate_formula, estimate_names,
+            +[](const vec3& d, const vec3& n, const Real& from, const Real& to, const Real& exponent, const vec2& u) {
+                const auto [direction, alpha] = lobe_about(refracted(d, n, from, to), exponent, u);
+                return steps_of_estimate(-dot(direction, n), alpha, exponent);
+            },
+            +[](const double* s, const vec3& d, const vec3& n, const Real& from, const Real& to, const Real& exponent,
+                const vec2& u) {
+                const vec3 axis = refracted(d, n, from, to);
+                if (axis == vec3(0)) return row(Scattered{d, Color(0)});
+                const vec3 direction = lobe_about(axis, exponent, u).first;
+                return row(estimated(s, -dot(direction, n), direction));
             }),
         steps(
             "the axis of the lobe is refracted_direction(d, n, ior_from, ior_to)", {{"vec3", "the axis"}},
@@ -197,7 +272,7 @@ std::vector<Steps> of_flight() {
 
 std::vector<Steps> of_lens() {
     return {steps(
-                "offset = R * (x * right + y * up), (x, y) of the unit disk", {{"Real", "x"}, {"Real", "y"}},
+                "offset = R * (at.x * right + at.y * up), at = uniform_disk(u).point", {{"vec2", "at"}},
                 +[](const Camera&, const Ray&, const vec2& u) { return row(on_disk(u)); },
                 +[](const double* s, const Camera& c, const Ray& ray, const vec2&) {
                     const vec3 offset = c.lens_radius * (s[0] * c.right + s[1] * c.up);

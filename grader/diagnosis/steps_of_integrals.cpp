@@ -43,18 +43,24 @@ std::vector<Steps> of_monte_carlo() {
          {"bool", "f(x[i]) alone as terms"},
          {"bool", "1 / density(x[i]) as terms"},
          {"bool", "the first term left out"},
-         {"bool", "the last term alone"}},
+         {"bool", "the last term alone"},
+         {"bool", "the sum of 1 / density(x[i]) in place of x.size()"},
+         {"bool", "the sum of f(x[i]) over the sum of density(x[i])"}},
         +[](const Integrand&, const Integrand&, const List& x) {
-            return row(int(x.size()), int(x.size()), false, false, false, false, false);
+            Row all = row(int(x.size()), int(x.size()));
+            all.resize(9);
+            return all;
         },
         +[](const double* s, const Integrand& f, const Integrand& density, const List& x) {
             const std::size_t last = std::min(x.size(), std::size_t(std::max(s[0], 0.0)));
-            Real sum = 0;
+            Real sum = 0, of_densities = 0, of_weights = 0;
             for (std::size_t i = s[6] != 0 ? x.size() - 1 : s[5] != 0 ? 1 : 0; i < last; ++i) {
-                const Real weight = s[2] != 0 ? density(x[i]) : s[3] != 0 ? 1 : 1 / density(x[i]);
+                const Real due = density(x[i]), weight = s[2] != 0 ? due : s[3] != 0 || s[8] != 0 ? 1 : 1 / due;
                 sum += weight * (s[4] != 0 ? 1 : f(x[i]));
+                of_densities += due, of_weights += 1 / due;
             }
-            return row(x.empty() ? 0 : sum / s[1]);
+            const Real over = s[7] != 0 ? of_weights : s[8] != 0 ? of_densities : s[1];
+            return row(x.empty() ? 0 : sum / over);
         })};
 }
 
@@ -92,8 +98,9 @@ std::vector<Steps> of_strata() {
          {"bool", "the last stratum left out"},
          {"bool", "the square of the number of u"},
          {"bool", "the width of the last stratum before the sum of all"},
-         {"bool", "f(low + u * high): u multiplied by high"}},
-        +[](const Integrand&, const List&) { return Row(16); },
+         {"bool", "f(low + u * high): u multiplied by high"},
+         {"bool", "high in place of the width before the sum"}},
+        +[](const Integrand&, const List&) { return Row(17); },
         +[](const double* s, const Integrand& f, const List& strata) {
             std::size_t all = 0;
             for (const StratumOf& own : strata) all += own.u.size();
@@ -105,7 +112,13 @@ std::vector<Steps> of_strata() {
                 const Real before = width(s[0] != 0 ? strata.front() : s[14] != 0 ? strata.back() : own);
                 const Real count = Real(s[8] != 0 ? all : s[9] != 0 ? strata.size() : own.u.size());
                 sum = (s[5] != 0 ? sum : 0) + of_stratum(s, f, own, width(strata.front()));
-                total += (s[6] != 0 ? 1 : before) * sum / (s[7] != 0 ? 1 : s[13] != 0 ? count * count : count);
+                total += (s[6] != 0    ? 1
+                          : s[16] != 0 ? own.high
+                                       : before) *
+                         sum /
+                         (s[7] != 0    ? 1
+                          : s[13] != 0 ? count * count
+                                       : count);
             }
             return row(s[10] != 0 ? total / Real(strata.size()) : total);
         })};

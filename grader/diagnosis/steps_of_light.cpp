@@ -10,14 +10,26 @@ using namespace rt;
 
 std::vector<Steps> of_point_light() {
     return {steps(
-        "intensity * max(dot(n, d), 0) / distance^2", {{"Real", "dot(n, d)"}, {"Real", "distance^2"}},
-        +[](const PointLight& light, const vec3& p, const vec3& n) {
-            const vec3 to = light.directional ? light.position : light.position - p;
-            return row(dot(n, unit(to)), light.directional ? 1 : dot(to, to));
-        },
-        +[](const double* s, const PointLight& light, const vec3&, const vec3&) {
-            return row(light.intensity * (s[0] > 0 ? s[0] : 0) / s[1]);
-        })};
+                "intensity * max(dot(n, d), 0) / distance^2", {{"Real", "dot(n, d)"}, {"Real", "distance^2"}},
+                +[](const PointLight& light, const vec3& p, const vec3& n) {
+                    const vec3 to = light.directional ? light.position : light.position - p;
+                    return row(dot(n, unit(to)), light.directional ? 1 : dot(to, to));
+                },
+                +[](const double* s, const PointLight& light, const vec3&, const vec3&) {
+                    return row(light.intensity * (s[0] > 0 ? s[0] : 0) / s[1]);
+                }),
+            steps(
+                "intensity * max(dot(n, d), 0) / distance^2, d = unit(light.position - p)",
+                {{"vec3", "d"}, {"vec3", "light.position - p"}},
+                +[](const PointLight& light, const vec3& p, const vec3&) {
+                    const vec3 to = light.directional ? light.position : light.position - p;
+                    return row(unit(to), to);
+                },
+                +[](const double* s, const PointLight& light, const vec3&, const vec3& n) {
+                    const vec3 to(s[3], s[4], s[5]);
+                    return row(light.intensity * std::max(dot(n, vec3(s[0], s[1], s[2])), 0.0) /
+                               (light.directional ? 1 : dot(to, to)));
+                })};
 }
 
 Real cosine_of_highlight(vec3 n, vec3 to_light, vec3 to_viewer) {
@@ -125,83 +137,92 @@ std::vector<Steps> of_direct_light() {
 Real fresnel_of(Real s, Real p) { return (s * s + p * p) / 2; }
 
 std::vector<Steps> of_fresnel() {
-    return {steps(
-                "c2 = sqrt(1 - e^2 * (1 - c1^2)), e = e1 / e2",
-                {{"Real", "e^2"},
-                 {"Real", "1 - c1^2"},
-                 {"Real", "c1^2"},
-                 {"bool", "0 at total internal reflection"},
-                 {"bool", "no root: c2 = 1 - e^2 * (1 - c1^2)"}},
-                +[](const Real& c1, const Real& e1, const Real& e2) {
-                    return row(sqr(e1 / e2), 1 - c1 * c1, c1 * c1, false, false);
-                },
-                +[](const double* s, const Real& c1, const Real& e1, const Real& e2) {
-                    const Real squared = 1 - s[0] * (s[2] != c1 * c1 ? 1 - s[2] : s[1]);
-                    if (squared < 0) return row(s[3] != 0 ? 0.0 : 1.0);
-                    if (e1 == e2) return row(0.0);
-                    const Real c2 = s[4] != 0 ? squared : std::sqrt(squared);
-                    return row(fresnel_of((e1 * c1 - e2 * c2) / (e1 * c1 + e2 * c2),
-                                          (e2 * c1 - e1 * c2) / (e2 * c1 + e1 * c2)));
-                }),
-            steps(
-                "s = (e1 * c1 - e2 * c2) / (e1 * c1 + e2 * c2), p = (e2 * c1 - e1 * c2) / (e2 * c1 + e1 * c2)",
-                {{"Real", "c2 in s"},
-                 {"Real", "c2 in p"},
-                 {"Real", "e1 * c1 - e2 * c2"},
-                 {"Real", "e2 * c1 - e1 * c2"},
-                 {"Real", "e1 * c1 + e2 * c2"},
-                 {"Real", "e2 * c1 + e1 * c2"}},
-                +[](const Real& c1, const Real& e1, const Real& e2) {
-                    const Real c2 = std::sqrt(1 - sqr(e1 / e2) * (1 - c1 * c1));
-                    return row(c2, c2, e1 * c1 - e2 * c2, e2 * c1 - e1 * c2, e1 * c1 + e2 * c2, e2 * c1 + e1 * c2);
-                },
-                +[](const double* s, const Real& c1, const Real& e1, const Real& e2) {
-                    if (!(s[0] == s[0])) return row(1.0);
-                    if (e1 == e2) return row(0.0);
-                    const Real c2 = std::sqrt(1 - sqr(e1 / e2) * (1 - c1 * c1));
-                    const auto one = [&](Real c, Real top, Real bottom, Real own, Real other) {
-                        return c != c2 ? (own - other * c) / (own + other * c) : top / bottom;
-                    };
-                    return row(fresnel_of(one(s[0], s[2], s[4], e1 * c1, e2), one(s[1], s[3], s[5], e2 * c1, e1)));
-                }),
-            steps(
-                "F = (s * s + p * p) / 2 of c1 and c2", {{"Real", "c2"}},
-                +[](const Real& c1, const Real& e1, const Real& e2) {
-                    return row(std::sqrt(1 - sqr(e1 / e2) * (1 - c1 * c1)));
-                },
-                +[](const double* s, const Real& c1, const Real& e1, const Real& e2) {
-                    if (!(s[0] == s[0])) return row(1.0);
-                    return row(e1 == e2 ? 0.0
-                                        : fresnel_of((e1 * c1 - e2 * s[0]) / (e1 * c1 + e2 * s[0]),
-                                                     (e2 * c1 - e1 * s[0]) / (e2 * c1 + e1 * s[0])));
-                }),
-            steps(
-                "F = (s * s + p * p) / 2",
-                {{"Real", "s"},
-                 {"Real", "p"},
-                 {"bool", "s * p in place of the squares"},
-                 {"bool", "no squares: (s + p) / 2"},
-                 {"bool", "no squares: (abs(s) + abs(p)) / 2"},
-                 {"bool", "the square of the mean: ((s + p) / 2)^2"},
-                 {"bool", "no half: s * s + p * p"},
-                 {"bool", "s * s - p * p in place of the sum"}},
-                +[](const Real& c1, const Real& e1, const Real& e2) {
-                    const Real c2 = std::sqrt(1 - sqr(e1 / e2) * (1 - c1 * c1));
-                    Row taken =
-                        row((e1 * c1 - e2 * c2) / (e1 * c1 + e2 * c2), (e2 * c1 - e1 * c2) / (e2 * c1 + e1 * c2));
-                    taken.resize(8);
-                    return taken;
-                },
-                +[](const double* s, const Real&, const Real& e1, const Real& e2) {
-                    if (!(s[0] == s[0])) return row(1.0);
-                    if (e1 == e2) return row(0.0);
-                    if (s[2] != 0) return row(s[0] * s[1]);
-                    if (s[3] != 0) return row((s[0] + s[1]) / 2);
-                    if (s[4] != 0) return row((std::abs(s[0]) + std::abs(s[1])) / 2);
-                    if (s[5] != 0) return row(sqr((s[0] + s[1]) / 2));
-                    if (s[7] != 0) return row((s[0] * s[0] - s[1] * s[1]) / 2);
-                    return row(fresnel_of(s[0], s[1]) * (s[6] != 0 ? 2 : 1));
-                })};
+    return {
+        steps(
+            "c2 = sqrt(1 - e^2 * (1 - c1^2)), e = e1 / e2",
+            {{"Real", "e^2"},
+             {"Real", "1 - c1^2"},
+             {"Real", "c1^2"},
+             {"bool", "0 at total internal reflection"},
+             {"bool", "no root: c2 = 1 - e^2 * (1 - c1^2)"}},
+            +[](const Real& c1, const Real& e1, const Real& e2) {
+                return row(sqr(e1 / e2), 1 - c1 * c1, c1 * c1, false, false);
+            },
+            +[](const double* s, const Real& c1, const Real& e1, const Real& e2) {
+                const Real squared = 1 - s[0] * (s[2] != c1 * c1 ? 1 - s[2] : s[1]);
+                if (squared < 0) return row(s[3] != 0 ? 0.0 : 1.0);
+                if (e1 == e2) return row(0.0);
+                const Real c2 = s[4] != 0 ? squared : std::sqrt(squared);
+                return row(
+                    fresnel_of((e1 * c1 - e2 * c2) / (e1 * c1 + e2 * c2), (e2 * c1 - e1 * c2) / (e2 * c1 + e1 * c2)));
+            }),
+        steps(
+            "s = (e1 * c1 - e2 * c2) / (e1 * c1 + e2 * c2), p = (e2 * c1 - e1 * c2) / (e2 * c1 + e1 * c2)",
+            {{"Real", "c2 in s"},
+             {"Real", "c2 in p"},
+             {"Real", "e1 * c1 - e2 * c2"},
+             {"Real", "e2 * c1 - e1 * c2"},
+             {"Real", "e1 * c1 + e2 * c2"},
+             {"Real", "e2 * c1 + e1 * c2"}},
+            +[](const Real& c1, const Real& e1, const Real& e2) {
+                const Real c2 = std::sqrt(1 - sqr(e1 / e2) * (1 - c1 * c1));
+                return row(c2, c2, e1 * c1 - e2 * c2, e2 * c1 - e1 * c2, e1 * c1 + e2 * c2, e2 * c1 + e1 * c2);
+            },
+            +[](const double* s, const Real& c1, const Real& e1, const Real& e2) {
+                if (!(s[0] == s[0])) return row(1.0);
+                if (e1 == e2) return row(0.0);
+                const Real c2 = std::sqrt(1 - sqr(e1 / e2) * (1 - c1 * c1));
+                const auto one = [&](Real c, Real top, Real bottom, Real own, Real other) {
+                    return c != c2 ? (own - other * c) / (own + other * c) : top / bottom;
+                };
+                return row(fresnel_of(one(s[0], s[2], s[4], e1 * c1, e2), one(s[1], s[3], s[5], e2 * c1, e1)));
+            }),
+        steps(
+            "F = (s * s + p * p) / 2 of c1 and c2", {{"Real", "c2"}},
+            +[](const Real& c1, const Real& e1, const Real& e2) {
+                return row(std::sqrt(1 - sqr(e1 / e2) * (1 - c1 * c1)));
+            },
+            +[](const double* s, const Real& c1, const Real& e1, const Real& e2) {
+                if (!(s[0] == s[0])) return row(1.0);
+                return row(e1 == e2 ? 0.0
+                                    : fresnel_of((e1 * c1 - e2 * s[0]) / (e1 * c1 + e2 * s[0]),
+                                                 (e2 * c1 - e1 * s[0]) / (e2 * c1 + e1 * s[0])));
+            }),
+        steps(
+            "F = (s * s + p * p) / 2",
+            {{"Real", "s"},
+             {"Real", "p"},
+             {"bool", "s * p in place of the squares"},
+             {"bool", "no squares: (s + p) / 2"},
+             {"bool", "no squares: (abs(s) + abs(p)) / 2"},
+             {"bool", "the square of the mean: ((s + p) / 2)^2"},
+             {"bool", "no half: s * s + p * p"},
+             {"bool", "s * s - p * p in place of the sum"}},
+            +[](const Real& c1, const Real& e1, const Real& e2) {
+                const Real c2 = std::sqrt(1 - sqr(e1 / e2) * (1 - c1 * c1));
+                Row taken = row((e1 * c1 - e2 * c2) / (e1 * c1 + e2 * c2), (e2 * c1 - e1 * c2) / (e2 * c1 + e1 * c2));
+                taken.resize(8);
+                return taken;
+            },
+            +[](const double* s, const Real&, const Real& e1, const Real& e2) {
+                if (!(s[0] == s[0])) return row(1.0);
+                if (e1 == e2) return row(0.0);
+                if (s[2] != 0) return row(s[0] * s[1]);
+                if (s[3] != 0) return row((s[0] + s[1]) / 2);
+                if (s[4] != 0) return row((std::abs(s[0]) + std::abs(s[1])) / 2);
+                if (s[5] != 0) return row(sqr((s[0] + s[1]) / 2));
+                if (s[7] != 0) return row((s[0] * s[0] - s[1] * s[1]) / 2);
+                return row(fresnel_of(s[0], s[1]) * (s[6] != 0 ? 2 : 1));
+            }),
+        steps(
+            "", {{"Real", "F"}, {"Real", "Schlick's approximation"}},
+            +[](const Real& c1, const Real& e1, const Real& e2) {
+                const Real c2 = std::sqrt(1 - sqr(e1 / e2) * (1 - c1 * c1)), straight = sqr((e1 - e2) / (e1 + e2));
+                if (!(c2 == c2)) return row(1.0, 1.0);
+                const Real s = (e1 * c1 - e2 * c2) / (e1 * c1 + e2 * c2), p = (e2 * c1 - e1 * c2) / (e2 * c1 + e1 * c2);
+                return row(e1 == e2 ? 0.0 : fresnel_of(s, p), straight + (1 - straight) * std::pow(1 - c1, 5));
+            },
+            +[](const double* s, const Real&, const Real&, const Real&) { return row(s[0]); })};
 }
 
 std::vector<Steps> of_whitted() {

@@ -13,28 +13,32 @@ Row camera_direction(const Camera& camera, Real x, Real y) {
 }
 
 std::vector<Steps> of_camera() {
-    return {steps(
-                "x * right + y * up - back", {{"Real", "x"}, {"Real", "y"}},
-                +[](const Camera& c, const vec2& film) {
-                    const Real scale = 2 * c.tan_half_fov / c.size.y;
-                    return row(scale * (film.x - 0.5 * c.size.x), scale * (0.5 * c.size.y - film.y));
-                },
-                +[](const double* s, const Camera& c, const vec2&) { return camera_direction(c, s[0], s[1]); }),
-            steps(
-                "x = scale * (film.x - half_width), y = scale * (half_height - film.y)",
-                {{"Real", "half_width"}, {"Real", "half_height"}},
-                +[](const Camera& c, const vec2&) { return row(0.5 * c.size.x, 0.5 * c.size.y); },
-                +[](const double* s, const Camera& c, const vec2& film) {
-                    const Real scale = 2 * c.tan_half_fov / c.size.y;
-                    return camera_direction(c, scale * (film.x - s[0]), scale * (s[1] - film.y));
-                }),
-            steps(
-                "x = (2 * film.x / camera.size.x - 1) * aspect * tan_half_fov, aspect = camera.size.x / camera.size.y",
-                {{"Real", "aspect"}}, +[](const Camera& c, const vec2&) { return row(Real(c.size.x) / c.size.y); },
-                +[](const double* s, const Camera& c, const vec2& film) {
-                    return camera_direction(c, (2 * film.x / c.size.x - 1) * s[0] * c.tan_half_fov,
-                                            (1 - 2 * film.y / c.size.y) * c.tan_half_fov);
-                })};
+    return {
+        steps(
+            "x * right + y * up - back", {{"Real", "x"}, {"Real", "y"}},
+            +[](const Camera& c, const vec2& film) {
+                const Real scale = 2 * c.tan_half_fov / c.size.y;
+                return row(scale * (film.x - 0.5 * c.size.x), scale * (0.5 * c.size.y - film.y));
+            },
+            +[](const double* s, const Camera& c, const vec2&) { return camera_direction(c, s[0], s[1]); }),
+        steps(
+            "x = scale * (film.x - half_width), y = scale * (half_height - film.y), scale = 2 * tan_half_fov / "
+            "size.y",
+            {{"Real", "half_width"}, {"Real", "half_height"}, {"Real", "scale"}, {"Real", "2 * tan_half_fov / size.x"}},
+            +[](const Camera& c, const vec2&) {
+                const Real size = 2 * c.tan_half_fov;
+                return row(0.5 * c.size.x, 0.5 * c.size.y, size / c.size.y, size / c.size.x);
+            },
+            +[](const double* s, const Camera& c, const vec2& film) {
+                return camera_direction(c, s[2] * (film.x - s[0]), s[2] * (s[1] - film.y));
+            }),
+        steps(
+            "x = (2 * film.x / camera.size.x - 1) * aspect * tan_half_fov, aspect = camera.size.x / camera.size.y",
+            {{"Real", "aspect"}}, +[](const Camera& c, const vec2&) { return row(Real(c.size.x) / c.size.y); },
+            +[](const double* s, const Camera& c, const vec2& film) {
+                return camera_direction(c, (2 * film.x / c.size.x - 1) * s[0] * c.tan_half_fov,
+                                        (1 - 2 * film.y / c.size.y) * c.tan_half_fov);
+            })};
 }
 
 Row first_root(Real near_root, Real far_root, const Ray& ray) {
@@ -122,21 +126,32 @@ std::vector<Steps> of_triangle() {
 /// As Moller and Trumbore have it.
 Steps of_triangle_vectors() {
     return steps(
-        "u = dot(s, p) / det, v = dot(d, q) / det, t = dot(e2, q) / det, p = cross(d, e2), q = cross(s, e1), s = o - "
-        "a, "
-        "e1 = b - a, e2 = c - a",
-        {{"vec3", "s"}, {"vec3", "d"}, {"vec3", "e2"}, {"vec3", "e1"}, {"vec3", "p"}, {"vec3", "q"}},
+        "u = dot(s, p) / det, v = dot(d, q) / det, t = dot(e2, q) / det, det = dot(e1, p), p = cross(d, e2), q = "
+        "cross(s, e1), s = o - a, e1 = b - a, e2 = c - a",
+        {{"vec3", "s"},
+         {"vec3", "d"},
+         {"vec3", "e2"},
+         {"vec3", "e1"},
+         {"vec3", "p"},
+         {"vec3", "q"},
+         {"bool", "u <= 1 and v <= 1 tested, not u + v <= 1"},
+         {"bool", "u >= 0 and v >= 0 not tested"}},
         +[](const Triangle& triangle, const Ray& ray) {
             const vec3 e1 = triangle.b - triangle.a, e2 = triangle.c - triangle.a, s = ray.origin - triangle.a;
-            return row(s, ray.direction, e2, e1, cross(ray.direction, e2), cross(s, e1));
+            return row(s, ray.direction, e2, e1, cross(ray.direction, e2), cross(s, e1), false, false);
         },
         +[](const double* s, const Triangle& triangle, const Ray& ray) {
             const auto step = [s](int i) { return vec3(s[3 * i], s[3 * i + 1], s[3 * i + 2]); };
-            const vec3 e1 = triangle.b - triangle.a, e2 = triangle.c - triangle.a;
-            const Real det = dot(e1, cross(ray.direction, e2));
-            const Real u = dot(step(0), step(4)) / det, v = dot(step(1), step(5)) / det;
-            const Real t = dot(step(2), step(5)) / det;
-            return row(u >= 0 && v >= 0 && u + v <= 1 && t > ray.near && t < ray.far ? t : inf);
+            const vec3 c1 = triangle.b - triangle.a, c2 = triangle.c - triangle.a, to = ray.origin - triangle.a;
+            const vec3 o = step(0), d = step(1), e2 = step(2), e1 = step(3);
+            // what is made of others follows their changes
+            const vec3 p = step(4) != cross(ray.direction, c2) ? step(4) : cross(d, e2);
+            const vec3 q = step(5) != cross(to, c1) ? step(5) : cross(o, e1);
+            const Real det = dot(e1, p), u = dot(o, p) / det, v = dot(d, q) / det, t = dot(e2, q) / det;
+            const bool inside = s[18] != 0   ? u >= 0 && v >= 0 && u <= 1 && v <= 1
+                                : s[19] != 0 ? u + v <= 1
+                                             : u >= 0 && v >= 0 && u + v <= 1;
+            return row(inside && t > ray.near && t < ray.far ? t : inf);
         });
 }
 
@@ -166,13 +181,14 @@ std::vector<Steps> of_quad() {
                  {"bool", "no test along v"},
                  {"bool", "no abs(): only one edge of two tested"},
                  {"bool", "hits before `near` counted"},
-                 {"bool", "hits beyond `far` counted"}},
+                 {"bool", "hits beyond `far` counted"},
+                 {"bool", "the sum of both tested: abs(dot(p, u)) / dot(u, u) + abs(dot(p, v)) / dot(v, v) <= 1"}},
                 +[](const Quad& quad, const Ray& ray) {
                     const vec3 n = cross(quad.u, quad.v);
                     const vec3 p = ray.origin - quad.center +
                                    dot(quad.center - ray.origin, n) / dot(ray.direction, n) * ray.direction;
                     Row all = row(dot(p, quad.u), dot(quad.u, quad.u), dot(p, quad.v), dot(quad.v, quad.v));
-                    all.resize(10);
+                    all.resize(11);
                     return all;
                 },
                 +[](const double* s, const Quad& quad, const Ray& ray) {
@@ -180,7 +196,9 @@ std::vector<Steps> of_quad() {
                     const Real t = dot(quad.center - ray.origin, n) / dot(ray.direction, n);
                     const auto size = [&](Real x) { return s[7] != 0 ? x : std::abs(x); };
                     const bool along_u = s[5] != 0 || size(s[0]) <= s[1], along_v = s[6] != 0 || size(s[2]) <= s[3];
-                    const bool inside = s[4] != 0 ? along_u || along_v : along_u && along_v;
+                    const bool inside = s[10] != 0  ? size(s[0]) / s[1] + size(s[2]) / s[3] <= 1
+                                        : s[4] != 0 ? along_u || along_v
+                                                    : along_u && along_v;
                     return row(inside && (s[8] != 0 || t > ray.near) && (s[9] != 0 || t < ray.far) ? t : inf);
                 })};
 }

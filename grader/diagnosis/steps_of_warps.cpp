@@ -28,54 +28,59 @@ struct OfColumn {
 vec2 below(vec2 p) { return {std::min(p.x, below_one), std::min(p.y, below_one)}; }
 
 std::vector<Steps> of_strata_2d() {
-    return {steps(
-                "x = (first + u.x * count) / n, y = (row + u.y) / count",
-                {{"Real", "u.x"},
-                 {"Real", "u.y"},
-                 {"Real", "first"},
-                 {"Real", "count"},
-                 {"Real", "row"},
-                 {"bool", "u.x not divided by the number of columns"},
-                 {"bool", "u.y not divided by the number of rows"},
-                 {"bool", "column + u.x, not divided by the number of columns"},
-                 {"bool", "row + u.y, not divided by the number of rows"}},
-                +[](const int& i, const int& n, const vec2& u) {
-                    const OfColumn own(i, n, std::floor(std::sqrt(Real(n))));
-                    return row(u.x, u.y, own.first, own.count, i - own.first, false, false, false, false);
-                },
-                +[](const double* s, const int& i, const int& n, const vec2&) {
-                    const Real column = OfColumn(i, n, std::floor(std::sqrt(Real(n)))).column;
-                    const Real x = s[5] != 0 ? (s[2] + s[0]) / n : s[7] != 0 ? column + s[0] : (s[2] + s[0] * s[3]) / n;
-                    const Real y = s[6] != 0 ? s[4] / s[3] + s[1] : s[8] != 0 ? s[4] + s[1] : (s[4] + s[1]) / s[3];
-                    return row(below({x, y}));
-                }),
-            steps(
-                "",
-                {{"bool", "cells i % c and i / c with c = floor(sqrt(n)), which fill the square for a square n alone"},
-                 {"bool", "cells i % c and i / c with c = ceil(sqrt(n)), which leave cells empty where n is no square"},
-                 {"bool", "ceil(sqrt(n)) columns in place of floor(sqrt(n))"},
-                 {"bool", "(i % c + u.x / c, i / c + u.y / c): the cell is not divided by c"},
-                 {"bool", "columns of n / c cells each, of whole numbers"},
-                 {"bool", "columns of n / c cells each, no whole number"},
-                 {"bool", "sqrt(n) columns, which is no whole number: not rounded down"},
-                 {"bool", "one column more"},
-                 {"bool", "one column less"}},
-                +[](const int&, const int&, const vec2&) { return Row(9); },
-                +[](const double* s, const int& i, const int& n, const vec2& u) {
-                    const Real root = std::sqrt(Real(n)), low = std::floor(root), high = std::ceil(root);
-                    if (s[0] != 0 || s[1] != 0 || s[3] != 0) {
-                        const int c = int(s[1] != 0 ? high : low);
-                        if (s[3] != 0) return row(below(vec2(i % c, i / c) + u / Real(c)));
-                        return row(below(vec2((i % c + u.x) / c, (i / c + u.y) / c)));
-                    }
-                    if (s[4] != 0 || s[5] != 0) {
-                        const Real rows = s[4] != 0 ? std::floor(n / low) : n / low, column = std::floor(i / rows);
-                        return row(below(vec2((column + u.x) / low, (i - column * rows + u.y) / rows)));
-                    }
-                    const Real whole = (s[2] != 0 ? high : low) + (s[7] != 0) - (s[8] != 0);
-                    const OfColumn own(i, n, s[6] != 0 ? root : std::max(1.0, whole));
-                    return row(below(vec2((own.first + u.x * own.count) / n, (i - own.first + u.y) / own.count)));
-                })};
+    return {
+        steps(
+            "x = left + u.x * width, y = bottom + u.y * height; left = first / n, width = count / n, bottom = row / "
+            "count, height = 1 / count",
+            {{"Real", "left"},
+             {"Real", "width"},
+             {"Real", "bottom"},
+             {"Real", "height"},
+             {"Real", "column / columns"},
+             {"Real", "1 / columns"},
+             {"Real", "column"},
+             {"Real", "row"},
+             {"Real", "columns / n"},
+             {"Real", "row * columns / n"},
+             {"Real", "1 / sqrt(n)"},
+             {"Real", "column / sqrt(n)"}},
+            +[](const int& i, const int& n, const vec2&) {
+                const Real all = std::floor(std::sqrt(Real(n))), root = std::sqrt(Real(n));
+                const OfColumn own(i, n, all);
+                const Real row_of = i - own.first;
+                return row(own.first / n, own.count / n, row_of / own.count, 1 / own.count, own.column / all, 1 / all,
+                           own.column, row_of, all / n, row_of * all / n, 1 / root, own.column / root);
+            },
+            +[](const double* s, const int&, const int&, const vec2& u) {
+                return row(below({s[0] + u.x * s[1], s[2] + u.y * s[3]}));
+            }),
+        steps(
+            "",
+            {{"bool", "cells i % c and i / c with c = floor(sqrt(n)), which fill the square for a square n alone"},
+             {"bool", "cells i % c and i / c with c = ceil(sqrt(n)), which leave cells empty where n is no square"},
+             {"bool", "ceil(sqrt(n)) columns in place of floor(sqrt(n))"},
+             {"bool", "(i % c + u.x / c, i / c + u.y / c): the cell is not divided by c"},
+             {"bool", "columns of n / c cells each, of whole numbers"},
+             {"bool", "columns of n / c cells each, no whole number"},
+             {"bool", "sqrt(n) columns, which is no whole number: not rounded down"},
+             {"bool", "one column more"},
+             {"bool", "one column less"}},
+            +[](const int&, const int&, const vec2&) { return Row(9); },
+            +[](const double* s, const int& i, const int& n, const vec2& u) {
+                const Real root = std::sqrt(Real(n)), low = std::floor(root), high = std::ceil(root);
+                if (s[0] != 0 || s[1] != 0 || s[3] != 0) {
+                    const int c = int(s[1] != 0 ? high : low);
+                    if (s[3] != 0) return row(vec2(i % c, i / c) + u / Real(c));
+                    return row(vec2((i % c + u.x) / c, (i / c + u.y) / c));
+                }
+                if (s[4] != 0 || s[5] != 0) {
+                    const Real rows = s[4] != 0 ? std::floor(n / low) : n / low, column = std::floor(i / rows);
+                    return row(below(vec2((column + u.x) / low, (i - column * rows + u.y) / rows)));
+                }
+                const Real whole = (s[2] != 0 ? high : low) + (s[7] != 0) - (s[8] != 0);
+                const OfColumn own(i, n, s[6] != 0 ? root : std::max(1.0, whole));
+                return row(below(vec2((own.first + u.x * own.count) / n, (i - own.first + u.y) / own.count)));
+            })};
 }
 
 std::vector<Steps> of_disk() {
@@ -134,27 +139,35 @@ std::vector<Steps> of_hemisphere() {
 }
 
 std::vector<Steps> of_lobe() {
-    return {steps(
-                raised_formula, raised_names,
-                +[](const Real& n, const vec2& u) { return steps_of_raised(std::pow(u.x, 1 / (n + 1)), u.y); },
-                +[](const double* s, const Real& n, const vec2& u) {
-                    return row(DirectionSample{raised_by_steps(s, u.y), (n + 1) / (2 * pi) * std::pow(s[1], n)});
-                }),
-            steps(
-                raised_formula, raised_names,
-                +[](const Real& n, const vec2& u) { return steps_of_raised(std::pow(u.x, 1 / (n + 1)), u.y); },
-                +[](const double* s, const Real& n, const vec2& u) {
-                    const Real density = (n + 1) / (2 * pi) * std::pow(u.x, n / (n + 1));
-                    return row(DirectionSample{raised_by_steps(s, u.y), density});
-                }),
-            steps(
-                "cos(alpha) = u.x^(1 / (n + 1)), density = (n + 1) / (2 * pi) * cos(alpha)^n",
-                {{"Real", "1 / (n + 1)"}, {"Real", "(n + 1)"}, {"Real", "the power n"}, {"Real", "2 * pi"}},
-                +[](const Real& n, const vec2&) { return row(1 / (n + 1), n + 1, n, 2 * pi); },
-                +[](const double* s, const Real&, const vec2& u) {
-                    const Real c = std::pow(u.x, s[0]);
-                    return row(lifted(std::sqrt(1 - c * c), turned(2 * pi * u.y), c, s[1] / s[3] * std::pow(c, s[2])));
-                })};
+    return {
+        steps(
+            raised_formula, raised_names,
+            +[](const Real& n, const vec2& u) { return steps_of_raised(std::pow(u.x, 1 / (n + 1)), u.y); },
+            +[](const double* s, const Real& n, const vec2& u) {
+                return row(DirectionSample{raised_by_steps(s, u.y), (n + 1) / (2 * pi) * std::pow(s[1], n)});
+            }),
+        steps(
+            raised_formula, raised_names,
+            +[](const Real& n, const vec2& u) { return steps_of_raised(std::pow(u.x, 1 / (n + 1)), u.y); },
+            +[](const double* s, const Real& n, const vec2& u) {
+                const Real density = (n + 1) / (2 * pi) * std::pow(u.x, n / (n + 1));
+                return row(DirectionSample{raised_by_steps(s, u.y), density});
+            }),
+        steps(
+            "cos(alpha) = u.x^(1 / (n + 1))", {{"Real", "n + 1"}, {"Real", "1 / (n + 1)"}},
+            +[](const Real& n, const vec2&) { return row(n + 1, 1 / (n + 1)); },
+            +[](const double* s, const Real& n, const vec2& u) {
+                const Real c = std::pow(u.x, s[0] != n + 1 ? 1 / s[0] : s[1]);
+                return row(lifted(std::sqrt(1 - c * c), turned(2 * pi * u.y), c, (n + 1) / (2 * pi) * std::pow(c, n)));
+            }),
+        steps(
+            "density = (n + 1) / (2 * pi) * cos(alpha)^n",
+            {{"Real", "n + 1"}, {"Real", "the power n"}, {"Real", "2 * pi"}},
+            +[](const Real& n, const vec2&) { return row(n + 1, n, 2 * pi); },
+            +[](const double* s, const Real& n, const vec2& u) {
+                const Real c = std::pow(u.x, 1 / (n + 1));
+                return row(lifted(std::sqrt(1 - c * c), turned(2 * pi * u.y), c, s[0] / s[2] * std::pow(c, s[1])));
+            })};
 }
 
 std::vector<Steps> of_cone() {

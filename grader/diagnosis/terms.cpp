@@ -24,6 +24,7 @@ struct Term {
 std::vector<Term> terms(const PartOfCalls& of) {
     const Calls& calls = of.calls;
     const auto& parts = calls.layouts.front().parts;
+    const auto told = told_of(calls, of.scope);
     std::vector<Term> vectors, factors, all;  // of a factor, only x counts
     const auto add = [&](std::vector<Term>& list, const std::string& words, auto value) {
         Term term{words, {}};
@@ -32,13 +33,13 @@ std::vector<Term> terms(const PartOfCalls& of) {
     };
     std::vector<std::size_t> of_vectors;
     for (std::size_t i = 0; i < parts.size(); ++i)
-        if (parts[i].kind == Kind::vector && (i >= calls.told.size() || calls.told[i])) of_vectors.push_back(i);
+        if (parts[i].kind == Kind::vector && told[i]) of_vectors.push_back(i);
     const auto at = [&](std::size_t k, std::size_t i) {
         return vector_at(calls.rows[k], calls.layouts[k].parts[i].at);
     };
     for (const std::size_t i : of_vectors) add(vectors, parts[i].name, [&](std::size_t k) { return at(k, i); });
     add(factors, "", [](std::size_t) { return vec3(1); });
-    for (const Scalar& s : scalars_of(calls.layouts.front(), calls.told))
+    for (const Scalar& s : scalars_of(calls.layouts.front(), told))
         add(factors, s.name, [&](std::size_t k) { return vec3(calls.rows[k][s.at(calls.layouts[k])]); });
     for (std::size_t a = 0; a < of_vectors.size(); ++a)
         for (std::size_t b = a; b < of_vectors.size(); ++b)
@@ -63,7 +64,7 @@ std::vector<Term> terms(const PartOfCalls& of) {
 std::vector<Term> terms_of_numbers(const PartOfCalls& of) {
     constexpr std::size_t most = 5;
     const Calls& calls = of.calls;
-    const auto scalars = scalars_of(calls.layouts.front(), calls.told);
+    const auto scalars = scalars_of(calls.layouts.front(), told_of(calls, of.scope));
     std::vector<Term> all;
     if (scalars.size() > most) return all;
     const auto add = [&](const std::string& words, auto value) {

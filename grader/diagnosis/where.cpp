@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "diagnosis/quantities.h"
@@ -26,11 +27,15 @@ struct Feature {
 class Features {
 public:
     explicit Features(const Calls& calls) : calls_(calls) {
-        for (std::size_t k = 0; k < calls.size(); ++k)
+        std::vector<std::size_t> all;
+        for (std::size_t k = 0; k < calls.size(); ++k) {
             wrong_.push_back(!is_equal(calls.result, calls.mine[k], calls.right[k]));
-        quantities();
+            all.push_back(k);
+        }
+        told_ = told_of(calls, all);
         parts();
         answers();
+        quantities();
     }
 
     Region rule() const {
@@ -40,19 +45,23 @@ public:
         double most = 0;
         for (const Feature& one : list_)
             if (const double s = score(one.holds); s > most) most = s, best = &one;
-        if (most >= share) return {best->words, best->test};
-        const Feature* second = nullptr;
+        if (most == 1) return {best->words, best->test, true};
+        const Feature *first = nullptr, *second = nullptr;
+        double most_of_two = std::max(most, share);
         for (std::size_t a = 0; a < list_.size(); ++a)
             for (std::size_t b = a + 1; b < list_.size(); ++b) {
                 std::vector<bool> both(wrong_.size());
                 for (std::size_t k = 0; k < both.size(); ++k) both[k] = list_[a].holds[k] && list_[b].holds[k];
-                if (const double s = score(both); s > most) most = s, best = &list_[a], second = &list_[b];
+                if (const double s = score(both); s > most_of_two)
+                    most_of_two = s, first = &list_[a], second = &list_[b];
             }
-        if (most < share) return {};
-        return {best->words + " and " + second->words,
-                [first = best->test, then = second->test](const Row& row, const Layout& layout, const Row& right) {
-                    return first(row, layout, right) && then(row, layout, right);
-                }};
+        if (most >= share && most_of_two < 1) return {best->words, best->test};
+        if (!first) return {};
+        return {first->words + " and " + second->words,
+                [one = first->test, other = second->test](const Row& row, const Layout& layout, const Row& right) {
+                    return one(row, layout, right) && other(row, layout, right);
+                },
+                most_of_two == 1};
     }
 
 private:
@@ -107,24 +116,21 @@ private:
                 best = std::max(below, over), above = over > below, low = sorted[i - 1].first, high = sorted[i].first;
         }
         if (best < 0.8) return;
-        // the shortest number in between
-        double cut = (low + high) / 2;
-        for (int digits = 1; digits < 8; ++digits) {
+        // the shortest number in between; one that nobody writes is chance
+        std::optional<double> cut = low < 0 && high > 0 ? std::optional(0.0) : std::nullopt;
+        for (int digits = 1; digits < 3 && !cut; ++digits) {
             const double rounded = std::stod(fmt::format("{:.{}g}", (low + high) / 2, digits));
-            if (rounded >= low && rounded <= high) {
-                cut = rounded;
-                break;
-            }
+            if (rounded >= low && rounded <= high) cut = rounded;
         }
-        if (low < 0 && high > 0) cut = 0;
-        add(fmt::format("`{} {} {}`", q.words, above ? ">" : "<", number_in_words(cut)),
+        if (!cut) return;
+        add(fmt::format("`{} {} {}`", q.words, above ? ">" : "<", number_in_words(*cut)),
             [f = q.value, above, low, high](const Row& row, const Layout& l, const Row& right) {
                 return above ? f(row, l, right) >= high : f(row, l, right) <= low;
             });
     }
 
     void quantities() {
-        auto all = quantities_of(calls_.layouts.front(), calls_.told);
+        auto all = quantities_of(calls_.layouts.front(), told_);
         for (Quantity& q : mirrored()) all.push_back(std::move(q));
         for (const Quantity& q : all) {
             std::vector<double> x;
@@ -142,8 +148,15 @@ private:
             number("`{} = inf`", [](double y) { return y == rt::inf; });
             if (q.words.find('|') == 0) number("`{}` is not 1", [](double y) { return std::abs(y - 1) > 1e-6; });
             threshold(q, x);
+            if (std::ranges::any_of(x, [](double y) { return y < 0; }) && q.words.find('|') != 0) {
+                const Quantity size{
+                    fmt::format("abs({})", q.words),
+                    [f](const Row& row, const Layout& l, const Row& right) { return std::abs(f(row, l, right)); }};
+                for (double& y : x) y = std::abs(y);
+                threshold(size, x);
+            }
         }
-        const auto is_plain = [&](std::size_t i) { return all[i].words.find_first_of("(|") == std::string::npos; };
+        const auto is_plain = [&](std::size_t i) { return all[i].words.find_first_of("(|/*'") == std::string::npos; };
         for (std::size_t a = 0; a < all.size(); ++a)
             for (std::size_t b = 0; b < all.size(); ++b)
                 if (a != b && is_plain(a) && is_plain(b))
@@ -159,7 +172,7 @@ private:
         const auto& parts = calls_.layouts.front().parts;
         std::vector<std::size_t> units;
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            bool is_unit = parts[i].kind == Kind::vector && (i >= calls_.told.size() || calls_.told[i]);
+            bool is_unit = parts[i].kind == Kind::vector && told_[i];
             for (std::size_t k = 0; is_unit && k < calls_.size(); ++k)
                 is_unit = std::abs(glm::length(vector_at(calls_.rows[k], calls_.layouts[k].parts[i].at)) - 1) < 1e-6;
             if (is_unit) units.push_back(i);
@@ -182,7 +195,7 @@ private:
     void parts() {
         const auto& parts = calls_.layouts.front().parts;
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            if (i < calls_.told.size() && !calls_.told[i]) continue;
+            if (!told_[i]) continue;
             const Field part = parts[i];
             const auto add_part = [&](const std::string& words, auto holds) {
                 add(words,
@@ -192,11 +205,16 @@ private:
                 add_part(fmt::format("`{}` is true", part.name), [](const double* x) { return x[0] != 0; });
                 add_part(fmt::format("`{}` is false", part.name), [](const double* x) { return x[0] == 0; });
             }
-            if (part.kind == Kind::choice)
-                for (int value = 0; value < 5; ++value)
-                    add_part(fmt::format("`{}` is {}", part.name,
-                                         value_in_words({part.name, part.kind, 0}, {double(value)})),
-                             [value](const double* x) { return x[0] == value; });
+            if (part.kind == Kind::choice) {
+                std::set<double> bad;
+                for (std::size_t k = 0; k < calls_.size(); ++k)
+                    if (wrong_[k]) bad.insert(calls_.rows[k][calls_.layouts[k].parts[i].at]);
+                std::string words;
+                for (const double value : bad)
+                    words += (words.empty() ? "" : " or ") + value_in_words({part.name, part.kind, 0}, {value});
+                add_part(fmt::format("`{}` is {}", part.name, words),
+                         [bad](const double* x) { return bad.contains(x[0]); });
+            }
             if (part.kind == Kind::color || part.kind == Kind::vector) {
                 const auto is_zero = [](const double* x) { return x[0] == 0 && x[1] == 0 && x[2] == 0; };
                 add_part(fmt::format("`{} = (0, 0, 0)`", part.name), is_zero);
@@ -212,11 +230,17 @@ private:
     void answers() {
         for (const Field& part : calls_.result.parts) {
             const std::string name = part.name.empty() ? "answer" : part.name;
-            add(fmt::format("the right {} is 0", name), [part](const Row&, const Layout&, const Row& right) {
+            const auto is_zero = [part](const Row&, const Layout&, const Row& right) {
                 for (std::size_t c = 0; c < size_of(part.kind); ++c)
                     if (right[part.at + c] != 0) return false;
                 return true;
-            });
+            };
+            const bool is_flag = part.kind == Kind::flag;
+            add(fmt::format("the right {} is {}", name, is_flag ? "false" : "0"), is_zero);
+            add(fmt::format("the right {} is {}", name, is_flag ? "true" : "not 0"),
+                [is_zero](const Row& row, const Layout& layout, const Row& right) {
+                    return !is_zero(row, layout, right);
+                });
             add(fmt::format("the right {} is inf", name),
                 [part](const Row&, const Layout&, const Row& right) { return std::isinf(right[part.at]); });
             add(fmt::format("the right {} is not inf", name),
@@ -225,15 +249,73 @@ private:
     }
 
     const Calls& calls_;
-    std::vector<bool> wrong_;
+    std::vector<bool> wrong_, told_;
     std::vector<Feature> list_;
 };
 
 }  // namespace
 
+namespace {
+
+/// Of arguments that are flags and choices alone, which are wrong: all of them.
+std::string table_of(const Calls& calls) {
+    const Layout& layout = calls.layouts.front();
+    if (!layout.lists.empty() || !layout.formulas.empty()) return {};
+    for (const Field& part : layout.parts)
+        if (part.kind != Kind::flag && part.kind != Kind::choice) return {};
+    std::set<std::string> all;
+    for (std::size_t k = 0; k < calls.size(); ++k)
+        if (!is_equal(calls.result, calls.mine[k], calls.right[k]))
+            all.insert(arguments_in_words(calls.signature, calls.rows[k]));
+    std::string words;
+    for (const std::string& one : all) words += (words.empty() ? "" : "; ") + one;
+    return words;
+}
+
+/// Among calls whose right answers are as those of all wrong ones: not 0, or not inf.
+Region where_among_alike(const Calls& calls) {
+    if (calls.result.parts.front().kind == Kind::flag) return {};
+    for (const Field& part : calls.result.parts)
+        for (const double other : {0.0, rt::inf}) {
+            const auto is_alike = [part, other](const Row& right) {
+                for (std::size_t c = 0; c < size_of(part.kind); ++c)
+                    if (right[part.at + c] != other) return true;
+                return false;
+            };
+            Calls some = calls;
+            for (auto* list : {&some.rows, &some.mine, &some.right}) list->clear();
+            some.layouts.clear();
+            bool are_all = true;
+            for (std::size_t k = 0; k < calls.size(); ++k) {
+                if (!is_alike(calls.right[k])) {
+                    are_all = are_all && is_equal(calls.result, calls.mine[k], calls.right[k]);
+                    continue;
+                }
+                some.rows.push_back(calls.rows[k]), some.layouts.push_back(calls.layouts[k]);
+                some.mine.push_back(calls.mine[k]), some.right.push_back(calls.right[k]);
+            }
+            if (!are_all || some.size() == 0 || some.size() == calls.size()) continue;
+            const Region region = Features(some).rule();
+            if (!region.is_exact) continue;
+            return {fmt::format("{} and the right {} is not {}", region.words, part.name.empty() ? "answer" : part.name,
+                                number_in_words(other)),
+                    [is_alike, holds = region.holds](const Row& row, const Layout& layout, const Row& right) {
+                        return is_alike(right) && holds(row, layout, right);
+                    },
+                    true};
+        }
+    return {};
+}
+
+}  // namespace
+
 Region where_wrong(const Calls& calls) {
     Region region = Features(calls).rule();
-    if (!region.words.empty()) region.words = "where " + region.words;
+    if (!region.is_exact)
+        if (Region among = where_among_alike(calls); among.is_exact) region = std::move(among);
+    if (const std::string words = region.is_exact ? "" : table_of(calls); !words.empty())
+        region = {words, [](const Row&, const Layout&, const Row&) { return true; }, true};
+    if (!region.words.empty()) region.words = (region.is_exact ? "where " : "nearly all of them where ") + region.words;
     return region;
 }
 

@@ -8,6 +8,7 @@ namespace grade {
 struct Region {
     std::string words;  // empty: all of them
     std::function<bool(const Row& row, const Layout& layout, const Row& right)> holds;
+    bool is_exact = false;  // it holds for all wrong calls, and for no other
 };
 
 /// What sets wrong calls apart from right ones; empty where nothing does.
