@@ -100,7 +100,8 @@ private:
             std::string kinds;
             bool is_all = true;
             for (int value = 0; value < 5; ++value) {
-                const Calls some = calls_with(i, value);
+                const Calls some = those_of(
+                    calls_, [&](std::size_t k) { return calls_.rows[k][calls_.layouts[k].parts[i].at] == value; });
                 if (some.size() == 0 || some.size() == calls_.size()) continue;
                 Search search(some, ask_, sampled_);
                 if (search.wrong_.empty()) continue;
@@ -119,18 +120,6 @@ private:
             return first;
         }
         return std::nullopt;
-    }
-
-    Calls calls_with(std::size_t part, int value) const {
-        Calls some = calls_;
-        for (auto* list : {&some.rows, &some.mine, &some.right}) list->clear();
-        some.layouts.clear();
-        for (const std::size_t k : all_) {
-            if (calls_.rows[k][calls_.layouts[k].parts[part].at] != value) continue;
-            some.rows.push_back(calls_.rows[k]), some.layouts.push_back(calls_.layouts[k]);
-            some.mine.push_back(calls_.mine[k]), some.right.push_back(calls_.right[k]);
-        }
-        return some;
     }
 
     std::optional<Relation> one_mistake() {
