@@ -371,6 +371,11 @@ private:
     std::optional<Relation> by_parts() const {
         std::string words;
         for (const Field* part : parts_) {
+            const auto is_wrong = [&](std::size_t k) {
+                return counts(calls_.result, *part, calls_.mine[k], calls_.right[k]) &&
+                       !is_equal(*part, calls_.mine[k], calls_.right[k]);
+            };
+            if (std::ranges::count_if(wrong_, is_wrong) < std::ptrdiff_t(2 * enough)) continue;
             double best = best_cost;
             std::string found;
             if (const auto form = form_of(calls_, *part, calls_.right, all_, false); form && !sampled_)
