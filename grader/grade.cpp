@@ -1,4 +1,4 @@
-#include "commands/command_line.h"
+#include "commands/commands.h"
 #include "rt/processor.h"
 
 int main(int argc, char** argv) {

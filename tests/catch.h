@@ -10,3 +10,17 @@ namespace Catch::Matchers {
 inline auto ContainsSubstring(const std::string& words) { return Contains(words); }
 }  // namespace Catch::Matchers
 #endif
+
+#include <exception>
+#include <string>
+
+/// What a function throws, in its words; empty: nothing.
+template <class F>
+std::string complaint_of(F function) {
+    try {
+        function();
+        return "";
+    } catch (const std::exception& error) {
+        return error.what();
+    }
+}

@@ -27,9 +27,7 @@ Image picture(const std::string& shapes, const std::string& more = "") {
             "[[light]]\ntype = \"directional\"\ntoward = [0, 0, 1]\nirradiance = " +
             std::to_string(pi) + "\n" + shapes,
         "scene.toml");
-    RenderSettings settings;
-    settings.samples = 1;
-    return render(scene, settings).image;
+    return render(scene, {.samples = 1}).image;
 }
 
 /// Where the ray through a pixel is in the plane z = 0.

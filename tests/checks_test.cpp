@@ -193,10 +193,11 @@ TEST_CASE("a picture that the solution draws under one seed does not pass under 
         if (!render) continue;
         const std::string name = first[k].fragment + "/" + first[k].name;
         CAPTURE(name);
-        rt::RenderSettings settings;
-        settings.samples = render->samples, settings.threads = 1, settings.estimate_error = false;
-        settings.one_of_many = true;
-        settings.sampler = *rt::sampler_named(render->sampler);
+        const rt::RenderSettings settings{.samples = render->samples,
+                                          .threads = 1,
+                                          .sampler = *rt::sampler_named(render->sampler),
+                                          .one_of_many = true,
+                                          .estimate_error = false};
         Observation copied;
         copied.image = rt::render(rt::parse_scene(render->scene, "scenes/scene.toml"), settings).image;
         const auto is_off = [&](const Statistic& s) {

@@ -6,39 +6,7 @@ grade=$1/grader/grade
 # shellcheck source=tests/expect.sh
 . "$(dirname "$0")/expect.sh"
 
-cat >"$work/tiny.toml" <<'END'
-[camera]
-eye = [0, 4, 6.5]
-target = [0, 0.6, 0.3]
-vfov = 40
-size = [24, 24]
-
-[materials.grey]
-albedo = [0.5, 0.5, 0.5]
-
-[materials.lamp]
-emission = [12, 12, 12]
-
-[[shape]]
-type = "quad"
-center = [0, 0, 0]
-u = [25, 0, 0]
-v = [0, 0, -25]
-material = "grey"
-
-[[shape]]
-type = "quad"
-center = [2, 4.5, 1.5]
-u = [1, 0, 0]
-v = [0, 0, 1]
-material = "lamp"
-
-[[shape]]
-type = "sphere"
-center = [0, 1, 0]
-radius = 1
-material = "grey"
-END
+sed 's/^size = .*/size = [24, 24]/' scenes/bench/soft_shadow.toml >"$work/tiny.toml"
 few=(--samples "1,4,16,64" --replicates 4 --folder "$work/kept")
 
 # all files, of the solution alone

@@ -4,12 +4,12 @@
     tests/example_test.py GRADE
 """
 
-import json
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
+
+from helpers import end, expect, record_at, run
 
 example = pathlib.Path(__file__).resolve().parent / "example"
 verdicts = ["passed", "failed", "not started", "did not build", "crashed", "timed out", "not finite"]
@@ -30,26 +30,18 @@ def table():
 def main():
     with tempfile.TemporaryDirectory() as work:
         file = pathlib.Path(work) / "record.json"
-        done = subprocess.run([sys.argv[1], example, "--seed", "1", "--json", file], capture_output=True, text=True)
-        if done.returncode != 0:
-            sys.exit(f"grade ended with {done.returncode}:\n{done.stdout}{done.stderr}")
-        record = json.loads(file.read_text())
+        run([sys.argv[1], example, "--seed", "1", "--json", file])
+        record = record_at(file)
 
     expected = table()
-    wrong = 0
     for fragment in record["fragments"]:
         verdict = expected.get(fragment["name"], "passed")
-        if fragment["verdict"] != verdict:
-            wrong += 1
-            print(f"{fragment['name']}: {fragment['verdict']}, expected {verdict}: {fragment['message']}")
-        elif verdict not in ("passed", "not_started") and not fragment["message"]:
-            wrong += 1
-            print(f"{fragment['name']}: {verdict}, and no word about it")
+        expect(fragment["verdict"] == verdict,
+               f"{fragment['name']}: {fragment['verdict']}, expected {verdict}: {fragment['message']}")
+        expect(verdict in ("passed", "not_started") or fragment["message"], f"{fragment['name']}: {verdict}, and no word about it")
     missing = set(expected) - {fragment["name"] for fragment in record["fragments"]}
-    if missing:
-        sys.exit(f"no such fragments: {', '.join(sorted(missing))}")
-    print(f"{len(record['fragments']) - wrong} of {len(record['fragments'])} fragments have the verdict of the table")
-    sys.exit(wrong > 0)
+    expect(not missing, f"no such fragments: {', '.join(sorted(missing))}")
+    end(f"all {len(record['fragments'])} fragments have the verdict of the table")
 
 
 main()

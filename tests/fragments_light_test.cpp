@@ -1,7 +1,7 @@
 #include "catch.h"
 #include "random.h"
 #include "rt/fragments.h"
-#include "statistics/irradiance.h"
+#include "statistics/closed_forms.h"
 #include "warp.h"
 
 using namespace rt;

@@ -1,5 +1,6 @@
 
 #include "catch.h"
+#include "checks/kit/probe_check.h"
 #include "diagnosis/diagnosis.h"
 #include "files/files.h"
 #include "judging/budget.h"
@@ -12,25 +13,14 @@ using namespace grade;
 
 namespace {
 
-/// A few small checks: one without noise, one with, one picture, one for a fragment that nobody spoils.
-Check keeps_length() {
-    Check mirror;
-    mirror.name = "length";
-    mirror.fragment = "mirror_direction";
-    mirror.experiment = Probe{"mirror_direction", [](Generator& generator) {
-                                  std::normal_distribution<double> normal;
-                                  Rows rows;
-                                  for (int i = 0; i < 20; ++i) {
-                                      const rt::vec3 d(normal(generator), normal(generator), normal(generator));
-                                      rows.push_back(row(d, rt::unit({normal(generator), normal(generator), 1})));
-                                  }
-                                  return rows;
-                              }};
-    Statistic length{"M",  "largest change of length [1]",
-                     {},   0.0,
-                     0,    1e-12,
-                     true, [](double, double) { return std::string("keep the length"); }};
-    length.measure = [](const Observation& seen) {
+/// A check of one statistic, of calls with random arguments.
+Check toy(const std::string& fragment, std::function<Rows(Generator&)> inputs, Statistic statistic) {
+    return {"toy", fragment, Probe{fragment, std::move(inputs)}, {std::move(statistic)}};
+}
+
+/// A few small checks: one without noise, one with, one that is like the solution.
+std::vector<Check> toy_checks() {
+    const auto change_of_length = [](const Observation& seen) {
         double most = 0;
         for (std::size_t i = 0; i < seen.inputs.size(); ++i) {
             const auto d = from_row<rt::vec3>(seen.inputs[i]), r = from_row<rt::vec3>(seen.outputs[i]);
@@ -38,25 +28,7 @@ Check keeps_length() {
         }
         return most;
     };
-    mirror.statistics = {length};
-    return mirror;
-}
-
-Check mean_radius() {
-    Check disk;
-    disk.name = "radius";
-    disk.fragment = "uniform_disk";
-    disk.experiment = Probe{"uniform_disk", [](Generator& generator) {
-                                std::uniform_real_distribution<double> uniform;
-                                Rows rows;
-                                for (int i = 0; i < 200; ++i) {
-                                    const double u = uniform(generator), v = uniform(generator);
-                                    rows.push_back(row(rt::vec2(u, v)));
-                                }
-                                return rows;
-                            }};
-    Statistic radius{"D2", "mean squared radius [1]", {}, 0.5, 0.002, 0.05, false, {}};
-    radius.measure = [](const Observation& seen) {
+    const auto squared_radius = [](const Observation& seen) {
         double sum = 0;
         for (const Row& out : seen.outputs) {
             const auto sample = from_row<rt::DiskSample>(out);
@@ -64,34 +36,24 @@ Check mean_radius() {
         }
         return sum / double(seen.outputs.size());
     };
-    disk.statistics = {radius};
-    return disk;
-}
-
-Check like_the_solution() {
-    Check ray;
-    ray.name = "like the solution";
-    ray.fragment = "camera_ray";
-    ray.experiment = Probe{"camera_ray", [](Generator& generator) {
-                               std::uniform_real_distribution<double> uniform(0, 256);
-                               Rows rows;
-                               for (int i = 0; i < 10; ++i) {
-                                   const double x = uniform(generator), y = uniform(generator);
-                                   rows.push_back(row(rt::Camera{}, rt::vec2(x, y)));
-                               }
-                               return rows;
-                           }};
-    Statistic sum{"C", "sum of directions [1]", {}, std::nullopt, 0, 1e-9, true, {}};
-    sum.measure = [](const Observation& seen) {
+    const auto directions = [](const Observation& seen) {
         rt::vec3 total(0);
         for (const Row& out : seen.outputs) total += rt::unit(from_row<rt::Ray>(out).direction);
         return total.x + 2 * total.y + 3 * total.z;
     };
-    ray.statistics = {sum};
-    return ray;
+    const auto keep = [](double, double) { return std::string("keep the length"); };
+    return {toy("mirror_direction",
+                rows_of(20,
+                        [](Generator& random) {
+                            const rt::vec3 d = box(random, -2, 2);
+                            return row(d, direction(random));
+                        }),
+                {"M", "largest change of length [1]", change_of_length, 0.0, 0, 1e-12, true, keep}),
+            toy("uniform_disk", rows_of(200, [](Generator& random) { return row(square(random)); }),
+                {"D2", "mean squared radius [1]", squared_radius, 0.5, 0.002, 0.05, false, {}}),
+            toy("camera_ray", rows_of(10, [](Generator& random) { return row(rt::Camera{}, 256.0 * square(random)); }),
+                {"C", "sum of directions [1]", directions, std::nullopt, 0, 1e-9, true, {}})};
 }
-
-std::vector<Check> toy_checks() { return {keeps_length(), mean_radius(), like_the_solution()}; }
 
 const std::vector<std::string> names{"mirror_direction", "uniform_disk", "camera_ray"};
 
@@ -139,6 +101,47 @@ FragmentRecord graded_mirror(const std::string& text) {
     return of(record, "mirror_direction");
 }
 
+/// What a mirror_direction does, and what its author reads.
+struct Mistake {
+    const char* what;
+    std::string text;
+    Verdict verdict;
+    const char* words;
+};
+
+const Mistake mistakes[] = {
+    {"is blank", mirror("// nothing yet\nreturn not_started(d);"), Verdict::not_started, ""},
+    {"has another signature",
+     "#include \"rt/fragments.h\"\nnamespace rt { vec3 mirror_direction(const vec3& d, vec3 n) { return d + n; } }\n",
+     Verdict::did_not_build, "signature differs from fragments.h"},
+    {"calls what is nowhere defined", mirror("return helper(d);", "namespace rt { vec3 helper(vec3); }\n"),
+     Verdict::did_not_build, "helper"},
+    {"crashes", mirror("volatile int* p = nullptr; return d * double(*p);"), Verdict::crashed,
+#ifdef __SANITIZE_ADDRESS__  // which has a handler of its own
+     ""},
+#else
+     "SIGSEGV"},
+#endif
+    {"leaves the program, whatever it printed", mirror("std::puts(\"PASS 100\"); std::_Exit(0);"), Verdict::crashed,
+     "must return"},
+    {"throws", mirror("throw std::runtime_error(\"oh no\");", "#include <stdexcept>\n"), Verdict::crashed, "oh no"},
+    {"never ends", mirror("volatile bool on = true; while (on) {} return d;"), Verdict::timed_out,
+     "ran longer than 1 s; the solution needs"},
+    {"sleeps for ever", mirror("sleep(1000); return d;", "#include <unistd.h>\n"), Verdict::timed_out,
+     "waits for something: no answer came within 5 s; the solution needs"},
+    {"takes all memory",
+     mirror("static std::vector<char> all; all.resize(3ull << 30, 1); return d;", "#include <vector>\n"),
+     Verdict::crashed, "uses more than 2 GB of memory"},
+    {"forks", mirror("while (true) fork(); return d;", "#include <unistd.h>\n"), Verdict::crashed,
+     "starts other programs"},
+    {"starts a shell", mirror("(void)!std::system(\"true\"); return d;"), Verdict::crashed, "starts other programs"},
+    {"forks with vfork", mirror("vfork(); return d;", "#include <unistd.h>\n"), Verdict::crashed,
+     "starts other programs"},
+    {"returns NaN", mirror("return d * std::sqrt(-1.0 - dot(d, d));", "#include <cmath>\n"), Verdict::not_finite,
+     "mirror_direction returned nan: look for 0/0"},
+    {"keeps state", mirror("static double k = 1; k *= 1.5; return k * d;"), Verdict::failed,
+     "again with the same arguments"}};
+
 }  // namespace
 
 TEST_CASE("the solution's fragments get all points, whatever helpers they define") {
@@ -165,10 +168,15 @@ TEST_CASE("a fragment without a check is the instructor's error, and no verdict"
         Catch::Matchers::ContainsSubstring("assignment.toml lists phong, and this grader has no check of it"));
 }
 
-TEST_CASE("a blank is not started, and costs only itself") {
-    const FragmentRecord fragment = graded_mirror(mirror("// nothing yet\nreturn not_started(d);"));
-    CHECK(fragment.verdict == Verdict::not_started);
-    CHECK(fragment.points == 0);
+TEST_CASE("what goes wrong in a fragment is told, and costs only itself") {
+    for (const Mistake& mistake : mistakes) {
+        const FragmentRecord fragment = graded_mirror(mistake.text);
+        INFO("a mirror_direction that " << mistake.what << ": " << name(fragment.verdict) << ": "
+                                        << first_message(fragment));
+        CHECK(fragment.verdict == mistake.verdict);
+        CHECK(fragment.points == 0);
+        CHECK(first_message(fragment).find(mistake.words) != std::string::npos);
+    }
 }
 
 TEST_CASE("a fragment that does not compile shows the first error with file and line") {
@@ -177,74 +185,6 @@ TEST_CASE("a fragment that does not compile shows the first error with file and 
     INFO(fragment.message);
     CHECK(fragment.message.starts_with("mirror_direction.cpp:6:"));
     CHECK(fragment.message.find("normal") != std::string::npos);
-}
-
-TEST_CASE("a fragment with another signature is told what fragments.h declares") {
-    const FragmentRecord fragment = graded_mirror(
-        "#include \"rt/fragments.h\"\nnamespace rt { vec3 mirror_direction(const vec3& d, vec3 n) { return d + n; } "
-        "}\n");
-    CHECK(fragment.verdict == Verdict::did_not_build);
-    INFO(fragment.message);
-    CHECK(fragment.message.find("signature differs from fragments.h") != std::string::npos);
-}
-
-TEST_CASE("a fragment that calls what is nowhere defined did not build") {
-    const FragmentRecord fragment = graded_mirror(mirror("return helper(d);", "namespace rt { vec3 helper(vec3); }\n"));
-    CHECK(fragment.verdict == Verdict::did_not_build);
-    INFO(fragment.message);
-    CHECK(fragment.message.find("helper") != std::string::npos);
-}
-
-TEST_CASE("a fragment that crashes is told how") {
-    const FragmentRecord fragment = graded_mirror(mirror("volatile int* p = nullptr; return d * double(*p);"));
-    CHECK(fragment.verdict == Verdict::crashed);
-    INFO(first_message(fragment));
-#ifndef __SANITIZE_ADDRESS__  // which has a handler of its own
-    CHECK(first_message(fragment).find("SIGSEGV") != std::string::npos);
-#endif
-}
-
-TEST_CASE("a fragment that leaves the program is told so, whatever it printed") {
-    const FragmentRecord fragment = graded_mirror(mirror("std::puts(\"PASS 100\"); std::_Exit(0);"));
-    CHECK(fragment.verdict == Verdict::crashed);
-    INFO(first_message(fragment));
-    CHECK(first_message(fragment).find("must return") != std::string::npos);
-}
-
-TEST_CASE("a fragment that throws is told what") {
-    const FragmentRecord fragment =
-        graded_mirror(mirror("throw std::runtime_error(\"oh no\");", "#include <stdexcept>\n"));
-    CHECK(fragment.verdict == Verdict::crashed);
-    CHECK(first_message(fragment).find("oh no") != std::string::npos);
-}
-
-TEST_CASE("a fragment that never ends is stopped, with the time that the solution needs") {
-    const FragmentRecord fragment = graded_mirror(mirror("volatile bool on = true; while (on) {} return d;"));
-    CHECK(fragment.verdict == Verdict::timed_out);
-    INFO(first_message(fragment));
-    CHECK(first_message(fragment).find("ran longer than 1 s; the solution needs") != std::string::npos);
-}
-
-TEST_CASE("a fragment that sleeps for ever is stopped") {
-    const FragmentRecord fragment = graded_mirror(mirror("sleep(1000); return d;", "#include <unistd.h>\n"));
-    CHECK(fragment.verdict == Verdict::timed_out);
-    INFO(first_message(fragment));
-    CHECK(first_message(fragment).find("waits for something: no answer came within 5 s; the solution needs") !=
-          std::string::npos);
-}
-
-TEST_CASE("a fragment that takes all memory or starts programs is told so") {
-    const FragmentRecord memory = graded_mirror(
-        mirror("static std::vector<char> all; all.resize(3ull << 30, 1); return d;", "#include <vector>\n"));
-    CHECK(memory.verdict == Verdict::crashed);
-    INFO(first_message(memory));
-    CHECK(first_message(memory).find("uses more than 2 GB of memory") != std::string::npos);
-    for (const std::string start : {"while (true) fork();", "(void)!std::system(\"true\");", "vfork();"}) {
-        const FragmentRecord fragment = graded_mirror(mirror(start + " return d;", "#include <unistd.h>\n"));
-        CHECK(fragment.verdict == Verdict::crashed);
-        INFO(first_message(fragment));
-        CHECK(first_message(fragment).find("starts other programs") != std::string::npos);
-    }
 }
 
 TEST_CASE("a fragment's budget is a time for whatever it does, and many times what the solution needs") {
@@ -260,22 +200,10 @@ TEST_CASE("a fragment's budget is a time for whatever it does, and many times wh
     CHECK_FALSE(budget.covers(mine, 1010, needs(1000 / Budget::times)));
 }
 
-TEST_CASE("a fragment that returns NaN is told for which arguments") {
+TEST_CASE("a fragment that divides by 0 does not pass, be it inf or nan") {
     const FragmentRecord fragment = graded_mirror(mirror("return d / (dot(d, n) - dot(n, d));"));
-    const std::string message = first_message(fragment);
-    INFO(message);
-    // d / 0 is inf or nan
-    CHECK(fragment.verdict != Verdict::passed);
-    const FragmentRecord nan = graded_mirror(mirror("return d * std::sqrt(-1.0 - dot(d, d));", "#include <cmath>\n"));
-    CHECK(nan.verdict == Verdict::not_finite);
-    CHECK(first_message(nan).starts_with("mirror_direction returned nan: look for 0/0"));
-}
-
-TEST_CASE("a fragment that keeps state is told so") {
-    const FragmentRecord fragment = graded_mirror(mirror("static double k = 1; k *= 1.5; return k * d;"));
-    CHECK(fragment.verdict == Verdict::failed);
     INFO(first_message(fragment));
-    CHECK(first_message(fragment).find("again with the same arguments") != std::string::npos);
+    CHECK(fragment.verdict != Verdict::passed);
 }
 
 TEST_CASE("a wrong fragment fails with the hint of its statistic") {

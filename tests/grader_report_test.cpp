@@ -4,10 +4,10 @@
 #include "diagnosis/diagnosis.h"
 #include "programs/process.h"
 #include "protocol/rows.h"
-#include "report/bar.h"
 #include "report/escape.h"
 #include "report/json.h"
 #include "report/page.h"
+#include "report/page_parts.h"
 #include "report/picture.h"
 #include "report/terminal.h"
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <csignal>
+#include <fstream>
+#include <iterator>
 
 #include "catch.h"
 #include "diagnosis/sanitizer.h"
@@ -60,17 +62,10 @@ Ending shell(const Sandbox& sandbox, const fs::path& folder, const std::string& 
 
 int count_of(const std::string& word) {
     int count = 0;
-    for (const auto& entry : fs::directory_iterator("/proc"))
-        if (const auto line =
-                [&] {
-                    std::string text(4096, '\0');
-                    FILE* file = std::fopen((entry.path() / "cmdline").c_str(), "r");
-                    text.resize(file ? std::fread(text.data(), 1, text.size(), file) : 0);
-                    if (file) std::fclose(file);
-                    return text;
-                }();
-            line.find(word) != line.npos)
-            ++count;
+    for (const auto& entry : fs::directory_iterator("/proc")) {
+        std::ifstream line(entry.path() / "cmdline");
+        count += std::string(std::istreambuf_iterator<char>(line), {}).find(word) != std::string::npos;
+    }
     return count;
 }
 
@@ -82,9 +77,19 @@ const Toolchain& chain() {
 const std::string phong = read_text("solution/phong.cpp").value_or("");
 
 Compiled compiled(const Sandbox& sandbox, const std::string& text) {
-    const Place place;
-    Compiled result = compile_fragment(chain(), sandbox, "phong", text, "phong.cpp", place.folder);
-    return result;
+    return compile_fragment(chain(), sandbox, "phong", text, "phong.cpp", Place().folder);
+}
+
+/// A program with this object of a fragment, and the solution's others.
+fs::path linked(const Toolchain& chain, const Sandbox& sandbox, const std::string& fragment, const fs::path& object,
+                const Place& place) {
+    std::vector<fs::path> objects{object};
+    for (const auto& [name, others] : chain.solution_objects)
+        if (name != fragment) objects.push_back(others);
+    const fs::path program = place.outer.path() / "program/child";
+    fs::create_directory(program.parent_path());
+    CHECK(link_child(chain, sandbox, objects, program).empty());
+    return program;
 }
 
 }  // namespace
@@ -180,12 +185,7 @@ TEST_CASE("a fragment compiles and links in every sandbox", "[steps]") {
         const Place place;
         const Compiled result = compile_fragment(chain(), sandbox, "phong", phong, "phong.cpp", place.folder);
         REQUIRE(result.message.empty());
-        std::vector<fs::path> objects{result.object};
-        for (const auto& [name, object] : chain().solution_objects)
-            if (name != "phong") objects.push_back(object);
-        fs::create_directory(place.outer.path() / "program");
-        CHECK(link_child(chain(), sandbox, objects, place.outer.path() / "program/child").empty());
-        CHECK(fs::exists(place.outer.path() / "program/child"));
+        CHECK(fs::exists(linked(chain(), sandbox, "phong", result.object, place)));
         // what the precompiled header leaves out is there all the same
         CHECK(compiled(sandbox, phong + "double eighth = std::beta(2.0, 3.0) * 1.5;\n").message.empty());
     }
@@ -217,13 +217,8 @@ TEST_CASE("sanitizers say in which line a fragment breaks down", "[steps]") {
                                                      body + "\n}\n}\n",
                                                  "moved.cpp", place.folder);
         REQUIRE(result.message.empty());
-        std::vector<fs::path> objects{result.object};
-        for (const auto& [name, object] : chain().solution_objects)
-            if (name != "moved") objects.push_back(object);
-        const fs::path program = place.outer.path() / "program/child";
-        fs::create_directory(program.parent_path());
-        REQUIRE(link_child(checked, sandbox, objects, program).empty());
-        Runner runner(program, sandbox, fs::absolute("scenes"), 5, true);
+        Runner runner(linked(checked, sandbox, "moved", result.object, place), sandbox, fs::absolute("scenes"), 5,
+                      true);
         const auto outcome = runner.probe("moved", {row(rt::vec3(1), rt::vec3(2), 3.0)});
         const Fault* fault = std::get_if<Fault>(&outcome);
         return fault ? fault_in_words(fault->excerpt, "moved") : "answered";

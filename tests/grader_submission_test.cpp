@@ -45,6 +45,16 @@ void pack(const fs::path& path, const std::vector<Entry>& entries, bool zip) {
     archive_write_free(out);
 }
 
+/// So many copies of a fragment, as large as they may be.
+std::vector<Entry> copies(int count) {
+    std::vector<Entry> entries;
+    for (int i = 0; i < count; ++i)
+        entries.push_back({std::to_string(i) + "/moved.cpp", std::string(most_source_bytes, ' ')});
+    return entries;
+}
+
+const std::string garcia = "HW3_Garc\u00eda";
+
 }  // namespace
 
 TEST_CASE("a folder of fragments, a starter, and archives of either are read alike") {
@@ -124,11 +134,8 @@ TEST_CASE("what is no submission is an error that fragments_of_hand_in it") {
 
 TEST_CASE("an archive with thousands of copies of a fragment is refused before they fill the memory") {
     const TemporaryFolder folder;
-    std::vector<Entry> entries;
-    for (int i = 0; i < 200; ++i)
-        entries.push_back({std::to_string(i) + "/moved.cpp", std::string(most_source_bytes, ' ')});
     for (const bool zip : {true, false}) {
-        pack(folder.path() / "many", entries, zip);
+        pack(folder.path() / "many", copies(200), zip);
         CHECK_THROWS_WITH(read_submission(folder.path() / "many", fragments_of_hand_in),
                           Catch::Matchers::ContainsSubstring("named like fragments"));
     }
@@ -170,9 +177,7 @@ TEST_CASE("each of the archives that were refused or misread is graded, or told 
     const auto read = [&](const char* name) { return read_submission(fs::path("tests/cases/archives") / name, all); };
     const Submission utf8 = read("name_of_student.zip");
     CHECK(utf8.texts.contains("hit_sphere"));
-    CHECK(utf8.folder ==
-          "HW3_Garc\xc3\xad"
-          "a/fragments/");
+    CHECK(utf8.folder == garcia + "/fragments/");
 
     const Submission suffix = read("browser_suffix.zip");
     CHECK(suffix.texts.contains("mirror_direction"));
@@ -311,11 +316,8 @@ TEST_CASE("archives in a folder are looked into", "[submission]") {
     CHECK(s.notes.empty());
 
     // within bounds, for all of them together
-    std::vector<Entry> entries;
-    for (int i = 0; i < 100; ++i)
-        entries.push_back({std::to_string(i) + "/moved.cpp", std::string(most_source_bytes, ' ')});
-    pack(zip, entries, true);
-    pack(top / "more.tar.gz", entries, false);
+    pack(zip, copies(100), true);
+    pack(top / "more.tar.gz", copies(100), false);
     CHECK_THROWS_WITH(read(), Catch::Matchers::ContainsSubstring("named like fragments"));
     fs::remove(top / "more.tar.gz");
 
@@ -354,36 +356,40 @@ TEST_CASE("of fragments and an archive beside them the fuller one is taken", "[s
     s = read();
     CHECK(s.texts == std::map<std::string, std::string>{{"moved", "beside"}});
     CHECK(s.notes.at(0).starts_with("work.zip was left out: work.zip: cannot be unpacked: it is cut off"));
-    std::vector<Entry> entries;
-    for (int i = 0; i < 200; ++i)
-        entries.push_back({std::to_string(i) + "/moved.cpp", std::string(most_source_bytes, ' ')});
-    pack(top / "work.zip", entries, true);
+    pack(top / "work.zip", copies(200), true);
     s = read();
     CHECK(s.texts == std::map<std::string, std::string>{{"moved", "beside"}});
     CHECK(s.notes.at(0).find("work.zip: holds more than 32 MiB") != std::string::npos);
 }
 
-TEST_CASE("what is wrong with an archive is said", "[submission]") {
-    const TemporaryFolder folder;
-    const fs::path zip = folder.path() / "work.zip", tar = folder.path() / "work.tar.gz";
-    const auto fault = [&](const fs::path& file) -> std::string {
-        try {
-            read_submission(file, fragments_of_hand_in);
-        } catch (const SubmissionError& error) {
-            return error.what();
-        }
-        return "none";
-    };
-    const auto says = [&](const fs::path& file, const char* words) {
-        INFO(fault(file));
-        CHECK(fault(file).find(words) != std::string::npos);
-    };
+namespace {
+
+std::string fault_of(const fs::path& file) {
+    return complaint_of([&] { read_submission(file, fragments_of_hand_in); });
+}
+
+void says(const fs::path& file, const char* words) {
+    INFO(fault_of(file));
+    CHECK(fault_of(file).find(words) != std::string::npos);
+}
+
+/// Which no compression makes much smaller.
+std::string long_text() {
     std::string text;
     for (int i = 0; i < 5000; ++i) text += std::to_string(i * i);
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE("an archive that is cut off, or none, is told as what it is", "[submission]") {
+    const TemporaryFolder folder;
+    const fs::path zip = folder.path() / "work.zip", tar = folder.path() / "work.tar.gz";
+    const std::string text = long_text();
     pack(zip, {{"moved.cpp", text}, {"phong.cpp", text}}, true);
     pack(tar, {{"moved.cpp", text}, {"phong.cpp", text}}, false);
-    REQUIRE(fault(zip) == "none");
-    REQUIRE(fault(tar) == "none");
+    REQUIRE(fault_of(zip) == "");
+    REQUIRE(fault_of(tar) == "");
     const std::string whole_zip = read_text(zip).value(), whole_tar = read_text(tar).value();
     for (const double share : {0.01, 0.4, 0.7, 0.9}) {
         write_text(zip, whole_zip.substr(0, std::size_t(share * double(whole_zip.size()))));
@@ -393,7 +399,7 @@ TEST_CASE("what is wrong with an archive is said", "[submission]") {
     }
     // between two files: whatever is read of it, it is said
     write_text(zip, whole_zip.substr(0, whole_zip.find("PK\3\4", 4)));
-    if (fault(zip) == "none")
+    if (fault_of(zip) == "")
         CHECK(read_submission(zip, fragments_of_hand_in).notes.at(0).find("it is cut off") != std::string::npos);
     else
         says(zip, "it is cut off");
@@ -408,7 +414,14 @@ TEST_CASE("what is wrong with an archive is said", "[submission]") {
     says(zip, "by its contents it is a .rar");
     write_text(zip, "my fragments are on a stick");
     says(zip, "by its contents it is no archive");
+}
 
+TEST_CASE("what leads out of an archive, or is broken within it, is left out", "[submission]") {
+    const TemporaryFolder folder;
+    const fs::path zip = folder.path() / "work.zip", outer = folder.path() / "outer.zip";
+    const std::string text = long_text();
+    pack(zip, {{"moved.cpp", text}, {"phong.cpp", text}}, true);
+    const std::string whole_zip = read_text(zip).value();
     for (const char* name : {"../moved.cpp", "/home/me/moved.cpp", "..\\moved.cpp"}) {
         pack(zip, {{name, text}}, true);
         says(zip, "holds nothing that can be taken");
@@ -418,26 +431,19 @@ TEST_CASE("what is wrong with an archive is said", "[submission]") {
     const Submission s = read_submission(zip, fragments_of_hand_in);
     CHECK(s.texts.size() == 1);
     CHECK(s.notes == std::vector<std::string>{"1 file was left out: ../phong.cpp leads out of the archive"});
-    pack(folder.path() / "outer.zip", {{"work.zip", whole_zip.substr(0, whole_zip.size() / 2)}}, true);
-    CHECK(read_submission(folder.path() / "outer.zip", fragments_of_hand_in).notes ==
+    pack(outer, {{"work.zip", whole_zip.substr(0, whole_zip.size() / 2)}}, true);
+    CHECK(read_submission(outer, fragments_of_hand_in).notes ==
           std::vector<std::string>{"work.zip was read in part: it is cut off or broken"});
-    pack(folder.path() / "outer.zip", {{"work.zip", whole_zip.substr(0, whole_zip.size() / 4)}}, true);
-    says(folder.path() / "outer.zip", "outer.zip/work.zip: cannot be unpacked: it is cut off");
+    pack(outer, {{"work.zip", whole_zip.substr(0, whole_zip.size() / 4)}}, true);
+    says(outer, "outer.zip/work.zip: cannot be unpacked: it is cut off");
 }
 
 TEST_CASE("an unpacked archive is found in its only folder", "[submission]") {
     const TemporaryFolder folder;
-    fs::create_directories(folder.path() /
-                           "HW3_Garc\xc3\xad"
-                           "a/work/fragments");
-    write_text(folder.path() /
-                   "HW3_Garc\xc3\xad"
-                   "a/work/fragments/moved.cpp",
-               "moved");
-    write_text(folder.path() /
-                   "HW3_Garc\xc3\xad"
-                   "a/work/fragments/Phong.cpp",
-               "phong");
+    const fs::path fragments = folder.path() / garcia / "work/fragments";
+    fs::create_directories(fragments);
+    write_text(fragments / "moved.cpp", "moved");
+    write_text(fragments / "Phong.cpp", "phong");
     const Submission s = read_submission(folder.path(), fragments_of_hand_in);
     CHECK(s.texts.at("moved") == "moved");
     CHECK(s.complaints.at("phong").find("Phong.cpp: rename it to phong.cpp") != std::string::npos);

@@ -15,10 +15,7 @@ using namespace grade;
 
 namespace {
 
-std::string text_of(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
+std::string text_at(const fs::path& path) { return read_text(path).value(); }
 
 std::string trimmed(const std::string& line) {
     const auto first = line.find_first_not_of(" \t");
@@ -37,6 +34,20 @@ std::vector<std::string> names_in(const fs::path& object) {
     std::istringstream lines(nm.out);
     for (std::string line; std::getline(lines, line);) names.push_back(line.substr(0, line.find(' ')));
     return names;
+}
+
+/// Of an object of the solution no name is left but the fragment's, and nothing tells what it was made from.
+void check_traces(const fs::path& object, const std::string& symbol) {
+    INFO(object);
+    for (const std::string& name : names_in(object)) {
+        INFO(name);  // sections, and numbers in place of names
+        CHECK((name.starts_with(".") || name == symbol));
+    }
+    const std::string bytes = text_at(object);
+    for (const char* trace : {".debug_", "GCC: (", "solution", "/work/", "BEGIN"}) {
+        INFO(trace);
+        CHECK(bytes.find(trace) == std::string::npos);
+    }
 }
 
 }  // namespace
@@ -61,10 +72,10 @@ TEST_CASE("students get a kit, and nothing of what they must write is in it") {
     for (const Fragment& fragment : assignment.fragments) {
         const std::string file = fragment.name + ".cpp", solution = "solution/" + file;
         INFO(fragment.name);
-        CHECK(text_of(folder / "starter/fragments" / file) == text_of(folder / "grader/blanks" / file));
+        CHECK(text_at(folder / "starter/fragments" / file) == text_at(folder / "grader/blanks" / file));
         if (fragment.given) continue;
-        CHECK(text_of(folder / "grader/blanks" / file).find("not_started(") != std::string::npos);
-        const Marked marked = find_region(text_of(solution), solution);
+        CHECK(text_at(folder / "grader/blanks" / file).find("not_started(") != std::string::npos);
+        const Marked marked = find_region(text_at(solution), solution);
         for (const std::string& line : marked.region)
             if (const std::string text = trimmed(line); code_only(text).size() > 8 || text.starts_with("//"))
                 origin[text] = solution;
@@ -73,7 +84,7 @@ TEST_CASE("students get a kit, and nothing of what they must write is in it") {
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
         if (!entry.is_regular_file()) continue;
         bytes += entry.file_size();
-        const std::string text = text_of(entry.path());
+        const std::string text = text_at(entry.path());
         // where it was built; a compiler may hold a long text in pieces of eight bytes
         const std::string built_in = fs::absolute(".").lexically_normal().parent_path().string();
         INFO(entry.path());
@@ -93,19 +104,8 @@ TEST_CASE("students get a kit, and nothing of what they must write is in it") {
     }
     CHECK(bytes < 25'000'000);
 
-    for (const auto& [fragment, of_build] : built.solution_objects) {
-        INFO(fragment);
-        const fs::path object = machine / "reference" / (fragment + ".o");
-        for (const std::string& name : names_in(object)) {
-            INFO(name);  // sections, and numbers in place of names
-            CHECK((name.starts_with(".") || name == built.symbols.at(fragment)));
-        }
-        const std::string bytes_of_it = text_of(object);
-        for (const char* trace : {".debug_", "GCC: (", "solution", "/work/", "BEGIN"}) {
-            INFO(trace);
-            CHECK(bytes_of_it.find(trace) == std::string::npos);
-        }
-    }
+    for (const auto& [fragment, of_build] : built.solution_objects)
+        check_traces(machine / "reference" / (fragment + ".o"), built.symbols.at(fragment));
 }
 
 TEST_CASE("nothing is handed out into a folder that holds something") {

@@ -8,10 +8,10 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <iterator>
 
 #include "catch.h"
+#include "files/files.h"
 
 namespace {
 
@@ -25,20 +25,6 @@ struct Folder {
     std::string operator/(const char* name) const { return (path / name).string(); }
     std::size_t count() const { return std::size_t(std::distance(fs::directory_iterator(path), {})); }
 };
-
-std::string text_of(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
-std::string message_of(const std::function<void()>& action) {
-    try {
-        action();
-    } catch (const std::runtime_error& error) {
-        return error.what();
-    }
-    return "";
-}
 
 /// The bytes of a PNG's pixels, R G B.
 std::vector<std::uint8_t> decoded(const std::string& file) {
@@ -100,8 +86,8 @@ TEST_CASE("a file that cannot be written leaves the old one whole and nothing be
     const rt::Image image(2, 2);
     for (const char* name : {"taken.exr", "no_such_folder/a.exr"}) {
         const std::string path = folder / name;
-        const std::string exr = message_of([&] { rt::write_exr(path, image); });
-        const std::string png = message_of([&] { rt::write_png(path, image); });
+        const std::string exr = complaint_of([&] { rt::write_exr(path, image); });
+        const std::string png = complaint_of([&] { rt::write_png(path, image); });
         INFO(exr << '\n' << png);
         CHECK(exr.rfind(path + ": cannot be written: ", 0) == 0);
         CHECK(png.rfind(path + ": cannot be written: ", 0) == 0);
@@ -109,21 +95,21 @@ TEST_CASE("a file that cannot be written leaves the old one whole and nothing be
     CHECK(folder.count() == 1);
 
     rt::write_exr(folder / "old.exr", image);
-    const std::string before = text_of(folder / "old.exr");
-    CHECK(message_of([&] { rt::write_exr(folder / "old.exr", rt::Image()); }) != "");
-    CHECK(text_of(folder / "old.exr") == before);
+    const auto before = grade::read_text(folder / "old.exr");
+    CHECK(complaint_of([&] { rt::write_exr(folder / "old.exr", rt::Image()); }) != "");
+    CHECK(grade::read_text(folder / "old.exr") == before);
 }
 
 TEST_CASE("what is no image is an error that names the file", "[image]") {
     const Folder folder;
     rt::write_exr(folder / "good.exr", rt::Image(64, 64));
-    const std::string good = text_of(folder / "good.exr");
+    const std::string good = grade::read_text(folder / "good.exr").value();
     std::ofstream(folder / "half.exr", std::ios::binary) << good.substr(0, good.size() / 2);
     std::ofstream(folder / "text.exr", std::ios::binary) << "no image at all";
     std::ofstream(folder / "empty.exr", std::ios::binary);
     for (const char* name : {"half.exr", "text.exr", "empty.exr", "missing.exr"}) {
         const std::string path = folder / name;
-        const std::string message = message_of([&] { rt::read_exr(path); });
+        const std::string message = complaint_of([&] { rt::read_exr(path); });
         INFO(message);
         CHECK(message.rfind(path + ": cannot be read: ", 0) == 0);
     }

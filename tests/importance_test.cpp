@@ -7,76 +7,22 @@
 #include "rt/files/scene_reader.h"
 #include "rt/fragments.h"
 #include "rt/sampler.h"
+#include "scenes.h"
 
 using namespace rt;
 
 namespace {
 
 /// Three lobes under lamps of each kind; one of the balls is rough glass.
-constexpr const char* lamps_and_lobes = R"(
-environment = 0.1
-[render]
-samples = 64
-bounces = 1
-[camera]
-eye = [0, 3, 7]
-target = [0, 0.5, 0]
-size = [24, 16]
-[materials.grey]
-albedo = 0.5
-[materials.lamp]
-emission = 9
-[materials.broad]
-reflectance = [0.4, 0.7, 0.9]
-exponent = 4
-[materials.narrow]
-reflectance = 0.8
-exponent = 300
-albedo = 0.1
-[materials.rough]
-transmittance = 0.9
-reflectance = 0.9
-exponent = 40
-ior = 1.5
-[[shape]]
-type = "quad"
-u = [9, 0, 0]
-v = [0, 0, -9]
-center = [0, 0, 0]
-material = "grey"
-[[shape]]
-type = "quad"
-center = [2, 4, 1]
-u = [0.5, 0, 0]
-v = [0, 0, 0.5]
-material = "lamp"
-[[shape]]
-type = "disc"
-center = [-2, 4, 1]
-normal = [0, -1, 0]
-radius = 0.5
-material = "lamp"
-[[shape]]
-type = "sphere"
-center = [0, 3, -2]
-radius = 0.4
-material = "lamp"
-[[shape]]
-type = "sphere"
-center = [-2, 0.9, 0]
-radius = 0.9
-material = "broad"
-[[shape]]
-type = "sphere"
-center = [0, 0.9, 0]
-radius = 0.9
-material = "narrow"
-[[shape]]
-type = "sphere"
-center = [2, 0.9, 0]
-radius = 0.9
-material = "rough"
-)";
+const std::string lamps_and_lobes =
+    environment(0.1) + scene_table("[render]", {{"samples", 64}, {"bounces", 1}}) +
+    camera({0, 3, 7}, {0, 0.5, 0}, {{"size", "[24, 16]"}}) + material("grey", {{"albedo", 0.5}}) +
+    material("lamp", {{"emission", 9}}) + material("broad", {{"reflectance", vec3(0.4, 0.7, 0.9)}, {"exponent", 4}}) +
+    material("narrow", {{"reflectance", 0.8}, {"exponent", 300}, {"albedo", 0.1}}) +
+    material("rough", {{"transmittance", 0.9}, {"reflectance", 0.9}, {"exponent", 40}, {"ior", 1.5}}) +
+    quad("grey", {0, 0, 0}, {9, 0, 0}, {0, 0, -9}) + quad("lamp", {2, 4, 1}, {0.5, 0, 0}, {0, 0, 0.5}) +
+    disc("lamp", {-2, 4, 1}, {0, -1, 0}, 0.5) + sphere("lamp", {0, 3, -2}, 0.4) + sphere("broad", {-2, 0.9, 0}, 0.9) +
+    sphere("narrow", {0, 0.9, 0}, 0.9) + sphere("rough", {2, 0.9, 0}, 0.9);
 
 vec2 numbers(int i) { return sobol_2d(11, std::uint32_t(i), 4); }
 
@@ -157,12 +103,11 @@ TEST_CASE("multiple importance sampling changes the noise, not the picture") {
 }
 
 TEST_CASE("without lobes or lamps multiple importance sampling leaves everything as it is") {
-    const std::string text = lamps_and_lobes;
     const auto picture = [](Scene scene, bool both) {
         scene.multiple_importance = both;
         return render(scene, {.samples = 4, .estimate_error = false});
     };
-    Scene smooth = parse_scene(text, "lamps.toml"), dark = smooth;
+    Scene smooth = parse_scene(lamps_and_lobes, "lamps.toml"), dark = smooth;
     for (Material& m : smooth.materials) m.exponent = inf;
     for (Material& m : dark.materials) m.sampled = false;
     for (const Scene& scene : {smooth, dark}) {

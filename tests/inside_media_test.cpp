@@ -5,6 +5,7 @@
 #include "rt/media/regions.h"
 #include "rt/render.h"
 #include "rt/world.h"
+#include "scenes.h"
 
 /// Paths that start inside of media, and shadow rays that go through their boundaries.
 
@@ -18,10 +19,7 @@ struct Means {
 };
 
 Means means_of(const Scene& scene, int samples) {
-    RenderSettings settings;
-    settings.samples = samples;
-    settings.sampler = scene.sampler;
-    const Image image = render(scene, settings).image;
+    const Image image = render(scene, {.samples = samples, .sampler = scene.sampler}).image;
     Means m{0, inf, -inf, 0};
     for (const Color& c : image.pixels) {
         m.mean += c.x / Real(image.pixels.size());
@@ -36,49 +34,30 @@ Means means_of(const Scene& scene) { return means_of(scene, scene.samples); }
 Means means_of(const std::string& text) { return means_of(parse_scene(text, "scenes/inside_media_test.toml")); }
 
 /// A scene with fog of an extinction of 0.5, and a lamp of radiance 1 before the eye, 4 m away.
-std::string lamp_in_fog(const std::string& eye, const std::string& shapes, const std::string& fog = "",
-                        const std::string& camera = "") {
-    return "[render]\nsamples = 4096\n[camera]\neye = " + eye + "\ntarget = [0, 0, 0]\nvfov = 1\nsize = [4, 4]\n" +
-           camera + R"(
-[materials.lamp]
-emission = 1
-[materials.fog]
-transmittance = 1
-medium = { extinction = 0.5, albedo = 0 }
-)" + fog + R"(
-[materials.clear]
-transmittance = 1
-[materials.thick]
-transmittance = 1
-medium = { extinction = 1, albedo = 0 }
-[[shape]]
-type = "quad"
-center = [0, 0, 0]
-u = [1, 0, 0]
-v = [0, 1, 0]
-material = "lamp"
-)" + shapes;
+std::string lamp_in_fog(vec3 eye, const std::string& shapes, const grade::SceneKeys& lens = {}) {
+    grade::SceneKeys view = {{"vfov", 1}, {"size", "[4, 4]"}};
+    view.insert(view.end(), lens.begin(), lens.end());
+    return scene_table("[render]", {{"samples", 4096}}) + camera(eye, {0, 0, 0}, view) +
+           material("lamp", {{"emission", 1}}) +
+           material("fog", {{"transmittance", 1}, {"medium", "{ extinction = 0.5, albedo = 0 }"}}) +
+           material("clear", {{"transmittance", 1}}) +
+           material("thick", {{"transmittance", 1}, {"medium", "{ extinction = 1, albedo = 0 }"}}) +
+           material("glass", {{"reflectance", 1}, {"transmittance", 1}, {"ior", 1.5}}) +
+           quad("lamp", {0, 0, 0}, {1, 0, 0}, {0, 1, 0}) + shapes;
 }
 
-std::string ball(const std::string& center, double radius, const std::string& material = "fog") {
-    return "[[shape]]\ntype = \"sphere\"\ncenter = " + center + "\nradius = " + std::to_string(radius) +
-           "\nmaterial = \"" + material + "\"\n";
-}
+std::string ball(vec3 center, double radius, const std::string& of = "fog") { return sphere(of, center, radius); }
 
 /// The six walls of a box about the origin, their fronts outside.
-std::string box(double half, const std::string& material) {
-    const auto wall = [&](const char* center, const char* u, const char* v) {
-        const auto scaled = [&](std::string text) {
-            for (auto at = text.find('h'); at != text.npos; at = text.find('h'))
-                text.replace(at, 1, std::to_string(half));
-            return text;
-        };
-        return "[[shape]]\ntype = \"quad\"\ncenter = " + scaled(center) + "\nu = " + scaled(u) + "\nv = " + scaled(v) +
-               "\nmaterial = \"" + material + "\"\n";
-    };
-    return wall("[0, 0, h]", "[h, 0, 0]", "[0, h, 0]") + wall("[0, 0, -h]", "[-h, 0, 0]", "[0, h, 0]") +
-           wall("[h, 0, 0]", "[0, 0, -h]", "[0, h, 0]") + wall("[-h, 0, 0]", "[0, 0, h]", "[0, h, 0]") +
-           wall("[0, h, 0]", "[h, 0, 0]", "[0, 0, -h]") + wall("[0, -h, 0]", "[h, 0, 0]", "[0, 0, h]");
+std::string box(double half, const std::string& of) {
+    std::string walls;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double side : {half, -half}) {
+            vec3 center(0), u(0), v(0);
+            center[axis] = side, u[(axis + 1) % 3] = half, v[(axis + 2) % 3] = side;
+            walls += quad(of, center, u, v);
+        }
+    return walls;
 }
 
 constexpr Real through = 0.01;  // what 65,536 paths of one picture leave uncertain, five standard errors
@@ -99,70 +78,52 @@ TEST_CASE("each of the scenes that were drawn wrongly has its value", "[inside]"
 }
 
 TEST_CASE("an eye in fog sees through as much of it as there is before it, whatever encloses it", "[inside]") {
-    const std::string at = "[0, 0, 4]";
+    const vec3 at(0, 0, 4);
     const auto sees = [&](const std::string& text) { return means_of(text).mean; };
     const Real e = std::exp(1.0);
     // 4 m of it
-    for (const std::string& fog :
-         {ball("[0, 0, 0]", 10), ball("[3, 2, 1]", 20), box(6, "fog"), ball("[0, 0, 4]", 5),
-          ball("[0, 0, 0]", 10) + ball("[0, 0, 1]", 7), ball("[0, 0, 0]", 10) + box(5, "fog")}) {
+    for (const std::string& fog : {ball({0, 0, 0}, 10), ball({3, 2, 1}, 20), box(6, "fog"), ball({0, 0, 4}, 5),
+                                   ball({0, 0, 0}, 10) + ball({0, 0, 1}, 7), ball({0, 0, 0}, 10) + box(5, "fog")}) {
         INFO(fog);
         CHECK(std::abs(sees(lamp_in_fog(at, fog)) - std::pow(e, -2)) < through);
     }
     // a clear ball of 2 m before the eye, or around it, in the fog; one of thicker fog; a ball with another one in it
-    const std::string fog = ball("[0, 0, 0]", 10);
-    CHECK(std::abs(sees(lamp_in_fog(at, fog + ball("[0, 0, 2]", 1, "clear"))) - std::pow(e, -1)) < through);
-    CHECK(std::abs(sees(lamp_in_fog(at, ball("[0, 0, 4]", 1, "clear") + fog)) - std::pow(e, -1.5)) < through);
-    CHECK(std::abs(sees(lamp_in_fog(at, fog + ball("[0, 0, 2]", 1, "thick"))) - std::pow(e, -3)) < through);
-    CHECK(std::abs(sees(lamp_in_fog(at, fog + ball("[0, 0, 2]", 1, "thick") + ball("[0, 0, 2]", 0.5, "clear"))) -
+    const std::string fog = ball({0, 0, 0}, 10);
+    CHECK(std::abs(sees(lamp_in_fog(at, fog + ball({0, 0, 2}, 1, "clear"))) - std::pow(e, -1)) < through);
+    CHECK(std::abs(sees(lamp_in_fog(at, ball({0, 0, 4}, 1, "clear") + fog)) - std::pow(e, -1.5)) < through);
+    CHECK(std::abs(sees(lamp_in_fog(at, fog + ball({0, 0, 2}, 1, "thick"))) - std::pow(e, -3)) < through);
+    CHECK(std::abs(sees(lamp_in_fog(at, fog + ball({0, 0, 2}, 1, "thick") + ball({0, 0, 2}, 0.5, "clear"))) -
                    std::pow(e, -2)) < through);
     CHECK(std::abs(sees(lamp_in_fog(at, fog + box(2, "clear"))) - std::pow(e, -1)) < through);
     // two that overlap: the smaller one is what is there
-    CHECK(std::abs(sees(lamp_in_fog(at, ball("[0, 0, 4]", 2.5) + ball("[0, 0, 1]", 1.5, "thick"))) -
+    CHECK(std::abs(sees(lamp_in_fog(at, ball({0, 0, 4}, 2.5) + ball({0, 0, 1}, 1.5, "thick"))) -
                    std::pow(e, -0.75 - 2.5)) < through);
     // outside of it, and with more of it behind the eye
-    CHECK(std::abs(sees(lamp_in_fog(at, ball("[0, 0, 8]", 3))) - 1) < 1e-12);
-    CHECK(std::abs(sees(lamp_in_fog(at, ball("[0, 0, 2]", 1))) - std::pow(e, -1)) < through);
+    CHECK(std::abs(sees(lamp_in_fog(at, ball({0, 0, 8}, 3))) - 1) < 1e-12);
+    CHECK(std::abs(sees(lamp_in_fog(at, ball({0, 0, 2}, 1))) - std::pow(e, -1)) < through);
 }
 
 TEST_CASE("an eye on a boundary is on the side to which it looks", "[inside]") {
     const Real e = std::exp(1.0);
     const auto sees = [](const std::string& text) { return means_of(text).mean; };
-    CHECK(std::abs(sees(lamp_in_fog("[0, 0, 4]", ball("[0, 0, 0]", 4))) - std::pow(e, -2)) < through);
-    CHECK(std::abs(sees(lamp_in_fog("[0, 0, 4]", box(4, "fog"))) - std::pow(e, -2)) < through);
-    CHECK(std::abs(sees(lamp_in_fog("[0, 0, 4]", ball("[0, 0, 8]", 4))) - 1) < 1e-12);
+    CHECK(std::abs(sees(lamp_in_fog({0, 0, 4}, ball({0, 0, 0}, 4))) - std::pow(e, -2)) < through);
+    CHECK(std::abs(sees(lamp_in_fog({0, 0, 4}, box(4, "fog"))) - std::pow(e, -2)) < through);
+    CHECK(std::abs(sees(lamp_in_fog({0, 0, 4}, ball({0, 0, 8}, 4))) - 1) < 1e-12);
     // at a place where no number is round
-    CHECK(std::abs(sees(lamp_in_fog("[0.7, 1.1, 3.9]", ball("[0, 0, 0]", std::sqrt(0.49 + 1.21 + 15.21)), "", "")) -
+    CHECK(std::abs(sees(lamp_in_fog({0.7, 1.1, 3.9}, ball({0, 0, 0}, std::sqrt(0.49 + 1.21 + 15.21)))) -
                    std::exp(-0.5 * std::sqrt(0.49 + 1.21 + 15.21))) < through);
     // glass: Fresnel's law is not asked, for the eye is in it
-    CHECK(means_of(lamp_in_fog("[0, 0, 4]", ball("[0, 0, 0]", 4, "glass"),
-                               "[materials.glass]\nreflectance = 1\ntransmittance = 1\nior = 1.5\n"))
-              .least == 1);
+    CHECK(means_of(lamp_in_fog({0, 0, 4}, ball({0, 0, 0}, 4, "glass"))).least == 1);
 }
 
 TEST_CASE("a lens that a boundary cuts, and a boundary in motion: each ray knows where it starts", "[inside]") {
     // Half of the lens is in the fog of a box whose wall goes through the eye: 4 m of it or none.
-    const std::string lens = "lens_radius = 0.01\nfocus = 4\n";
-    const std::string wall = R"([[shape]]
-type = "sphere"
-center = [1000, 0, 0]
-radius = 1000
-material = "fog"
-)";
-    const Real cut = means_of(lamp_in_fog("[0, 0, 4]", wall, "", lens)).mean;
+    const Real cut =
+        means_of(lamp_in_fog({0, 0, 4}, ball({1000, 0, 0}, 1000), {{"lens_radius", 0.01}, {"focus", 4}})).mean;
     CHECK(std::abs(cut - 0.5 * (1 + std::exp(-2.0))) < 0.1);  // the wall bends, and the rays come together
     // A ball that has the eye in it for half of the time.
-    const std::string moving = R"([[shape]]
-type = "sphere"
-center = [0, 0, 4]
-radius = 2
-velocity = [0, 4, 0]
-material = "fog"
-[shutter]
-open = 0
-close = 1
-)";
-    const Real moved = means_of(lamp_in_fog("[0, 0, 4]", moving)).mean;
+    const std::string moving = sphere("fog", {0, 0, 4}, 2, {0, 4, 0}) + grade::shutter(0, 1);
+    const Real moved = means_of(lamp_in_fog({0, 0, 4}, moving)).mean;
     Real expected = 0;
     for (int i = 0; i < 1000; ++i) {
         const Real up = 4 * (i + 0.5) / 1000;
@@ -173,33 +134,17 @@ close = 1
 
 TEST_CASE("lights outside of fog reach what is in it, dimmed by their way through", "[inside]") {
     const auto floor_lit_by = [](const std::string& light, const std::string& fog, int bounces = 0) {
-        return means_of("environment = " + std::string(light == "environment" ? "1" : "0") +
-                        "\n[render]\nsamples = 1024\nbounces = " + std::to_string(bounces) +
-                        "\n[camera]\neye = [0, 2, 0.001]\ntarget = [0, 0, 0]\nvfov = 0.5\nsize = [8, 8]\n" + R"(
-[materials.white]
-albedo = 0.5
-[materials.lamp]
-emission = 100
-[materials.fog]
-transmittance = 1
-medium = { extinction = 0.3, albedo = 0 }
-[materials.tint]
-transmittance = 0.5
-[[shape]]
-type = "quad"
-center = [0, 0, 0]
-u = [0.5, 0, 0]
-v = [0, 0, -0.5]
-material = "white"
-)" + (light == "environment" ? "" : light) +
-                        fog)
+        const bool sky = light == "environment";
+        return means_of(environment(sky ? 1 : 0) + scene_table("[render]", {{"samples", 1024}, {"bounces", bounces}}) +
+                        camera({0, 2, 0.001}, {0, 0, 0}, {{"vfov", 0.5}, {"size", "[8, 8]"}}) +
+                        material("white", {{"albedo", 0.5}}) + material("lamp", {{"emission", 100}}) +
+                        material("fog", {{"transmittance", 1}, {"medium", "{ extinction = 0.3, albedo = 0 }"}}) +
+                        material("tint", {{"transmittance", 0.5}}) +
+                        quad("white", {0, 0, 0}, {0.5, 0, 0}, {0, 0, -0.5}) + (sky ? "" : light) + fog)
             .mean;
     };
-    const std::string
-        point = "[[light]]\ntype = \"point\"\nposition = [0, 5, 0]\nintensity = 10\n",
-        sun = "[[light]]\ntype = \"directional\"\ntoward = [0, 1, 0]\nirradiance = 10\n",
-        lamp =
-            "[[shape]]\ntype = \"disc\"\ncenter = [0, 5, 0]\nnormal = [0, -1, 0]\nradius = 0.1\nmaterial = \"lamp\"\n";
+    const std::string point = point_light({0, 5, 0}, 10), sun = grade::directional_light({0, 1, 0}, 10),
+                      lamp = disc("lamp", {0, 5, 0}, {0, -1, 0}, 0.1);
     // The way of the light through the fog, and that to the camera, in means free paths.
     const auto dims = [&](const std::string& light, const std::string& fog, Real depth) {
         const Real clear = floor_lit_by(light, ""), dim = floor_lit_by(light, fog);
@@ -207,39 +152,36 @@ material = "white"
         CHECK(std::abs(dim / clear / std::exp(-depth) - 1) < 0.03);
     };
     for (const std::string& light : {point, sun, lamp}) {
-        dims(light, ball("[0, 0, 0]", 3), 0.3 * (3 + 2));
-        dims(light, ball("[0, 0, 0]", 1), 0.3 * (1 + 1));
-        dims(light, ball("[0, 3.5, 0]", 1), 0.3 * 2);  // between the two alone
-        dims(light, ball("[0, 0, 0]", 3, "tint"), std::log(2.0));
+        dims(light, ball({0, 0, 0}, 3), 0.3 * (3 + 2));
+        dims(light, ball({0, 0, 0}, 1), 0.3 * (1 + 1));
+        dims(light, ball({0, 3.5, 0}, 1), 0.3 * 2);  // between the two alone
+        dims(light, ball({0, 0, 0}, 3, "tint"), std::log(2.0));
     }
-    dims(point, ball("[0, 0, 0]", 10), 0.3 * (5 + 2));
-    dims(point, ball("[0, 0, 0]", 5), 0.3 * (5 + 2));  // the light on the boundary
-    dims("environment", ball("[0, 0, 0]", 1), 0.3 * (1 + 1));
+    dims(point, ball({0, 0, 0}, 10), 0.3 * (5 + 2));
+    dims(point, ball({0, 0, 0}, 5), 0.3 * (5 + 2));  // the light on the boundary
+    dims("environment", ball({0, 0, 0}, 1), 0.3 * (1 + 1));
     // Rays that bounce find the lamp and the sky as well, and must not count them once more.
     for (const std::string& light : {lamp, std::string("environment")})
-        CHECK(std::abs(floor_lit_by(light, ball("[0, 0, 0]", 1), 3) / floor_lit_by(light, ball("[0, 0, 0]", 1), 0) -
-                       1) < 0.02);
+        CHECK(std::abs(floor_lit_by(light, ball({0, 0, 0}, 1), 3) / floor_lit_by(light, ball({0, 0, 0}, 1), 0) - 1) <
+              0.02);
 }
 
 TEST_CASE("which regions a point is in: spheres, boxes, closed meshes; not behind a single pane", "[inside]") {
-    const auto start = [](const std::string& eye, const std::string& shapes) {
+    const auto start = [](vec3 eye, const std::string& shapes) {
         const World world = make_world(parse_scene(lamp_in_fog(eye, shapes), "scenes/inside_media_test.toml"));
         const Index material = world.regions.medium(world.regions.start);
         return material < 0 ? std::string() : name_of_material(world.scene, material);
     };
     const std::string mesh = "[[shape]]\ntype = \"mesh\"\nfile = \"icosahedron.obj\"\nmaterial = \"fog\"\nscale = 3\n";
-    CHECK(start("[0, 0, 2]", mesh) == "fog");
-    CHECK(start("[0, 0, 3.5]", mesh) == "");
-    CHECK(start("[0, 0, 2]", mesh + ball("[0, 0, 2]", 0.5, "thick")) == "thick");
-    CHECK(start("[0, 0, 2]", mesh + ball("[0, 0, 2]", 0.5, "clear")) == "");
-    CHECK(start("[0, 0, 2]", ball("[0, 0, 0]", 9, "thick") + mesh) == "fog");
-    CHECK(start("[0, 0, 4]", ball("[0, 0, 0]", 9, "thick") + mesh) == "thick");
-    CHECK(start("[0, 0, 2]", box(3, "fog")) == "fog");
-    CHECK(start("[0, 0, 4]", box(3, "fog")) == "");
-    CHECK(
-        start("[0, 0, 2]",
-              "[[shape]]\ntype = \"quad\"\ncenter = [0, 0, 5]\nu = [50, 0, 0]\nv = [0, 50, 0]\nmaterial = \"fog\"\n") ==
-        "");
+    CHECK(start({0, 0, 2}, mesh) == "fog");
+    CHECK(start({0, 0, 3.5}, mesh) == "");
+    CHECK(start({0, 0, 2}, mesh + ball({0, 0, 2}, 0.5, "thick")) == "thick");
+    CHECK(start({0, 0, 2}, mesh + ball({0, 0, 2}, 0.5, "clear")) == "");
+    CHECK(start({0, 0, 2}, ball({0, 0, 0}, 9, "thick") + mesh) == "fog");
+    CHECK(start({0, 0, 4}, ball({0, 0, 0}, 9, "thick") + mesh) == "thick");
+    CHECK(start({0, 0, 2}, box(3, "fog")) == "fog");
+    CHECK(start({0, 0, 4}, box(3, "fog")) == "");
+    CHECK(start({0, 0, 2}, quad("fog", {0, 0, 5}, {50, 0, 0}, {0, 50, 0})) == "");
 }
 
 TEST_CASE("regions side by side in one number: entered and left in any order", "[inside]") {
@@ -277,14 +219,7 @@ TEST_CASE("mirrors and glass with interpolated normals lose no light", "[inside]
 
 TEST_CASE("radiance that no picture can hold is refused", "[inside]") {
     const std::string camera = "[camera]\neye = [0, 0, 5]\ntarget = [0, 0, 0]\n";
-    const auto complaint = [](const std::string& text) {
-        try {
-            parse_scene(text, "s.toml");
-            return std::string();
-        } catch (const InputError& error) {
-            return std::string(error.what());
-        }
-    };
+    const auto complaint = [](const std::string& text) { return complaint_of([&] { parse_scene(text, "s.toml"); }); };
     CHECK(complaint("environment = 1e39\n" + camera)
               .starts_with("s.toml:1:15: 'environment' is 1e+39; expected a number from 0 to 3.4e38"));
     CHECK(complaint("background = 1e39\n" + camera).starts_with("s.toml:1:14: 'background' is 1e+39"));

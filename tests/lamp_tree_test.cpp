@@ -7,6 +7,7 @@
 #include "estimate.h"
 #include "rt/files/scene_reader.h"
 #include "rt/world.h"
+#include "scenes.h"
 
 using namespace rt;
 
@@ -16,33 +17,11 @@ namespace {
 Scene many_lamps(int count) {
     std::mt19937_64 engine(9);
     std::uniform_real_distribution<Real> share(0, 1);
-    Scene scene = parse_scene(R"(
-[render]
-samples = 64
-one_lamp = true
-[camera]
-eye = [0, 3, 7]
-target = [0, 0.5, 0]
-size = [24, 16]
-[materials.grey]
-albedo = 0.6
-specular = 0.2
-shininess = 8
-[materials.glossy]
-reflectance = 0.9
-exponent = 20
-[[shape]]
-type = "quad"
-u = [6, 0, 0]
-v = [0, 0, -6]
-center = [0, 0, 0]
-material = "grey"
-[[shape]]
-type = "sphere"
-center = [0, 0.6, 0]
-radius = 0.6
-material = "glossy"
-)",
+    Scene scene = parse_scene(scene_table("[render]", {{"samples", 64}, {"one_lamp", true}}) +
+                                  camera({0, 3, 7}, {0, 0.5, 0}, {{"size", "[24, 16]"}}) +
+                                  material("grey", {{"albedo", 0.6}, {"specular", 0.2}, {"shininess", 8}}) +
+                                  material("glossy", {{"reflectance", 0.9}, {"exponent", 20}}) +
+                                  quad("grey", {0, 0, 0}, {6, 0, 0}, {0, 0, -6}) + sphere("glossy", {0, 0.6, 0}, 0.6),
                               "many.toml");
     for (int k = 0; k < count; ++k) {
         Material lamp;

@@ -34,11 +34,13 @@ std::set<std::string> sources(const fs::path& folder) {
 
 }  // namespace
 
-TEST_CASE("what the assignment lists is declared in fragments.h, with a solution and a file of checks for each") {
+TEST_CASE(
+    "what the assignment lists is declared in fragments.h, with a solution, a blank and a file of checks for each") {
     const std::set<std::string> fragments = declared("starter/rt/fragments.h");
     const auto names = read_assignment("assignment.toml").names();
     for (const std::string& name : names) CHECK(fragments.contains(name));
     CHECK(sources("solution") == fragments);
+    CHECK(sources("starter/fragments") == fragments);
     CHECK(sources("grader/checks") == fragments);
 }
 

@@ -2,43 +2,18 @@
 
 #include "rt/files/scene_reader.h"
 #include "rt/render.h"
+#include "scenes.h"
 
 namespace {
 
 /// A floor in fog that swallows all that it meets, under a small ball that shines; one pixel looks at the point below
 /// it.
-constexpr const char* fog = R"(
-[render]
-samples = 262144
-[camera]
-eye = [3, 0, 4]
-target = [0, 0, 0]
-vfov = 0.001
-size = [1, 1]
-[materials.fog]
-transmittance = 1
-medium = { extinction = 0.7, albedo = 0 }
-[materials.floor]
-albedo = 0.5
-[materials.lamp]
-emission = 10
-[[shape]]
-type = "sphere"
-center = [0, 0, 0]
-radius = 3
-material = "fog"
-[[shape]]
-type = "disc"
-center = [0, 0, 0]
-normal = [0, 0, 1]
-radius = 1
-material = "floor"
-[[shape]]
-type = "sphere"
-center = [0, 0, 1]
-radius = 0.2
-material = "lamp"
-)";
+const std::string fog = scene_table("[render]", {{"samples", 262144}}) +
+                        camera({3, 0, 4}, {0, 0, 0}, {{"vfov", 0.001}, {"size", "[1, 1]"}}) +
+                        material("fog", {{"transmittance", 1}, {"medium", "{ extinction = 0.7, albedo = 0 }"}}) +
+                        material("floor", {{"albedo", 0.5}}) + material("lamp", {{"emission", 10}}) +
+                        sphere("fog", {0, 0, 0}, 3) + disc("floor", {0, 0, 0}, {0, 0, 1}, 1) +
+                        sphere("lamp", {0, 0, 1}, 0.2);
 
 }  // namespace
 
@@ -57,10 +32,7 @@ TEST_CASE("a medium dims the light that shadow rays gather inside it") {
     const double expected = irradiance * 0.5 / rt::pi * std::exp(-s * 3);
 
     const rt::Scene scene = rt::parse_scene(fog, "fog.toml");
-    rt::RenderSettings settings;
-    settings.samples = scene.samples;
-    settings.sampler = rt::Sampler::random;
-    const rt::Rendering r = rt::render(scene, settings);
+    const rt::Rendering r = rt::render(scene, {.samples = scene.samples, .sampler = rt::Sampler::random});
     const double value = r.image.at(0, 0).x, share = std::exp(-s * 3);
     // Standard error: of the share of paths that survive, in the main.
     const double error = expected * std::sqrt((1 - share) / share / scene.samples);

@@ -19,12 +19,7 @@ rt::Scene scene_of(const std::string& top, const std::string& materials, const s
 }
 
 std::string complaint(const rt::Scene& scene) {
-    try {
-        rt::to_mitsuba(scene, "mesh");
-        return "none";
-    } catch (const rt::InputError& error) {
-        return error.what();
-    }
+    return complaint_of([&] { rt::to_mitsuba(scene, "mesh"); });
 }
 
 std::string max_depth(const rt::Scene& scene) {

@@ -11,6 +11,7 @@
 #include "rt/files/scene_reader.h"
 #include "rt/render.h"
 #include "rt/trace.h"
+#include "scenes.h"
 
 using namespace rt;
 
@@ -98,51 +99,22 @@ TEST_CASE("each dimension of each wave has a number of its own, and a new one ch
 }
 
 TEST_CASE("a feature that is there in name only changes no bit and sends no ray") {
-    const std::string text = R"(
-[render]
-bounces = 1
-[camera]
-eye = [0, 1, 5]
-target = [0, 0.5, 0]
-vfov = 40
-[materials.grey]
-albedo = [0.5, 0.4, 0.3]
-[materials.mirror]
-reflectance = 0.9
-[materials.lamp]
-emission = [5, 5, 5]
-[[light]]
-type = "point"
-position = [0, 3, 2]
-intensity = [9, 9, 9]
-[[shape]]
-type = "quad"
-center = [0, 0, 0]
-u = [9, 0, 0]
-v = [0, 0, -9]
-material = "grey"
-[[shape]]
-type = "sphere"
-center = [0, 1, 0]
-radius = 0.7
-material = "mirror"
-[[shape]]
-type = "quad"
-center = [0, 4, 0]
-u = [1, 0, 0]
-v = [0, 0, 1]
-material = "lamp"
-)";
+    const std::string text = scene_table("[render]", {{"bounces", 1}}) +
+                             camera({0, 1, 5}, {0, 0.5, 0}, {{"vfov", 40}}) +
+                             material("grey", {{"albedo", vec3(0.5, 0.4, 0.3)}}) +
+                             material("mirror", {{"reflectance", 0.9}}) + material("lamp", {{"emission", 5}}) +
+                             point_light({0, 3, 2}, 9) + quad("grey", {0, 0, 0}, {9, 0, 0}, {0, 0, -9}) +
+                             sphere("mirror", {0, 1, 0}, 0.7) + quad("lamp", {0, 4, 0}, {1, 0, 0}, {0, 0, 1});
     const auto drawn = [](const std::string& t) { return small_picture(parse_scene(t, "scene.toml")); };
     const Rendering plain = drawn(text);
     CHECK(plain.rays[std::size_t(RayKind::bounce)] > 0);
 
-    const std::string camera = "vfov = 40\n", sphere = "radius = 0.7\n", grey = "albedo = [0.5, 0.4, 0.3]\n";
-    CHECK(same(plain, drawn(changed(text, camera, camera + "lens_radius = 0\nfocus = 3\n"))));
+    const std::string vfov = "vfov = 40\n", radius = "radius = 0.7\n", grey = "albedo = [0.5, 0.4, 0.3]\n";
+    CHECK(same(plain, drawn(changed(text, vfov, vfov + "lens_radius = 0\nfocus = 3\n"))));
     CHECK(same(plain,
-               drawn(changed(text, sphere, sphere + "velocity = [0, 0, 0]\n") + "[shutter]\nopen = 0\nclose = 1\n")));
+               drawn(changed(text, radius, radius + "velocity = [0, 0, 0]\n") + "[shutter]\nopen = 0\nclose = 1\n")));
     CHECK(same(plain,
-               drawn(changed(text, sphere, sphere + "velocity = [3, 2, 1]\n") + "[shutter]\nopen = 0\nclose = 0\n")));
+               drawn(changed(text, radius, radius + "velocity = [3, 2, 1]\n") + "[shutter]\nopen = 0\nclose = 0\n")));
     CHECK(same(plain, drawn(changed(text, grey, grey + "emission = [0, 0, 0]\n"))));
     CHECK(same(plain, drawn(changed(text, grey, grey + "reflectance = 0\ntransmittance = 0\nexponent = 20\n"))));
     CHECK(same(plain, drawn("environment = 0\nbackground = 0\nambient = 0\n" + text)));
@@ -152,7 +124,7 @@ material = "lamp"
                              "[materials.unused]\nalbedo = 0.1\nreflectance = 0.2\ntransmittance = 0.5\nexponent = 5\n"
                              "emission = [1, 1, 1]\n[materials.mirror]"))));
     // and what is really there does
-    CHECK(!same(plain, drawn(changed(text, camera, camera + "lens_radius = 0.1\nfocus = 3\n"))));
+    CHECK(!same(plain, drawn(changed(text, vfov, vfov + "lens_radius = 0.1\nfocus = 3\n"))));
 }
 
 TEST_CASE("there is an integral over the pixel where it has more than one sample, in one pass or in many") {
@@ -213,24 +185,11 @@ TEST_CASE("emission_counts is asked where diffuse rays go and something shines t
         std::string scene;
         bool asked;
     };
-    const std::string floor = R"(
-[camera]
-eye = [0, 1, 5]
-target = [0, 0, 0]
-[materials.floor]
-albedo = 0.5
-[materials.mirror]
-reflectance = 0.5
-[materials.lamp]
-emission = 5
-[[shape]]
-type = "sphere"
-center = [0, 0, 0]
-radius = 1
-material = "floor"
-)",
-                      lamp = "[[shape]]\ntype = \"sphere\"\ncenter = [0, 3, 0]\nradius = 1\nmaterial = \"lamp\"\n",
-                      bounces = "[render]\nbounces = 2\n", mirror = changed(floor, "\"floor\"\n", "\"mirror\"\n");
+    const std::string floor = camera({0, 1, 5}, {0, 0, 0}) + material("floor", {{"albedo", 0.5}}) +
+                              material("mirror", {{"reflectance", 0.5}}) + material("lamp", {{"emission", 5}}) +
+                              sphere("floor", {0, 0, 0}, 1),
+                      lamp = sphere("lamp", {0, 3, 0}, 1), bounces = scene_table("[render]", {{"bounces", 2}}),
+                      mirror = changed(floor, "\"floor\"\n", "\"mirror\"\n");
     const Case cases[] = {{bounces + floor + lamp, true},
                           {"environment = 1\n" + bounces + floor, true},
                           {bounces + changed(floor, "emission = 5", "emission = 5\nsampled = false") + lamp, true},
@@ -271,33 +230,13 @@ TEST_CASE("the plan names the fragments that its stages call") {
 }
 
 TEST_CASE("lamps are sampled as the scene says, and where it says nothing as saves time") {
-    const std::string view = R"(
-[camera]
-eye = [0, 2, 6]
-target = [0, 0.5, 0]
-[materials.floor]
-albedo = 0.5
-[materials.lobe]
-reflectance = 0.9
-exponent = 50
-[materials.lamp]
-emission = 5
-[[shape]]
-type = "quad"
-center = [0, 0, 0]
-u = [9, 0, 0]
-v = [0, 0, -9]
-material = "floor"
-)";
-    const auto quad = [](Real x, Real y, Real half) {
-        return fmt::format(
-            "[[shape]]\ntype = \"quad\"\ncenter = [{}, {}, 0]\nu = [{}, 0, 0]\nv = [0, 0, {}]\nmaterial = \"lamp\"\n",
-            x, y, half, half);
-    };
-    const std::string ball = "[[shape]]\ntype = \"sphere\"\ncenter = [0, 0.6, 1]\nradius = 0.6\nmaterial = \"lobe\"\n",
-                      far = quad(0, 5, 0.3), near = quad(0, 0.4, 1);
+    const std::string view = camera({0, 2, 6}, {0, 0.5, 0}) + material("floor", {{"albedo", 0.5}}) +
+                             material("lobe", {{"reflectance", 0.9}, {"exponent", 50}}) +
+                             material("lamp", {{"emission", 5}}) + quad("floor", {0, 0, 0}, {9, 0, 0}, {0, 0, -9});
+    const auto lamp = [](Real x, Real y, Real half) { return quad("lamp", {x, y, 0}, {half, 0, 0}, {0, 0, half}); };
+    const std::string ball = sphere("lobe", {0, 0.6, 1}, 0.6), far = lamp(0, 5, 0.3), near = lamp(0, 0.4, 1);
     std::string row;
-    for (int k = 0; k < 40; ++k) row += quad(0.4 * (k - 20), 2, 0.1);
+    for (int k = 0; k < 40; ++k) row += lamp(0.4 * (k - 20), 2, 0.1);
 
     const auto plan = [&](const std::string& text) { return make_plan(parse_scene(text, "scene.toml")); };
     CHECK(!plan(view + far).solid_angle);

@@ -7,28 +7,20 @@ The fast selection takes a few fragments of each part; --all takes every fragmen
 """
 
 import argparse
-import json
 import pathlib
 import shutil
-import subprocess
-import sys
 import tempfile
 import time
-import tomllib
 
-root = pathlib.Path(__file__).resolve().parent.parent
-fragments = {
-    f["name"]: f["points"]
-    for part in tomllib.loads((root / "assignment.toml").read_text())["part"]
-    for f in part["fragments"]
-    if not f.get("given", False)
-}
+from helpers import BLANKS, SOLUTION, end, expect, points_in_order, record_at, run
+
+fragments = points_in_order()
 some = ["integrate_stratified", "hit_sphere", "cosine_hemisphere", "lens_ray"]
 
 
 def submission(folder, base, changed=()):
     """A folder with the fragments of base, but those in changed from the other set."""
-    sets = {"starter": root / "starter/fragments", "solution": root / "solution"}
+    sets = {"starter": BLANKS, "solution": SOLUTION}
     other = {"starter": "solution", "solution": "starter"}[base]
     shutil.copytree(sets[base], folder)
     for name in changed:
@@ -39,13 +31,8 @@ def submission(folder, base, changed=()):
 def grade(program, folder, seed):
     """The record of a grading."""
     record = folder.parent / "record.json"
-    record.unlink(missing_ok=True)
-    done = subprocess.run(
-        [program, folder, "--trusted", "--seed", str(seed), "--json", record], capture_output=True, text=True
-    )
-    if done.returncode != 0:
-        sys.exit(f"grade ended with {done.returncode}:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
-    return json.loads(record.read_text())
+    run([program, folder, "--trusted", "--seed", seed, "--json", record])
+    return record_at(record)
 
 
 def main():
@@ -62,11 +49,8 @@ def main():
     cases += [(f"starter with {name}", "starter", (name,), 1) for name in chosen]
     cases += [(f"solution without {name}", "solution", (name,), 1) for name in (chosen if words.all else some[:1])]
 
-    wrong = 0
     for what, base, changed, seed in cases:
-        expected = {
-            name: "passed" if (base == "solution") != (name in changed) else "not_started" for name in fragments
-        }
+        expected = {name: "passed" if (base == "solution") != (name in changed) else "not_started" for name in fragments}
         with tempfile.TemporaryDirectory() as work:
             start = time.monotonic()
             record = grade(program, submission(pathlib.Path(work) / "submission", base, changed), seed)
@@ -81,11 +65,10 @@ def main():
         total = sum(fragments[name] for name, verdict in expected.items() if verdict == "passed")
         if abs(record["score"] - total) > 1e-9:
             off.append(f"score {record['score']} instead of {total}")
-        wrong += bool(off)
-        print(f"{what:45} {record['score']:6g} points {seconds:6.1f} s  {'; '.join(off) or 'right'}", flush=True)
-    print(f"{len(cases) - wrong} of {len(cases)} right")
-    return wrong != 0
+        expect(not off, f"{what}: {'; '.join(off)}")
+        print(f"{what:45} {record['score']:6g} points {seconds:6.1f} s", flush=True)
+    end(f"all of {len(cases)} right")
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -13,15 +13,9 @@ import sys
 import tempfile
 import time
 
+from helpers import end, expect, skip
+
 SCENE = "scenes/gallery/cornell.toml"
-failures = 0
-
-
-def expect(holds, message):
-    global failures
-    if not holds:
-        print("FAILED:", message)
-        failures += 1
 
 
 class Screen:
@@ -144,15 +138,14 @@ def into_pipes(raytrace):
 
 def main():
     if not shutil.which("tmux"):
-        print("tmux is missing: nothing is tested; apt-get install tmux")
-        return 77
+        skip("tmux is missing: nothing is tested; apt-get install tmux")
     raytrace = os.path.abspath(sys.argv[1])
     into_pipes(raytrace)
     protocols(raytrace)
     in_tmux(raytrace)
     interrupted(raytrace)
-    return failures > 0
+    end("pictures are drawn into the terminal")
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -13,6 +13,8 @@ import tempfile
 import threading
 import zlib
 
+from helpers import end, expect
+
 CREATE, UPDATE = 4, 6
 
 
@@ -121,16 +123,6 @@ def exr_pixels(path):
     return attributes, pixels
 
 
-failures = 0
-
-
-def expect(holds, message):
-    global failures
-    if not holds:
-        print("FAILED:", message)
-        failures += 1
-
-
 def render(raytrace, viewer, out, *options):
     command = [raytrace, "scenes/gallery/cornell.toml", "-o", out, "--tev", f"127.0.0.1:{viewer.port}", *options]
     done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)
@@ -165,8 +157,8 @@ def main():
         done = render(raytrace, viewer, out, "--size", "70x50", "--time-limit", "3")
         expect(re.search("--tev: tev at .* has gone: .*; the picture is complete without", done.stderr), done.stderr)
         expect("70 x 50 pixels" in done.stdout, "tev went away, and with it the picture")
-    return failures > 0
+    end("pictures arrive at tev")
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

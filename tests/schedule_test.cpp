@@ -77,15 +77,8 @@ TEST_CASE("the first limit that is reached ends the rendering", "[schedule]") {
 
 TEST_CASE("passes that go on make the picture that one pass with all samples makes", "[schedule]") {
     Scene scene = scene_of_file("scenes/gallery/cornell.toml");
-    RenderSettings limited;
-    limited.sampler = Sampler::orthogonal;
-    limited.target_error = 0.05;
-    limited.seed = 3;
-    const Rendering passes = render(scene, limited);
-    RenderSettings once;
-    once.samples = int(passes.samples);
-    once.sampler = Sampler::sobol;
-    once.seed = 3;
+    const Rendering passes = render(scene, {.seed = 3, .sampler = Sampler::orthogonal, .target_error = 0.05});
+    const RenderSettings once{.samples = int(passes.samples), .seed = 3, .sampler = Sampler::sobol};
     const Rendering at_once = render(scene, once);
     REQUIRE(passes.samples >= 16);
     for (std::size_t k = 0; k < at_once.image.pixels.size(); ++k) {
@@ -99,21 +92,14 @@ TEST_CASE("passes that go on make the picture that one pass with all samples mak
 TEST_CASE("with any sampler, the error that is estimated is the error, and the mean is that of many samples",
           "[schedule]") {
     const Scene scene = scene_of_file("scenes/gallery/cornell.toml");
-    RenderSettings fine;
-    fine.samples = 1 << 12;
-    fine.sampler = Sampler::sobol;
-    fine.estimate_error = false;
-    const Image truth = render(scene, fine).image;
+    const Image truth = render(scene, {.samples = 1 << 12, .sampler = Sampler::sobol, .estimate_error = false}).image;
     for (const Sampler sampler : {Sampler::random, Sampler::stratified, Sampler::sobol, Sampler::orthogonal}) {
         Sum squares, estimates, bias;
         constexpr int pictures = 12;
         constexpr Real target = 0.06;
         for (int k = 0; k < pictures; ++k) {
-            RenderSettings settings;
-            settings.sampler = sampler;
-            settings.target_error = target;
-            settings.seed = std::uint64_t(100 + k);
-            const Rendering r = render(scene, settings);
+            const Rendering r =
+                render(scene, {.seed = std::uint64_t(100 + k), .sampler = sampler, .target_error = target});
             CHECK(r.rmse <= target);
             estimates.add(sqr(r.rmse) / pictures);
             for (std::size_t p = 0; p < truth.pixels.size(); ++p) {
@@ -132,9 +118,7 @@ TEST_CASE("with any sampler, the error that is estimated is the error, and the m
 
 TEST_CASE("what is stopped in the middle leaves no uneven picture", "[schedule]") {
     const Scene scene = scene_of_file("scenes/gallery/cornell.toml");
-    RenderSettings settings;
-    settings.target_error = 1e-9;
-    settings.threads = 1;
+    RenderSettings settings{.threads = 1, .target_error = 1e-9};
     // Asked before each chunk: the end falls into the middle of a pass.
     for (const int end : {3, 20, 150, 151, 152}) {
         int asked = 0;
@@ -142,9 +126,7 @@ TEST_CASE("what is stopped in the middle leaves no uneven picture", "[schedule]"
         const Rendering stopped = render(scene, settings);
         INFO("stopped after " << end << " chunks: " << stopped.samples << " samples");
         REQUIRE(stopped.done == 1);
-        RenderSettings once;
-        once.sampler = Sampler::sobol;
-        once.samples = std::max(2, int(stopped.samples));
+        const RenderSettings once{.samples = std::max(2, int(stopped.samples)), .sampler = Sampler::sobol};
         if (stopped.samples < 2) continue;
         const Image whole = render(scene, once).image;
         for (std::size_t k = 0; k < whole.pixels.size(); ++k)
@@ -156,9 +138,7 @@ TEST_CASE("of a first pass that is not over in time, there is what was rendered,
     Scene scene = read_scene("scenes/gallery/cornell.toml");
     scene.camera.size = {2000, 2000};
     scene.background = Color(1);
-    RenderSettings settings;
-    settings.time_limit = 0.2;
-    const Rendering r = render(scene, settings);
+    const Rendering r = render(scene, {.time_limit = 0.2});
     INFO("done " << r.done << " after " << r.wall_seconds << " s");
     CHECK((r.done > 0 && r.done < 1));
     CHECK(std::isnan(r.rmse));
@@ -168,8 +148,7 @@ TEST_CASE("of a first pass that is not over in time, there is what was rendered,
 
 TEST_CASE("who looks on sees each picture whole, one at a time, and at last the one that comes out", "[schedule]") {
     const Scene scene = scene_of_file("scenes/gallery/cornell.toml");
-    RenderSettings settings;
-    settings.time_limit = 1;
+    RenderSettings settings{.time_limit = 1};
     std::atomic<int> at_once = 0;
     int looks = 0;
     Real before = 0;

@@ -2,24 +2,15 @@
 """The JSON schemas of scenes and of assignment.toml: they know the keys that the programs know, take what is in the project, and
 refuse what is wrong. Skipped where there is no jsonschema."""
 import json
-import pathlib
 import re
-import sys
 import tomllib
+
+from helpers import ROOT, end, expect, skip
 
 try:
     import jsonschema
 except ImportError:
-    print("there is no Python package jsonschema here")
-    sys.exit(77)
-
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-failures = []
-
-
-def expect(holds, what):
-    if not holds:
-        failures.append(what)
+    skip("there is no Python package jsonschema here")
 
 
 def schema(path):
@@ -77,5 +68,4 @@ for new in ('{ name = "integrate_uniform" }', '{ name = "integrate_uniform", poi
     expect(not assignments.is_valid(broken(text, first, new)), f"an assignment with {new!r} is taken")
 expect(assignments.is_valid(tomllib.loads(text + "\n[theory]\npoints = 16\n")), "a theory part is refused")
 
-print("\n".join(failures))
-sys.exit(bool(failures))
+end("as the programs have it")

@@ -177,10 +177,7 @@ TEST_CASE("an address of tev is HOST:PORT", "[show]") {
 
 TEST_CASE("a number that is none is reported with the command that shows its sample, whichever pass it was in",
           "[show]") {
-    RenderSettings settings;
-    settings.sampler = Sampler::orthogonal;
-    settings.seed = 7;
-    settings.time_limit = 5;
+    const RenderSettings settings{.seed = 7, .sampler = Sampler::orthogonal, .time_limit = 5};
     BadSample bad{{3, 4}, 100, {std::numeric_limits<Real>::quiet_NaN(), 0, 0}, {}};
     bad.slice = next_slice(settings.sampler, settings.seed, 6, 64, 64);
     CHECK(report_bad_sample("a.toml", {10, 20}, settings, bad) ==
@@ -195,8 +192,7 @@ TEST_CASE("a number that is none is reported with the command that shows its sam
 }
 
 TEST_CASE("a picture that ends long before its time limit says why, unless it was reached or stopped", "[show]") {
-    RenderSettings settings;
-    settings.time_limit = 1;
+    RenderSettings settings{.time_limit = 1};
     Rendering r;
     r.image = Image(1, 1);
     r.samples = 1, r.wall_seconds = 0.6, r.rmse = 0.1;

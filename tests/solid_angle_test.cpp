@@ -9,57 +9,20 @@
 #include "rt/fragments.h"
 #include "rt/lamps/importance.h"
 #include "rt/sampler.h"
+#include "scenes.h"
 
 using namespace rt;
 
 namespace {
 
 /// Lamps of each kind near a floor and a glossy ball, one of them a quad at an angle.
-constexpr const char* lamps = R"(
-[render]
-samples = 64
-[camera]
-eye = [0, 2, 5]
-target = [0, 0.5, 0]
-size = [32, 20]
-[materials.grey]
-albedo = 0.6
-[materials.lamp]
-emission = 1
-[materials.glossy]
-reflectance = 0.9
-exponent = 30
-albedo = 0.05
-[[shape]]
-type = "quad"
-u = [3, 0, 0]
-v = [0, 0, -3]
-center = [0, 0, 0]
-material = "grey"
-[[shape]]
-type = "quad"
-center = [0, 0.5, 0]
-u = [1, 0, 0]
-v = [0, 0, 1]
-material = "lamp"
-[[shape]]
-type = "quad"
-center = [-1.5, 1, 0]
-u = [0.3, 0.4, 0]
-v = [0, 0, -0.7]
-material = "lamp"
-[[shape]]
-type = "sphere"
-center = [1.5, 0.5, 0.5]
-radius = 0.5
-material = "glossy"
-[[shape]]
-type = "disc"
-center = [1, 1.5, 1]
-normal = [0, -1, 0]
-radius = 0.2
-material = "lamp"
-)";
+const std::string lamps =
+    scene_table("[render]", {{"samples", 64}}) + camera({0, 2, 5}, {0, 0.5, 0}, {{"size", "[32, 20]"}}) +
+    material("grey", {{"albedo", 0.6}}) + material("lamp", {{"emission", 1}}) +
+    material("glossy", {{"reflectance", 0.9}, {"exponent", 30}, {"albedo", 0.05}}) +
+    quad("grey", {0, 0, 0}, {3, 0, 0}, {0, 0, -3}) + quad("lamp", {0, 0.5, 0}, {1, 0, 0}, {0, 0, 1}) +
+    quad("lamp", {-1.5, 1, 0}, {0.3, 0.4, 0}, {0, 0, -0.7}) + sphere("glossy", {1.5, 0.5, 0.5}, 0.5) +
+    disc("lamp", {1, 1.5, 1}, {0, -1, 0}, 0.2);
 
 /// Of the part of a quad from x0 to x, in more digits.
 long double solid_angle(const SeenQuad& q, Real x) {

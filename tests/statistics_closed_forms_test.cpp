@@ -1,11 +1,8 @@
 #include <random>
 
 #include "catch.h"
-#include "statistics/furnace.h"
-#include "statistics/irradiance.h"
-#include "statistics/lobe.h"
+#include "statistics/closed_forms.h"
 #include "statistics/moments.h"
-#include "statistics/projection.h"
 
 using namespace grade;
 using rt::vec3;

@@ -2,12 +2,11 @@
 #include <vector>
 
 #include "catch.h"
-#include "statistics/colors.h"
-#include "statistics/convergence.h"
+#include "statistics/blob.h"
+#include "statistics/closed_forms.h"
 #include "statistics/moments.h"
-#include "statistics/projection.h"
+#include "statistics/regression.h"
 #include "statistics/sharing.h"
-#include "statistics/zone_plate.h"
 
 using namespace grade;
 using rt::Color;

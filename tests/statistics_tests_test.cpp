@@ -2,11 +2,10 @@
 #include <vector>
 
 #include "catch.h"
-#include "statistics/chi_squared.h"
 #include "statistics/distributions.h"
 #include "statistics/moments.h"
 #include "statistics/regression.h"
-#include "statistics/welch.h"
+#include "statistics/tests.h"
 
 using namespace grade;
 

@@ -30,12 +30,7 @@ const Question& question(const std::vector<Question>& all, const std::string& ke
 }
 
 std::string error_of(const std::string& text) {
-    try {
-        read_theory(text, "t.toml");
-        return "none";
-    } catch (const rt::InputError& e) {
-        return e.what();
-    }
+    return complaint_of([&] { read_theory(text, "t.toml"); });
 }
 
 /// The empty file with each answer filled in, times a factor.

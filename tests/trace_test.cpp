@@ -29,10 +29,7 @@ void for_pixels(const fs::path& file, Check check) {
     rt::Scene scene = rt::read_scene(file.string());
     scene.camera.size = {24, 16};
     scene.samples = 2;
-    rt::RenderSettings settings;
-    settings.samples = scene.samples;
-    settings.seed = 5;
-    settings.estimate_error = false;
+    const rt::RenderSettings settings{.samples = scene.samples, .seed = 5, .estimate_error = false};
     for (const auto& [x, y] : {std::pair(12, 8), std::pair(5, 12), std::pair(17, 9), std::pair(8, 9), std::pair(12, 3)})
         check(scene, settings, x, y);
 }
@@ -129,8 +126,7 @@ TEST_CASE("the direction that a fragment is told to answer is the one that the p
 
 TEST_CASE("a trace says of each point of a lamp whether its shadow ray arrives, and what is in the way", "[trace]") {
     const rt::Scene scene = rt::read_scene("scenes/penumbra.toml");
-    rt::RenderSettings settings;
-    settings.samples = 4;
+    const rt::RenderSettings settings{.samples = 4};
     std::string text;
     for (int x = 0; x < scene.camera.size.x; x += 8)
         text += rt::trace_pixel(scene, settings, x, scene.camera.size.y * 2 / 3);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "random.h"
-#include "statistics/chi_squared.h"
+#include "statistics/tests.h"
 
 /// Ways to look at a map of the unit square.
 

@@ -55,11 +55,8 @@ inline fs::path peer_file(const Workshop& workshop, const Variant& variant) {
     return workshop.results(variant.fragment) / "peers" / (variant.name + ".json");
 }
 
-inline fs::path dose_file(const Workshop& workshop, const Variant& variant) {
-    return workshop.results() / (variant.name + ".json");
-}
-
-inline fs::path confined_file(const Workshop& workshop, const Variant& variant) {
+/// Of a dose, or of what is confined to a few pixels.
+inline fs::path result_file(const Workshop& workshop, const Variant& variant) {
     return workshop.results() / (variant.name + ".json");
 }
 

@@ -146,7 +146,7 @@ Json verdicts_of(const Workshop& workshop, const std::string& fragment, const st
 
 /// A mistake of several sizes: which of them is found?
 Step dose_step(const Workshop& workshop, const Variant& variant) {
-    const fs::path file = dose_file(workshop, variant);
+    const fs::path file = result_file(workshop, variant);
     return {"sizes of " + variant.name, {file}, [&workshop, &variant, file] {
                 Json json;
                 for (const std::string& dose : variant.doses)
@@ -158,7 +158,7 @@ Step dose_step(const Workshop& workshop, const Variant& variant) {
 
 /// A mistake in a few pixels: in how many of its scene, and is it found?
 Step confined_step(const Workshop& workshop, const Variant& variant) {
-    const fs::path file = confined_file(workshop, variant);
+    const fs::path file = result_file(workshop, variant);
     return {"pixels of " + variant.name, {file}, [&workshop, &variant, file] {
                 const Render render{read_text(workshop.chain().source / variant.scene).value(), 64, "stratified"};
                 Runner right(workshop.solution_program(), workshop.sandbox(), workshop.meshes(), patience_with_picture);

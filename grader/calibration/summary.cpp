@@ -88,10 +88,15 @@ void add_wrong(Budget& budget, const std::string& variant, std::mutex& lock, con
     if (missed > budget.worst_wrong) budget.worst_wrong = missed, budget.worst = variant;
 }
 
+/// A result; null: it is not there yet.
+nlohmann::json result(const fs::path& file) {
+    const auto text = read_text(file);
+    return text ? nlohmann::json::parse(*text) : nullptr;
+}
+
 void read_peers(const Workshop& workshop, VariantSummary& row) {
-    const auto text = read_text(peer_file(workshop, *row.variant));
-    if (!text) return;
-    const auto json = nlohmann::json::parse(*text);
+    const auto json = result(peer_file(workshop, *row.variant));
+    if (json.is_null()) return;
     row.pictures = json.at("pictures");
     row.peers = {json.at("z_test"), json.at("mean_difference"), json.at("global_mean")};
 }
@@ -116,7 +121,7 @@ void read_real(const Workshop& workshop, const std::vector<Bundle>& bundles, con
                     summary.spoiled += !passed;
                 } else {
                     VariantSummary& row = *row_of.at(*changed);
-                    if (row.gradings++ == 0) row.verdict = name(verdict.verdict), row.message = verdict.message;
+                    ++row.gradings;
                     row.found += found;
                     row.open += !found && !passed;
                     row.named += found && says_one_of(verdict.message, row.variant->says);
@@ -144,9 +149,8 @@ int count_found(const nlohmann::json& verdicts) {
 
 void read_doses(const Workshop& workshop, Summary& summary) {
     for (const Variant* variant : workshop.variants(Variant::Kind::dose)) {
-        const auto text = read_text(dose_file(workshop, *variant));
-        if (!text) continue;
-        const auto json = nlohmann::json::parse(*text);
+        const auto json = result(result_file(workshop, *variant));
+        if (json.is_null()) continue;
         Dose dose{variant, {}};
         for (const std::string& size : variant->doses) {
             const auto& verdicts = json.at(size);
@@ -155,9 +159,8 @@ void read_doses(const Workshop& workshop, Summary& summary) {
         summary.doses.push_back(std::move(dose));
     }
     for (const Variant* variant : workshop.variants(Variant::Kind::confined)) {
-        const auto text = read_text(confined_file(workshop, *variant));
-        if (!text) continue;
-        const auto json = nlohmann::json::parse(*text);
+        const auto json = result(result_file(workshop, *variant));
+        if (json.is_null()) continue;
         const auto& verdicts = json.at("verdicts");
         summary.confined.push_back(
             {variant, json.at("changed"), json.at("pixels"), int(verdicts.size()), count_found(verdicts)});
@@ -277,8 +280,8 @@ Summary summarize(const Workshop& workshop, int jobs,
     read_real(workshop, wrong_bundles(workshop), wrong_seeds(workshop), true, summary.wrong, summary);
     read_doses(workshop, summary);
     for (const Bundle& bundle : bundles_under_load(workshop))
-        if (const auto text = read_text(load_file(workshop, bundle)))
-            ++summary.under_load, summary.same_under_load += nlohmann::json::parse(*text).at("same").get<bool>();
+        if (const auto json = result(load_file(workshop, bundle)); !json.is_null())
+            ++summary.under_load, summary.same_under_load += json.at("same").get<bool>();
     for (const int n : {8, 16, 32, 64, 128, 256, 512}) summary.budgets.push_back({.replicates = n});
     for (const int n : {2, 3, 4, 6, 8, 12, 16, 24, 32, 64, 128, 256})
         summary.fixed_budgets.push_back({.replicates = n});

@@ -79,13 +79,11 @@ Statistic film_point() {
             .truth = 0,
             .delta = 0.01,
             .exact = true,
-            .hint = [](double value,
-                       double) { return fmt::format("the ray misses its film point by up to {:.3g} pixels", value); },
-            .cause =
-                [cause = directions.cause](Observation seen) {
-                    for (Row& out : seen.outputs) out = row(vec3(rt::unit(result<rt::camera_ray>(out).direction)));
-                    return cause(seen);
-                }};
+            .hint = with_value("the ray misses its film point by up to {:.3g} pixels"),
+            .cause = [cause = directions.cause](Observation seen) {
+                for (Row& out : seen.outputs) out = row(vec3(rt::unit(result<rt::camera_ray>(out).direction)));
+                return cause(seen);
+            }};
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "asked/color_bleeding.h"
 #include "checks/kit/warp.h"
-#include "statistics/furnace.h"
-#include "statistics/irradiance.h"
+#include "statistics/closed_forms.h"
 
 namespace grade {
 

@@ -66,13 +66,9 @@ Checks check_cosine_hemisphere(Generator& random) {
         const auto [x, y, z] = std::tuple(s.direction.x, s.direction.y, s.direction.z);
         return rt::vec2(1 - z * z, turn(x, y));
     });
-    const Statistic spread =
-        uniform_in_square({.id = "V3",
-                           .what = "chi-squared of directions",
-                           .point = cell,
-                           .hint = always("the directions are not distributed as cos(theta)/pi: do height and angle "
-                                          "each use a number of their own?"),
-                           .cause = half_circles(cell)});
+    const Statistic spread = even_about_z(
+        "V3", "chi-squared of directions", cell,
+        "the directions are not distributed as cos(theta)/pi: do height and angle each use a number of their own?");
     const auto row_with = [](Generator&, rt::vec2 u) { return row(u); };
     return {probe_check("cosine_law", inputs,
                         {unit_direction<rt::cosine_hemisphere>("V3"), above, cosine, density, spread, purity()}),

@@ -2,7 +2,7 @@
 #include "checks/kit/kit.h"
 #include "checks/kit/reflection_model.h"
 #include "statistics/blob.h"
-#include "statistics/irradiance.h"
+#include "statistics/closed_forms.h"
 #include "statistics/regression.h"
 
 namespace grade {
@@ -127,12 +127,7 @@ Check lamp_highlight(Generator& random) {
         });
     };
     const auto due = [=](double exponent) {
-        rt::Image image(camera.size.x, camera.size.y);
-        for (int y = 0; y < image.height; ++y)
-            for (int x = 0; x < image.width; ++x) image.at(x, y) = Color(light_at({x + 0.5, y + 0.5}, exponent));
-        Blob blob = blob_moments(image, whole(image));
-        blob.radial_square += 1.0 / 6;  // a pixel is the mean over its area, not its centre's value
-        return blob;
+        return moments_of_middles(camera, [&](vec2 film) { return light_at(film, exponent); });
     };
     const Blob right = due(shininess);
     const auto seen = [](const rt::Image& image) { return blob_moments(image, whole(image)); };
@@ -178,11 +173,7 @@ Checks check_direct_light(Generator& random) {
         const auto [m, n, d, c] = extreme_highlight(random);
         return row(m, box(random, 1, 20), LightSample{d, 1, between(random, 0.5, 2)}, n, c);
     };
-    const auto inputs = [=](Generator& random) {
-        Rows rows = rows_of(96, any_sample)(random);
-        for (const Row& r : rows_of(64, highlights)(random)) rows.push_back(r);
-        return rows;
-    };
+    const auto inputs = rows_then(rows_of(96, any_sample), rows_of(64, highlights));
     Formula<rt::direct_light> radiance{
         .id = "L1",
         .what = "radiance, off by",

@@ -1,6 +1,6 @@
 #include "asked/emission_counts.h"
 #include "checks/kit/kit.h"
-#include "statistics/irradiance.h"
+#include "statistics/closed_forms.h"
 
 namespace grade {
 

@@ -1,10 +1,7 @@
 #include "asked/film_sample.h"
 #include "checks/kit/convergence.h"
-#include "checks/kit/film_view.h"
-#include "checks/kit/horizon.h"
 #include "checks/kit/kit.h"
-#include "checks/kit/own_numbers.h"
-#include "checks/kit/slanted_edges.h"
+#include "checks/kit/pictures.h"
 #include "statistics/moments.h"
 
 namespace grade {

@@ -1,6 +1,6 @@
 #include "asked/fresnel_dielectric.h"
-#include "checks/kit/glass.h"
 #include "checks/kit/kit.h"
+#include "checks/kit/pictures.h"
 
 namespace grade {
 
@@ -49,11 +49,7 @@ Checks check_fresnel_dielectric(Generator& random) {
         const double n = between(draw, 1, 2);
         return row(chance(draw, 0.5) ? 0 : between(draw, 0, 1), n, n);
     };
-    const auto inputs = [=](Generator& random) {
-        Rows rows = rows_of(192, any_boundary)(random);
-        for (const Row& r : rows_of_kinds(16, thinner, equal)(random)) rows.push_back(r);
-        return rows;
-    };
+    const auto inputs = rows_then(rows_of(192, any_boundary), rows_of_kinds(16, thinner, equal));
     const Statistic reflectance = formula<rt::fresnel_dielectric>(
         {.id = "F3",
          .what = "reflectance, off by",

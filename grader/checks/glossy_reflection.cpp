@@ -89,15 +89,12 @@ Check rays(Generator& random, const std::string& name, double angle) {
 }  // namespace
 
 Checks check_glossy_reflection(Generator& random) {
-    Checks checks = {rays(random, "head_on", 0)};
+    const Check head_on = rays(random, "head_on", 0);
     const double angle = between(random, 0.9, 1.2);
-    checks.push_back(rays(random, "at_an_angle", angle));
-    for (Check& check :
-         lobe_of_any_exponent(true, [](vec3 d, vec3 n, double exponent, rt::vec2 u) { return row(d, n, exponent, u); }))
-        checks.push_back(std::move(check));
-    checks.push_back(ball(random));
-    checks.push_back(mirrored_lamp(random));
-    return checks;
+    const Checks any_exponent =
+        lobe_of_any_exponent(true, [](vec3 d, vec3 n, double exponent, rt::vec2 u) { return row(d, n, exponent, u); });
+    const Checks of_rays = joined({head_on, rays(random, "at_an_angle", angle)}, any_exponent);
+    return joined(of_rays, {ball(random), mirrored_lamp(random)});
 }
 
 }  // namespace grade

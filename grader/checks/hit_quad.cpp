@@ -64,15 +64,13 @@ Checks check_hit_quad(Generator& random) {
                                .inside = within(-1, 1),
                                .size = [](const Quad& q) { return glm::length(q.u) + glm::length(q.v); }};
     const auto strip = [](const Quad& q, const Ray& ray) { return std::abs(coordinates(q, ray).x) <= 1; };
-    std::vector<Suspect<rt::hit_quad>> suspects = {
+    const std::vector<Suspect<rt::hit_quad>> of_quads = {
         {"u and v are half edges; they are used as whole ones", hit_where(flat, within(-0.5, 0.5), in_interval)},
         {"center is the middle of the quad; it is used as a corner", hit_where(flat, within(0, 1), in_interval)},
         {"center is the middle of the quad; it is used as a corner", hit_where(flat, within(0, 2), in_interval)},
         {"only |p . u| is tested; |p . v| <= v . v as well", hit_where(flat, strip, in_interval)}};
-    for (Suspect<rt::hit_quad>& s : flat_suspects<rt::hit_quad>(flat)) suspects.push_back(std::move(s));
-    Checks checks = flat_checks<rt::hit_quad>(flat, suspects, ordinary_quad, small_quad);
-    checks.push_back(slanted_quad(random));
-    return checks;
+    const auto suspects = joined(of_quads, flat_suspects<rt::hit_quad>(flat));
+    return joined(flat_checks<rt::hit_quad>(flat, suspects, ordinary_quad, small_quad), {slanted_quad(random)});
 }
 
 }  // namespace grade

@@ -1,7 +1,7 @@
 #include "asked/integrate_monte_carlo.h"
 #include "checks/kit/convergence.h"
 #include "checks/kit/kit.h"
-#include "statistics/convergence.h"
+#include "statistics/regression.h"
 
 namespace grade {
 
@@ -123,12 +123,8 @@ Checks check_integrate_monte_carlo(Generator& random) {
     const Statistic order =
         error_order("power of N with which the error falls", random_levels, repeats,
                     of_call<rt::integrate_monte_carlo>([=](double mean) { return mean - 2 / rate; }), -0.5,
-                    [](double value, double) {
-                        return fmt::format(
-                            "the error falls as N^{:.2f} with N points; expected N^-0.5: is the sum divided by N, "
-                            "with the weight 1/Q(x_i) of each point?",
-                            value);
-                    });
+                    with_value("the error falls as N^{:.2f} with N points; expected N^-0.5: is the sum divided by N, "
+                               "with the weight 1/Q(x_i) of each point?"));
     return {probe_check("given_points", inputs, {given_estimate()}), probe_check("unbiased", repeated, {mean}),
             wave_and_peak(random), probe_check("convergence", more_points, {order})};
 }

@@ -1,7 +1,7 @@
 #include "asked/integrate_stratified.h"
 #include "checks/kit/convergence.h"
 #include "checks/kit/kit.h"
-#include "statistics/convergence.h"
+#include "statistics/regression.h"
 
 namespace grade {
 

@@ -1,10 +1,10 @@
 #include <algorithm>
 
 #include "asked/lens_ray.h"
-#include "checks/kit/lens_pictures.h"
+#include "checks/kit/pictures.h"
 #include "checks/kit/warp.h"
 #include "statistics/blob.h"
-#include "statistics/projection.h"
+#include "statistics/closed_forms.h"
 
 namespace grade {
 

@@ -1,7 +1,7 @@
 #include "asked/light_sample.h"
 #include "checks/kit/shadow_scene.h"
 #include "checks/kit/warp.h"
-#include "statistics/irradiance.h"
+#include "statistics/closed_forms.h"
 #include "statistics/regression.h"
 
 namespace grade {

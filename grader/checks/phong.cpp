@@ -33,11 +33,7 @@ Checks check_phong(Generator& random) {
         const auto [m, n, d, c] = extreme_highlight(draw);
         return row(m, Color(0), box(draw, 1, 5), n, d, c);
     };
-    const auto inputs = [=](Generator& random) {
-        Rows rows = rows_of(96, any_surface)(random);
-        for (const Row& r : rows_of(64, highlights)(random)) rows.push_back(r);
-        return rows;
-    };
+    const auto inputs = rows_then(rows_of(96, any_surface), rows_of(64, highlights));
     Formula<rt::phong> radiance{.id = "P4", .what = "radiance, off by", .tolerance = 1e-4, .right = modelled({})};
     for (const ModelMistake& mistake : reflection_mistakes)
         radiance.suspects.push_back({mistake.words, modelled(mistake.model)});

@@ -1,6 +1,6 @@
 #include "asked/phong_lobe.h"
 #include "checks/kit/warp.h"
-#include "statistics/lobe.h"
+#include "statistics/closed_forms.h"
 #include "statistics/moments.h"
 
 namespace grade {
@@ -52,13 +52,9 @@ Check lobe(const std::string& name, double n) {
     const RowPoint cell = of_call<rt::phong_lobe>([n](const DirectionSample& s) {
         return rt::vec2(std::pow(std::max(0.0, s.direction.z), n + 1), turn(s.direction.x, s.direction.y));
     });
-    const Statistic spread =
-        uniform_in_square({.id = "P1",
-                           .what = "chi-squared of directions",
-                           .point = cell,
-                           .hint = always("the directions are not distributed as (n + 1)/(2 pi) cos(alpha)^n: do "
-                                          "height and angle each use a number of their own?"),
-                           .cause = half_circles(cell)});
+    const Statistic spread = even_about_z("P1", "chi-squared of directions", cell,
+                                          "the directions are not distributed as (n + 1)/(2 pi) cos(alpha)^n: do "
+                                          "height and angle each use a number of their own?");
     return probe_check(name, with_repeats(rows_of(1024, [n](Generator& draw) { return row(n, square(draw)); })),
                        {unit_direction<rt::phong_lobe>("V3"), width, density, spread, noise_of_lobe(n), purity()});
 }

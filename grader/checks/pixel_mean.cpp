@@ -1,5 +1,4 @@
 #include "asked/pixel_mean.h"
-#include "checks/kit/film_view.h"
 #include "checks/kit/kit.h"
 #include "statistics/regression.h"
 

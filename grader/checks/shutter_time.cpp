@@ -1,9 +1,8 @@
 #include <algorithm>
 
 #include "asked/shutter_time.h"
-#include "checks/kit/film_view.h"
 #include "checks/kit/kit.h"
-#include "checks/kit/own_numbers.h"
+#include "checks/kit/pictures.h"
 #include "statistics/sharing.h"
 
 namespace grade {

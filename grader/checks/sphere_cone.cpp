@@ -37,13 +37,9 @@ Check cone(const std::string& name, double sine) {
                                    {0, "all directions are the z axis"}})});
     const RowPoint cell = of_call<rt::sphere_cone>(
         [=](const DirectionSample& s) { return rt::vec2(share_of_height(s), turn(s.direction.x, s.direction.y)); });
-    const Statistic spread =
-        uniform_in_square({.id = "V3",
-                           .what = "chi-squared of directions",
-                           .point = cell,
-                           .hint = always("equal parts of the cone do not get equally many directions: do height and "
-                                          "angle each use a number of their own?"),
-                           .cause = half_circles(cell)});
+    const Statistic spread = even_about_z("V3", "chi-squared of directions", cell,
+                                          "equal parts of the cone do not get equally many directions: do height and "
+                                          "angle each use a number of their own?");
     return probe_check(name, with_repeats(rows_of(1024, [sine](Generator& draw) { return row(sine, square(draw)); })),
                        {unit_direction<rt::sphere_cone>("V3"), inside, height, density, spread, purity()});
 }

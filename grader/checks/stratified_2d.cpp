@@ -172,20 +172,17 @@ Check edge_noise(Generator& random) {
             sum += samples * rt::sqr(image.at(e.x, e.y).x - e.covered) / (e.covered * (1 - e.covered));
         return sum / double(edges().size());
     };
-    return render_check("edge_noise", {scene, samples, "stratified"},
-                        {of_picture({.id = "G2",
-                                     .what = "noise at edges, over that of independent samples",
-                                     .number = noise,
-                                     .truth = 0.2,
-                                     .delta = 0.25,
-                                     .delta0 = 0.1,
-                                     .hint = [](double value, double) {
-                                         return fmt::format(
-                                             "the noise at edges is {:.2g} of that of independent samples; cells leave "
-                                             "about 0.2 with 16 samples: does each sample fall in a cell of its own, "
-                                             "anywhere in it?",
-                                             value);
-                                     }})});
+    return render_check(
+        "edge_noise", {scene, samples, "stratified"},
+        {of_picture(
+            {.id = "G2",
+             .what = "noise at edges, over that of independent samples",
+             .number = noise,
+             .truth = 0.2,
+             .delta = 0.25,
+             .delta0 = 0.1,
+             .hint = with_value("the noise at edges is {:.2g} of that of independent samples; cells leave about 0.2 "
+                                "with 16 samples: does each sample fall in a cell of its own, anywhere in it?")})});
 }
 
 }  // namespace

@@ -29,13 +29,9 @@ Checks check_uniform_disk(Generator& random) {
                                    {4, "is the radius used as a diameter?"}})});
     const RowPoint cell = of_call<rt::uniform_disk>(
         [=](const DiskSample& s) { return rt::vec2(square_of_radius(s), turn(s.point.x, s.point.y)); });
-    const Statistic even =
-        uniform_in_square({.id = "D2",
-                           .what = "chi-squared of equal areas",
-                           .point = cell,
-                           .hint = always("equal areas of the disk do not get equally many points: do radius and angle "
-                                          "each use a number of their own?"),
-                           .cause = half_circles(cell)});
+    const Statistic even = even_about_z(
+        "D2", "chi-squared of equal areas", cell,
+        "equal areas of the disk do not get equally many points: do radius and angle each use a number of their own?");
     const auto row_with = [](Generator&, rt::vec2 u) { return row(u); };
     return {probe_check("even_on_the_disk", inputs, {inside, density, radius, even, purity()}), neighbours(2, row_with),
             ends_of_square(row_with),

@@ -1,4 +1,4 @@
-#include "commands/call.h"
+#include "commands/commands.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "commands/command_line.h"
+#include "commands/commands.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -7,11 +7,7 @@
 #include <optional>
 #include <random>
 
-#include "commands/call.h"
 #include "commands/exit_code.h"
-#include "commands/grading.h"
-#include "commands/picture.h"
-#include "commands/theory.h"
 #include "commands/words.h"
 #include "files/files.h"
 #include "hand_out/gradescope.h"

@@ -1,4 +1,4 @@
-#include "commands/grading.h"
+#include "commands/commands.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "commands/picture.h"
+#include "commands/commands.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "commands/theory.h"
+#include "commands/commands.h"
 
 #include <fmt/format.h>
 

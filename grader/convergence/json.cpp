@@ -11,41 +11,36 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// JSON has neither NaN nor infinity.
-Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+// NaN and infinity become null: JSON has neither.
 
 Json ratio(const std::optional<Ratio>& r) {
-    return r ? Json{{"value", number(r->value)}, {"low", number(r->low)}, {"high", number(r->high)}} : Json(nullptr);
+    return r ? Json{{"value", r->value}, {"low", r->low}, {"high", r->high}} : Json(nullptr);
 }
 
 Json level_json(const Level& level) {
     const auto [low, high] = level.mse_interval();
     Json json{{"samples", level.samples},
               {"replicates", level.runs.size()},
-              {"mse", number(level.mse())},
-              {"mse_low", number(low)},
-              {"mse_high", number(high)},
-              {"rmse", number(std::sqrt(level.mse()))},
-              {"relative_mse", number(level.relative())},
-              {"rays", number(level.rays())},
-              {"cpu_seconds", number(level.seconds())},
-              {"efficiency_per_cpu_seconds", number(level.efficiency())}};
+              {"mse", level.mse()},
+              {"mse_low", low},
+              {"mse_high", high},
+              {"rmse", std::sqrt(level.mse())},
+              {"relative_mse", level.relative()},
+              {"rays", level.rays()},
+              {"cpu_seconds", level.seconds()},
+              {"efficiency_per_cpu_seconds", level.efficiency()}};
     for (const Run& run : level.runs)
-        json["runs"].push_back({{"mse", number(run.mse)},
-                                {"relative_mse", number(run.relative)},
-                                {"rays", run.rays},
-                                {"cpu_seconds", run.cpu_seconds}});
+        json["runs"].push_back(
+            {{"mse", run.mse}, {"relative_mse", run.relative}, {"rays", run.rays}, {"cpu_seconds", run.cpu_seconds}});
     return json;
 }
 
 Json curve_json(const Curve& curve, const SceneRecord& scene) {
     Json json{{"who", name(curve.who)}, {"sampler", curve.sampler}, {"expected_slope", expected_order(curve.sampler)}};
-    json["slope"] =
-        curve.fit.good
-            ? Json{{"value", number(curve.fit.order)}, {"low", number(curve.fit.low)}, {"high", number(curve.fit.high)}}
-            : Json(nullptr);
-    json["v"] = number(curve.fit.v);
-    json["plateau_rmse"] = number(std::sqrt(curve.fit.plateau));
+    json["slope"] = curve.fit.good ? Json{{"value", curve.fit.order}, {"low", curve.fit.low}, {"high", curve.fit.high}}
+                                   : Json(nullptr);
+    json["v"] = curve.fit.v;
+    json["plateau_rmse"] = std::sqrt(curve.fit.plateau);
     if (curve.bias) {
         json["squared_bias"] = {{"value", curve.bias->value}, {"standard_error", curve.bias->se}};
         json["biased"] = curve.bias->is_positive();
@@ -58,15 +53,14 @@ Json curve_json(const Curve& curve, const SceneRecord& scene) {
 }
 
 Json scene_json(const SceneRecord& scene) {
-    Json json{
-        {"name", scene.name},
-        {"file", scene.file},
-        {"width", scene.size.x},
-        {"height", scene.size.y},
-        {"reference", {{"samples_of_each_half", scene.reference_samples}, {"rmse", number(scene.reference_noise)}}}};
+    Json json{{"name", scene.name},
+              {"file", scene.file},
+              {"width", scene.size.x},
+              {"height", scene.size.y},
+              {"reference", {{"samples_of_each_half", scene.reference_samples}, {"rmse", scene.reference_noise}}}};
     for (std::size_t k = 0; k < independent_samples.size(); ++k)
         json[fmt::format("mse_of_{}_independent_samples", independent_samples[k])] =
-            scene.errors[k] ? number(*scene.errors[k]) : Json(nullptr);
+            scene.errors[k] ? Json(*scene.errors[k]) : Json(nullptr);
     if (!scene.fault.empty()) json["fault"] = scene.fault;
     json["biased"] = scene.biased() != nullptr;
     json["curves"] = Json::array();

@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "rt/math.h"
-#include "statistics/convergence.h"
 #include "statistics/moments.h"
 #include "statistics/regression.h"
 

@@ -11,9 +11,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "arithmetic/self_test.h"
 #include "files/files.h"
 #include "programs/process.h"
-#include "programs/refuse.h"
 #include "rt/processor.h"
 
 namespace grade {
@@ -96,6 +96,32 @@ fs::path find_compiler() {
 std::string first_line(const fs::path& compiler) {
     const Ending said = run({compiler.string(), "--version"}, Limits{}, "/");
     return said.out.substr(0, said.out.find('\n'));
+}
+
+/// The option among these that changes arithmetic; empty: none.
+std::string changing_option(const Toolchain& chain) {
+    std::string contraction = "the missing -ffp-contract=off", fast;
+    for (const auto* list : {&chain.compile, &chain.link})
+        for (const std::string& option : *list) {
+            if (option.starts_with("-ffp-contract=")) contraction = option == "-ffp-contract=off" ? "" : option;
+            for (const char* other : {"-ffast-math", "-Ofast", "-funsafe-math-optimizations", "-ffinite-math-only",
+                                      "-fassociative-math", "-freciprocal-math"})
+                if (option == other) fast = option;
+        }
+    return fast.empty() ? contraction : fast;
+}
+
+/// Throws std::runtime_error where this program, or how fragments are compiled, does not compute as IEEE 754 has it:
+/// its verdicts could not be defended.
+void refuse_other_arithmetic(const Toolchain& chain) {
+    if (const std::string fault = arithmetic_fault(); !fault.empty())
+        throw std::runtime_error(fmt::format(
+            "it refuses to grade, since its own arithmetic is not exact: {}; expected plain IEEE 754", fault));
+    if (const std::string option = changing_option(chain); !option.empty())
+        throw std::runtime_error(
+            fmt::format("it refuses to grade, since {} changes the arithmetic of fragments; expected -ffp-contract=off "
+                        "and no fast-math",
+                        option));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "report/bar.h"
+#include "report/page_parts.h"
 
 #include <fmt/format.h>
 

@@ -51,26 +51,14 @@ std::string printable(std::string_view text, std::size_t most) {
 }
 
 std::string html(std::string_view text) {
+    constexpr std::string_view special = "&<>\"'";
+    constexpr std::string_view entities[] = {"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"};
     std::string safe;
-    for (const char c : printable(text, 100'000)) switch (c) {
-            case '&':
-                safe += "&amp;";
-                break;
-            case '<':
-                safe += "&lt;";
-                break;
-            case '>':
-                safe += "&gt;";
-                break;
-            case '"':
-                safe += "&quot;";
-                break;
-            case '\'':
-                safe += "&#39;";
-                break;
-            default:
-                safe += c;
-        }
+    for (const char c : printable(text, 100'000))
+        if (const auto at = special.find(c); at == special.npos)
+            safe += c;
+        else
+            safe += entities[at];
     return safe;
 }
 

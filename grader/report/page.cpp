@@ -6,8 +6,6 @@
 #include <cmath>
 
 #include "diagnosis/diagnosis.h"
-#include "report/bar.h"
-#include "report/cost.h"
 #include "report/escape.h"
 #include "report/page_parts.h"
 #include "report/picture.h"

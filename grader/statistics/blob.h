@@ -18,4 +18,14 @@ struct Blob {
 
 Blob blob_moments(const rt::Image& image, const Region& region);
 
+/// How the red and the green light of a spot differ in place, in units of a radius: red less green. All are 0 where
+/// what makes the colour and what makes the place do not go together.
+struct ColorMoments {
+    rt::vec2 centroid{0};  // over the radius
+    double square = 0;     // mean square of the distance from the spot's centre, over the radius^2
+};
+
+/// center  of the spot, from the image's top left corner [pixel]
+ColorMoments color_moments(const rt::Image& image, const Region& region, rt::vec2 center, double radius);
+
 }  // namespace grade

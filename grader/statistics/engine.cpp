@@ -6,7 +6,7 @@
 #include <span>
 
 #include "statistics/distributions.h"
-#include "statistics/welch.h"
+#include "statistics/tests.h"
 
 namespace grade {
 

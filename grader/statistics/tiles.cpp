@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "statistics/welch.h"
+#include "statistics/tests.h"
 
 namespace grade {
 

@@ -1,4 +1,4 @@
-#include "stress/count.h"
+#include "stress/run.h"
 
 #include <fmt/format.h>
 

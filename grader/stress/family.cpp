@@ -5,7 +5,7 @@
 
 namespace grade::stress {
 
-int Family::mildest() const {
+int Demand::mildest() const {
     int best = decades.front();
     bool best_scored = scored.holds(best);
     for (const int decade : decades) {

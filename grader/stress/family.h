@@ -26,19 +26,37 @@ struct Decades {
     bool holds(int decade) const { return low <= decade && decade <= high; }
 };
 
-struct Family {
-    std::string name;                      // "far_sphere"
-    std::vector<std::string> fragments;    // that it calls; the first one is tested, the others take part
-    std::string swept;                     // x, in words: "distance of a sphere / its radius"
-    std::string error = "relative error";  // what is measured, in words: "error of the hit / its distance"
-    double tolerance = 1e-5;               // largest error that a picture forgives, for the decades of ordinary scenes
-    double bound = 0;                      // largest error beyond them
-    std::vector<int> decades;              // of x, ascending
-    Decades scored{-3, 3};                 // those of ordinary scenes
-    std::function<double(double x, Generator&, const Asker&)> measure;  // the greatest error at x; inf: a wrong verdict
+/// Where a family is measured, and how large its error may be.
+struct Demand {
+    double tolerance = 1e-5;   // largest error that a picture forgives, for the decades of ordinary scenes
+    double bound = 0;          // largest error beyond them
+    std::vector<int> decades;  // of x, ascending
+    Decades scored{-3, 3};     // those of ordinary scenes
 
     double allowed(int decade) const { return scored.holds(decade) ? tolerance : bound; }
     int mildest() const;  // the decade from which the sweep starts: of the scored ones, else of all, the nearest to 0
+};
+
+/// The greatest error at x; inf: a wrong verdict.
+using Measure = std::function<double(double x, Generator&, const Asker&)>;
+
+struct Family {
+    std::string name;                    // "far_sphere"
+    std::vector<std::string> fragments;  // that it calls; the first one is tested, the others take part
+    std::string swept;                   // x, in words: "distance of a sphere / its radius"
+    std::string error;                   // what is measured, in words: "error of the hit / its distance"
+    Demand demand;
+    Measure measure;
+
+    /// A row of a table.
+    Family(std::string name_, std::vector<std::string> fragments_, std::string swept_, std::string error_,
+           Demand demand_, Measure measure_)
+        : name(std::move(name_)),
+          fragments(std::move(fragments_)),
+          swept(std::move(swept_)),
+          error(std::move(error_)),
+          demand(std::move(demand_)),
+          measure(std::move(measure_)) {}
 };
 
 /// All families, in the order of the assignment.
@@ -74,6 +92,14 @@ constexpr double almost_one = 1 - 0x1p-53;
 
 /// Midpoints of the n by n cells of the unit square.
 std::vector<rt::vec2> grid(int n);
+
+/// A row for each point.
+template <class RowAt>
+Rows rows_at(const std::vector<rt::vec2>& points, RowAt row_at) {
+    Rows rows;
+    for (const rt::vec2 u : points) rows.push_back(row_at(u));
+    return rows;
+}
 
 // one file for each
 std::vector<Family> sphere_families();

@@ -82,66 +82,37 @@ double error_of_patches(bool is_quad, const Aim& aim, double forgiven, Generator
     });
 }
 
-/// A family of both flat shapes.
-struct FlatFamily {
-    std::string suffix, swept, error;
-    std::vector<int> decades;
-    Decades scored;
-    Aim (*aim)(double x);
-    double (*forgiven)(double x) = [](double) { return 1.0; };
-};
-
 }  // namespace
 
 std::vector<Family> flat_families() {
     std::vector<Family> all;
     for (const bool quad : {true, false}) {
         const std::string shape = quad ? "quad" : "triangle", hit = "hit_" + shape;
-        const FlatFamily both[] = {{.suffix = "_scale",
-                                    .swept = "size of " + shape + " and ray [m]",
-                                    .error = "error of the hit / size",
-                                    .decades = sweep(-60, 60, 3),
-                                    .scored = {-3, 3},
-                                    .aim = [](double x) { return Aim{.size = x}; }},
-                                   {.suffix = "_direction",
-                                    .swept = "length of the direction",
-                                    .error = "error of the hit",
-                                    .decades = sweep(-12, 12),
-                                    .scored = {-3, 3},
-                                    .aim = [](double x) { return Aim{.length = x}; }},
-                                   {.suffix = "_grazing",
-                                    .swept = "angle between ray and " + shape,
-                                    .error = "error of the hit x angle",
-                                    .decades = sweep(-12, -1),
-                                    .scored = {-3, -1},
-                                    .aim = [](double x) { return Aim{.angle = x}; },
-                                    .forgiven = [](double x) { return 1 / x; }},
-                                   {.suffix = "_far",
-                                    .swept = "distance from the world's origin [m]",
-                                    .error = "error of the hit",
-                                    .decades = sweep(0, 12),
-                                    .scored = {0, 3},
-                                    .aim = [](double x) { return Aim{.shift = x * vec3(0.7, -0.2, 0.5)}; }},
-                                   {.suffix = "_needle",
-                                    .swept = "length / width of the " + shape,
-                                    .error = "error of the hit / aspect",
-                                    .decades = sweep(0, 12),
-                                    .scored = {0, 3},
-                                    .aim = [](double x) { return Aim{.aspect = x}; },
-                                    .forgiven = [](double x) { return x; }}};
-        for (const FlatFamily& f : both)
-            all.push_back(
-                {.name = shape + f.suffix,
-                 .fragments = {hit},
-                 .swept = f.swept,
-                 .error = f.error,
-                 .tolerance = 1e-7,
-                 .bound = 64 * rt::roundoff,
-                 .decades = f.decades,
-                 .scored = f.scored,
-                 .measure = [=, aim = f.aim, forgiven = f.forgiven](double x, Generator& random, const Asker& ask) {
-                     return error_of_patches(quad, aim(x), forgiven(x), random, ask);
-                 }});
+        const auto add = [&](const std::string& suffix, const std::string& swept, const std::string& error,
+                             const std::vector<int>& decades, Decades scored, Aim (*aim)(double x),
+                             double (*forgiven)(double x)) {
+            all.push_back(Family(shape + suffix, {hit}, swept, error,
+                                 {.tolerance = 1e-7, .bound = 64 * rt::roundoff, .decades = decades, .scored = scored},
+                                 [=](double x, Generator& random, const Asker& ask) {
+                                     return error_of_patches(quad, aim(x), forgiven(x), random, ask);
+                                 }));
+        };
+        const auto nothing = [](double) { return 1.0; };
+        add(
+            "_scale", "size of " + shape + " and ray [m]", "error of the hit / size", sweep(-60, 60, 3), {-3, 3},
+            [](double x) { return Aim{.size = x}; }, nothing);
+        add(
+            "_direction", "length of the direction", "error of the hit", sweep(-12, 12), {-3, 3},
+            [](double x) { return Aim{.length = x}; }, nothing);
+        add(
+            "_grazing", "angle between ray and " + shape, "error of the hit x angle", sweep(-12, -1), {-3, -1},
+            [](double x) { return Aim{.angle = x}; }, [](double x) { return 1 / x; });
+        add(
+            "_far", "distance from the world's origin [m]", "error of the hit", sweep(0, 12), {0, 3},
+            [](double x) { return Aim{.shift = x * vec3(0.7, -0.2, 0.5)}; }, nothing);
+        add(
+            "_needle", "length / width of the " + shape, "error of the hit / aspect", sweep(0, 12), {0, 3},
+            [](double x) { return Aim{.aspect = x}; }, [](double x) { return x; });
     }
     return all;
 }

@@ -64,14 +64,10 @@ std::vector<Family> frame_families() {
     for (const Turning& turning : {Turning{"color_bleeding", bounce_row}, Turning{"glossy_reflection", glossy_row},
                                    Turning{"translucency", translucent_row}, Turning{"light_sample", light_row},
                                    Turning{"scatter_direction", scatter_row}})
-        all.push_back({.name = "poles_" + turning.fragment,
-                       .fragments = {turning.fragment},
-                       .swept = "angle of the axis from a pole",
-                       .error = "error of length and angle",
-                       .bound = 32 * rt::roundoff,
-                       .decades = sweep(-16, -1),
-                       .scored = {-3, -1},
-                       .measure = poles(turning)});
+        all.push_back(Family("poles_" + turning.fragment, {turning.fragment}, "angle of the axis from a pole",
+                             "error of length and angle",
+                             {.bound = 32 * rt::roundoff, .decades = sweep(-16, -1), .scored = {-3, -1}},
+                             poles(turning)));
     return all;
 }
 

@@ -139,94 +139,29 @@ double faint(double x, Generator& random, const Asker& ask) {
     });
 }
 
-std::vector<Family> direction_families() {
-    constexpr double u = rt::roundoff;
-    return {
-        {.name = "mirror_length",
-         .fragments = {"mirror_direction"},
-         .swept = "length of the direction",
-         .error = "error / length",
-         .bound = 16 * u,
-         .decades = sweep(-60, 60, 3),
-         .measure = mirror_length},
-        {.name = "refracted_critical",
-         .fragments = {"refracted_direction"},
-         .swept = "distance from the critical angle",
-         .error = "error x root of x",
-         .bound = 32 * u,
-         .decades = sweep(-13, -1),
-         .scored = {-3, -1},
-         .measure = refracted_critical},
-        {.name = "refracted_grazing",
-         .fragments = {"refracted_direction"},
-         .swept = "cosine of the incoming ray",
-         .error = "error",
-         .bound = 16 * u,
-         .decades = sweep(-15, -1),
-         .scored = {-3, -1},
-         .measure = refracted_grazing},
-        {.name = "refracted_normal",
-         .fragments = {"refracted_direction"},
-         .swept = "angle between ray and normal",
-         .error = "error",
-         .bound = 16 * u,
-         .decades = sweep(-16, -1),
-         .scored = {-3, -1},
-         .measure = refracted_normal},
-        {.name = "refracted_even",
-         .fragments = {"refracted_direction"},
-         .swept = "difference of the indices",
-         .error = "error",
-         .bound = 16 * u,
-         .decades = sweep(-17, -1),
-         .scored = {-3, -1},
-         .measure = refracted_even},
-    };
-}
-
-std::vector<Family> weight_families() {
-    constexpr double u = rt::roundoff;
-    return {
-        {.name = "fresnel_critical",
-         .fragments = {"fresnel_dielectric"},
-         .swept = "distance from the critical angle",
-         .error = "error x root of x",
-         .bound = 64 * u,
-         .decades = sweep(-13, -1),
-         .scored = {-3, -1},
-         .measure = fresnel_critical},
-        {.name = "fresnel_grazing",
-         .fragments = {"fresnel_dielectric"},
-         .swept = "cosine of the incoming ray",
-         .error = "error",
-         .bound = 16 * u,
-         .decades = sweep(-15, -1),
-         .scored = {-3, -1},
-         .measure = fresnel_grazing},
-        {.name = "fresnel_even",
-         .fragments = {"fresnel_dielectric"},
-         .swept = "difference of the indices",
-         .error = "error",
-         .bound = 16 * u,
-         .decades = sweep(-17, -1),
-         .scored = {-3, -1},
-         .measure = fresnel_even},
-        {.name = "whitted_faint",
-         .fragments = {"whitted"},
-         .swept = "transmittance",
-         .bound = 8 * u,
-         .decades = sweep(-60, 0, 3),
-         .scored = {-3, 0},
-         .measure = faint},
-    };
-}
-
 }  // namespace
 
 std::vector<Family> glass_families() {
-    std::vector<Family> all = direction_families();
-    for (Family& family : weight_families()) all.push_back(std::move(family));
-    return all;
+    constexpr double u = rt::roundoff;
+    return {
+        Family("mirror_length", {"mirror_direction"}, "length of the direction", "error / length",
+               {.bound = 16 * u, .decades = sweep(-60, 60, 3)}, mirror_length),
+        Family("refracted_critical", {"refracted_direction"}, "distance from the critical angle", "error x root of x",
+               {.bound = 32 * u, .decades = sweep(-13, -1), .scored = {-3, -1}}, refracted_critical),
+        Family("refracted_grazing", {"refracted_direction"}, "cosine of the incoming ray", "error",
+               {.bound = 16 * u, .decades = sweep(-15, -1), .scored = {-3, -1}}, refracted_grazing),
+        Family("refracted_normal", {"refracted_direction"}, "angle between ray and normal", "error",
+               {.bound = 16 * u, .decades = sweep(-16, -1), .scored = {-3, -1}}, refracted_normal),
+        Family("refracted_even", {"refracted_direction"}, "difference of the indices", "error",
+               {.bound = 16 * u, .decades = sweep(-17, -1), .scored = {-3, -1}}, refracted_even),
+        Family("fresnel_critical", {"fresnel_dielectric"}, "distance from the critical angle", "error x root of x",
+               {.bound = 64 * u, .decades = sweep(-13, -1), .scored = {-3, -1}}, fresnel_critical),
+        Family("fresnel_grazing", {"fresnel_dielectric"}, "cosine of the incoming ray", "error",
+               {.bound = 16 * u, .decades = sweep(-15, -1), .scored = {-3, -1}}, fresnel_grazing),
+        Family("fresnel_even", {"fresnel_dielectric"}, "difference of the indices", "error",
+               {.bound = 16 * u, .decades = sweep(-17, -1), .scored = {-3, -1}}, fresnel_even),
+        Family("whitted_faint", {"whitted"}, "transmittance", "relative error",
+               {.bound = 8 * u, .decades = sweep(-60, 0, 3), .scored = {-3, 0}}, faint)};
 }
 
 }  // namespace grade::stress

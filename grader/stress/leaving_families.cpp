@@ -114,32 +114,17 @@ std::vector<Family> leaving_families() {
     std::vector<Family> all;
     for (const Surface kind : {Surface::sphere, Surface::quad, Surface::triangle}) {
         const std::string hit = fragment_of(kind);
-        all.push_back({.name = "self_" + hit,
-                       .fragments = {"shadow_ray", hit},
-                       .swept = "size of the scene [m]",
-                       .error = "share of rays that meet the surface they leave",
-                       .tolerance = 0.01,
-                       .decades = sweep(-60, 60, 3),
-                       .measure = [=](double x, Generator& random, const Asker& ask) {
-                           return self_hits(kind, x, random, ask);
-                       }});
+        all.push_back(
+            Family("self_" + hit, {"shadow_ray", hit}, "size of the scene [m]",
+                   "share of rays that meet the surface they leave", {.tolerance = 0.01, .decades = sweep(-60, 60, 3)},
+                   [=](double x, Generator& random, const Asker& ask) { return self_hits(kind, x, random, ask); }));
     }
-    all.insert(all.end(), {{.name = "shadow_offset",
-                            .fragments = {"shadow_ray"},
-                            .swept = "size of the scene [m]",
-                            .error = "gap between surface and ray / size",
-                            .tolerance = 5e-3,
-                            .bound = 1e-9,
-                            .decades = sweep(-60, 60, 3),
-                            .measure = shadow_offset},
-                           {.name = "shadow_end",
-                            .fragments = {"shadow_ray"},
-                            .swept = "distance of the light [m]",
-                            .error = "gap between ray and light / distance",
-                            .tolerance = 5e-3,
-                            .bound = 1e-6,
-                            .decades = sweep(-60, 60, 3),
-                            .measure = shadow_end}});
+    all.insert(
+        all.end(),
+        {Family("shadow_offset", {"shadow_ray"}, "size of the scene [m]", "gap between surface and ray / size",
+                {.tolerance = 5e-3, .bound = 1e-9, .decades = sweep(-60, 60, 3)}, shadow_offset),
+         Family("shadow_end", {"shadow_ray"}, "distance of the light [m]", "gap between ray and light / distance",
+                {.tolerance = 5e-3, .bound = 1e-6, .decades = sweep(-60, 60, 3)}, shadow_end)});
     return all;
 }
 

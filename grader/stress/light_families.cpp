@@ -21,10 +21,8 @@ Emitter light_of(Emitter::Kind kind, double size, vec3 center, vec3 towards) {
 /// The mean over the unit square of 1/density, which is the solid angle of the light, times the value of each sample.
 template <class Value>
 double mean_over_density(const Emitter& light, vec3 p, int n, const Asker& ask, Value value) {
-    Rows rows;
-    for (const vec2 u : grid(n)) rows.push_back(row(light, p, u));
     double sum = 0;
-    for (const Row& out : ask.probe("light_sample", rows)) {
+    for (const Row& out : ask.probe("light_sample", rows_at(grid(n), [&](vec2 u) { return row(light, p, u); }))) {
         const LightSample sample = from_row<LightSample>(out);
         if (std::isnan(sample.density) || std::isnan(sample.distance) || std::isnan(dot(sample.direction, vec3(1))))
             return rt::inf;
@@ -109,58 +107,22 @@ double light_size(double x, Generator& random, const Asker& ask) {
 std::vector<Family> light_families() {
     constexpr double u = rt::roundoff;
     return {
-        {.name = "sphere_light_far",
-         .fragments = {"light_sample"},
-         .swept = "distance of a sphere light / its radius",
-         .error = "error of its solid angle",
-         .tolerance = 0.05,
-         .bound = 0.05,
-         .decades = sweep(0, 14),
-         .scored = {0, 3},
-         .measure = sphere_gap},
-        {.name = "sphere_light_near",
-         .fragments = {"light_sample"},
-         .swept = "gap to a sphere light / its radius",
-         .error = "error of its solid angle",
-         .tolerance = 0.05,
-         .bound = 0.05,
-         .decades = sweep(-13, 0),
-         .scored = {0, 0},
-         .measure = sphere_gap},
-        {.name = "sphere_light_point",
-         .fragments = {"light_sample"},
-         .swept = "gap to a sphere light / its radius",
-         .error = "distance of a sample from the light / distance",
-         .bound = 1e-9,
-         .decades = sweep(-13, 14),
-         .scored = {0, 3},
-         .measure = sphere_point},
-        {.name = "quad_light_far",
-         .fragments = {"light_sample"},
-         .swept = "distance of a quad light / its size",
-         .error = "error of its irradiance",
-         .tolerance = 0.05,
-         .bound = 0.05,
-         .decades = sweep(1, 20),
-         .scored = {1, 3},
-         .measure = flat_gap(Emitter::Kind::quad)},
-        {.name = "disc_light_far",
-         .fragments = {"light_sample"},
-         .swept = "distance of a disc light / its radius",
-         .error = "error of its irradiance",
-         .tolerance = 0.05,
-         .bound = 0.05,
-         .decades = sweep(0, 20),
-         .scored = {0, 3},
-         .measure = flat_gap(Emitter::Kind::disc)},
-        {.name = "light_size",
-         .fragments = {"light_sample"},
-         .swept = "size of light and scene [m]",
-         .error = "error against that at 1 m",
-         .bound = 256 * u,
-         .decades = sweep(-60, 60, 3),
-         .measure = light_size},
-    };
+        Family("sphere_light_far", {"light_sample"}, "distance of a sphere light / its radius",
+               "error of its solid angle",
+               {.tolerance = 0.05, .bound = 0.05, .decades = sweep(0, 14), .scored = {0, 3}}, sphere_gap),
+        Family("sphere_light_near", {"light_sample"}, "gap to a sphere light / its radius", "error of its solid angle",
+               {.tolerance = 0.05, .bound = 0.05, .decades = sweep(-13, 0), .scored = {0, 0}}, sphere_gap),
+        Family("sphere_light_point", {"light_sample"}, "gap to a sphere light / its radius",
+               "distance of a sample from the light / distance",
+               {.bound = 1e-9, .decades = sweep(-13, 14), .scored = {0, 3}}, sphere_point),
+        Family("quad_light_far", {"light_sample"}, "distance of a quad light / its size", "error of its irradiance",
+               {.tolerance = 0.05, .bound = 0.05, .decades = sweep(1, 20), .scored = {1, 3}},
+               flat_gap(Emitter::Kind::quad)),
+        Family("disc_light_far", {"light_sample"}, "distance of a disc light / its radius", "error of its irradiance",
+               {.tolerance = 0.05, .bound = 0.05, .decades = sweep(0, 20), .scored = {0, 3}},
+               flat_gap(Emitter::Kind::disc)),
+        Family("light_size", {"light_sample"}, "size of light and scene [m]", "error against that at 1 m",
+               {.bound = 256 * u, .decades = sweep(-60, 60, 3)}, light_size)};
 }
 
 }  // namespace grade::stress

@@ -11,9 +11,7 @@ double misplaced(double mean, double truth) { return std::abs(mean / truth - 1) 
 
 /// Directions of a lobe, held against their own densities, and the lobe's width.
 double lobe_exponent(double x, Generator&, const Asker& ask) {
-    Rows rows;
-    for (const vec2 u : grid(24)) rows.push_back(row(x, u));
-    const Rows out = ask.probe("phong_lobe", rows);
+    const Rows out = ask.probe("phong_lobe", rows_at(grid(24), [=](vec2 u) { return row(x, u); }));
     double worst = 0, squares = 0;
     for (const Row& each : out) {
         const auto [d, density] = from_row<DirectionSample>(each);
@@ -31,9 +29,7 @@ double lobe_exponent(double x, Generator&, const Asker& ask) {
 double cone_angle(double x, Generator&, const Asker& ask) {
     const double sine = 1 / x;
     const long double s = sine, m = s * s / (1 + std::sqrt(1 - s * s));  // 1 - cos
-    Rows rows;
-    for (const vec2 u : grid(24)) rows.push_back(row(sine, u));
-    const Rows out = ask.probe("sphere_cone", rows);
+    const Rows out = ask.probe("sphere_cone", rows_at(grid(24), [=](vec2 u) { return row(sine, u); }));
     double worst = 0, squares = 0;
     for (const Row& each : out) {
         const auto [d, density] = from_row<DirectionSample>(each);
@@ -54,9 +50,9 @@ auto narrow(bool mirror) {
             const vec3 n = direction(random), d = -tilted(random, n, 0.5);
             const double cosine = -dot(d, n), other = std::sqrt(1 - (1 - cosine * cosine) / (eta * eta));
             const vec3 axis = rt::unit(mirror ? d + 2 * cosine * n : d / eta + (cosine / eta - other) * n);
-            Rows rows;
-            for (const vec2 u : grid(24)) rows.push_back(mirror ? row(d, n, x, u) : row(d, n, 1.0, eta, x, u));
-            const Rows out = ask.probe(fragment, rows);
+            const Rows out = ask.probe(fragment, rows_at(grid(24), [&](vec2 u) {
+                                           return mirror ? row(d, n, x, u) : row(d, n, 1.0, eta, x, u);
+                                       }));
             double sum = 0;
             for (const Row& each : out) {
                 const auto [direction, weight] = from_row<Scattered>(each);
@@ -74,43 +70,14 @@ auto narrow(bool mirror) {
 
 std::vector<Family> lobe_families() {
     constexpr double u = rt::roundoff;
-    return {
-        {.name = "lobe_exponent",
-         .fragments = {"phong_lobe"},
-         .swept = "exponent of a lobe",
-         .error = "error of density or length",
-         .tolerance = 1e-3,
-         .bound = 1e-12,
-         .decades = sweep(0, 20),
-         .scored = {0, 4},
-         .measure = lobe_exponent},
-        {.name = "cone_angle",
-         .fragments = {"sphere_cone"},
-         .swept = "distance of a sphere / its radius",
-         .error = "error of density or length",
-         .bound = 32 * u,
-         .decades = sweep(0, 20),
-         .scored = {0, 3},
-         .measure = cone_angle},
-        {.name = "glossy_exponent",
-         .fragments = {"glossy_reflection"},
-         .swept = "exponent of a lobe",
-         .error = "error of the lobe's width",
-         .tolerance = 0.05,
-         .bound = 0.05,
-         .decades = sweep(2, 26),
-         .scored = {2, 4},
-         .measure = narrow(true)},
-        {.name = "translucent_exponent",
-         .fragments = {"translucency"},
-         .swept = "exponent of a lobe",
-         .error = "error of the lobe's width",
-         .tolerance = 0.05,
-         .bound = 0.05,
-         .decades = sweep(2, 26),
-         .scored = {2, 4},
-         .measure = narrow(false)},
-    };
+    return {Family("lobe_exponent", {"phong_lobe"}, "exponent of a lobe", "error of density or length",
+                   {.tolerance = 1e-3, .bound = 1e-12, .decades = sweep(0, 20), .scored = {0, 4}}, lobe_exponent),
+            Family("cone_angle", {"sphere_cone"}, "distance of a sphere / its radius", "error of density or length",
+                   {.bound = 32 * u, .decades = sweep(0, 20), .scored = {0, 3}}, cone_angle),
+            Family("glossy_exponent", {"glossy_reflection"}, "exponent of a lobe", "error of the lobe's width",
+                   {.tolerance = 0.05, .bound = 0.05, .decades = sweep(2, 26), .scored = {2, 4}}, narrow(true)),
+            Family("translucent_exponent", {"translucency"}, "exponent of a lobe", "error of the lobe's width",
+                   {.tolerance = 0.05, .bound = 0.05, .decades = sweep(2, 26), .scored = {2, 4}}, narrow(false))};
 }
 
 }  // namespace grade::stress

@@ -61,9 +61,8 @@ double even(double x, Generator&, const Asker& ask) {
     double worst = 0;
     for (const double g : {x, -x, 0.0}) {
         if (g == 0 && x >= 1e-3) continue;
-        Rows rows;
-        for (const vec2 u : grid(16)) rows.push_back(row(vec3(0, 0, 1), g, u));
-        const Rows out = ask.probe("scatter_direction", rows);
+        const Rows out =
+            ask.probe("scatter_direction", rows_at(grid(16), [=](vec2 u) { return row(vec3(0, 0, 1), g, u); }));
         double squares = 0;
         for (const Row& each : out) {
             const auto [d, density] = from_row<DirectionSample>(each);
@@ -80,10 +79,9 @@ double even(double x, Generator&, const Asker& ask) {
 /// Scattering with 1 - g = x: the mean of 1 - cos is x.
 double forward_mean(double x, Generator&, const Asker& ask) {
     const double g = 1 - x;
-    Rows rows;
-    for (const vec2 u : grid(40)) rows.push_back(row(vec3(0, 0, 1), g, u));
     double sum = 0;
-    const Rows out = ask.probe("scatter_direction", rows);
+    const Rows out =
+        ask.probe("scatter_direction", rows_at(grid(40), [=](vec2 u) { return row(vec3(0, 0, 1), g, u); }));
     for (const Row& each : out) {
         const vec3 d = from_row<DirectionSample>(each).direction, off = d - vec3(0, 0, 1);
         // the few that turn back carry much of the mean: only the narrow part is measured
@@ -111,49 +109,16 @@ double forward_width(double x, Generator& random, const Asker& ask) {
 
 std::vector<Family> medium_families() {
     constexpr double u = rt::roundoff;
-    return {
-        {.name = "extinction",
-         .fragments = {"free_flight"},
-         .swept = "extinction [1/m]",
-         .error = "error of the mean distance",
-         .tolerance = 1e-2,
-         .bound = 1e-2,
-         .decades = sweep(-60, 60, 3),
-         .measure = extinction},
-        {.name = "short_flight",
-         .fragments = {"free_flight"},
-         .swept = "random number, from 0 and from 1",
-         .bound = 16 * u,
-         .decades = sweep(-16, -1),
-         .scored = {-3, -1},
-         .measure = short_flight},
-        {.name = "even_scattering",
-         .fragments = {"scatter_direction"},
-         .swept = "g",
-         .error = "error of density or length",
-         .bound = 32 * u,
-         .decades = sweep(-17, -1),
-         .scored = {-3, -1},
-         .measure = even},
-        {.name = "forward_density",
-         .fragments = {"scatter_direction"},
-         .swept = "1 - g",
-         .error = "relative error of the density",
-         .tolerance = 1e-4,
-         .bound = 1e-8,
-         .decades = sweep(-15, -1),
-         .scored = {-2, -1},
-         .measure = forward},
-        {.name = "forward_width",
-         .fragments = {"scatter_direction"},
-         .swept = "1 - g",
-         .error = "relative error of the mean angle",
-         .tolerance = 0.05,
-         .bound = 0.05,
-         .decades = sweep(-15, -1),
-         .scored = {-2, -1},
-         .measure = forward_width},
-    };
+    return {Family("extinction", {"free_flight"}, "extinction [1/m]", "error of the mean distance",
+                   {.tolerance = 1e-2, .bound = 1e-2, .decades = sweep(-60, 60, 3)}, extinction),
+            Family("short_flight", {"free_flight"}, "random number, from 0 and from 1", "relative error",
+                   {.bound = 16 * u, .decades = sweep(-16, -1), .scored = {-3, -1}}, short_flight),
+            Family("even_scattering", {"scatter_direction"}, "g", "error of density or length",
+                   {.bound = 32 * u, .decades = sweep(-17, -1), .scored = {-3, -1}}, even),
+            Family("forward_density", {"scatter_direction"}, "1 - g", "relative error of the density",
+                   {.tolerance = 1e-4, .bound = 1e-8, .decades = sweep(-15, -1), .scored = {-2, -1}}, forward),
+            Family("forward_width", {"scatter_direction"}, "1 - g", "relative error of the mean angle",
+                   {.tolerance = 0.05, .bound = 0.05, .decades = sweep(-15, -1), .scored = {-2, -1}}, forward_width)};
 }
 
 }  // namespace grade::stress

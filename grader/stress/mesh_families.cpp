@@ -51,51 +51,26 @@ double missed(vec3 center, double size, bool at_edges, Generator& random, const 
     return double(lost) / (meshes * rays);
 }
 
-double closed(double x, Generator& random, const Asker& ask) { return missed(vec3(0), x, false, random, ask); }
-double edges(double x, Generator& random, const Asker& ask) { return missed(vec3(0), x, true, random, ask); }
-double far_mesh(double x, Generator& random, const Asker& ask) {
-    return missed(x * vec3(0.7, 0.1, -0.8), 2, false, random, ask);
-}
-double far_edges(double x, Generator& random, const Asker& ask) {
-    return missed(x * vec3(0.7, 0.1, -0.8), 2, true, random, ask);
+/// Of a mesh of size x, or of one at a distance x.
+Measure missed_by(bool far, bool at_edges) {
+    return [=](double x, Generator& random, const Asker& ask) {
+        return missed(far ? x * vec3(0.7, 0.1, -0.8) : vec3(0), far ? 2 : x, at_edges, random, ask);
+    };
 }
 
 }  // namespace
 
 std::vector<Family> mesh_families() {
-    return {
-        {.name = "mesh_scale",
-         .fragments = {"hit_triangle"},
-         .swept = "size of a closed mesh [m]",
-         .error = "share of rays that get out",
-         .tolerance = 0,
-         .decades = sweep(-60, 60, 3),
-         .measure = closed},
-        {.name = "mesh_edges",
-         .fragments = {"hit_triangle"},
-         .swept = "size of a closed mesh [m]",
-         .error = "share of rays at edges that get out",
-         .tolerance = 0,
-         .decades = sweep(-12, 12),
-         .scored = {},
-         .measure = edges},
-        {.name = "mesh_far",
-         .fragments = {"hit_triangle"},
-         .swept = "distance of a mesh from the world's origin [m]",
-         .error = "share of rays that get out",
-         .tolerance = 0,
-         .decades = sweep(0, 12),
-         .scored = {0, 3},
-         .measure = far_mesh},
-        {.name = "mesh_far_edges",
-         .fragments = {"hit_triangle"},
-         .swept = "distance of a mesh from the world's origin [m]",
-         .error = "share of rays at edges that get out",
-         .tolerance = 0,
-         .decades = sweep(0, 12),
-         .scored = {},
-         .measure = far_edges},
-    };
+    return {Family("mesh_scale", {"hit_triangle"}, "size of a closed mesh [m]", "share of rays that get out",
+                   {.tolerance = 0, .decades = sweep(-60, 60, 3)}, missed_by(false, false)),
+            Family("mesh_edges", {"hit_triangle"}, "size of a closed mesh [m]", "share of rays at edges that get out",
+                   {.tolerance = 0, .decades = sweep(-12, 12), .scored = {}}, missed_by(false, true)),
+            Family("mesh_far", {"hit_triangle"}, "distance of a mesh from the world's origin [m]",
+                   "share of rays that get out", {.tolerance = 0, .decades = sweep(0, 12), .scored = {0, 3}},
+                   missed_by(true, false)),
+            Family("mesh_far_edges", {"hit_triangle"}, "distance of a mesh from the world's origin [m]",
+                   "share of rays at edges that get out", {.tolerance = 0, .decades = sweep(0, 12), .scored = {}},
+                   missed_by(true, true))};
 }
 
 }  // namespace grade::stress

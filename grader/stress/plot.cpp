@@ -40,7 +40,7 @@ std::string power(int decade) { return fmt::format("1e{}", decade); }
 /// log10(error / allowed), as far as the plot goes; an error of 0 lies at its foot.
 constexpr double foot = -8, head = 3;
 double height_of(const Family& family, const DecadeRecord& d) {
-    const double allowed = family.allowed(d.decade);
+    const double allowed = family.demand.allowed(d.decade);
     if (d.error == 0) return foot;
     if (!std::isfinite(d.error) || allowed == 0) return head;
     return std::clamp(std::log10(d.error / allowed), foot, head);
@@ -50,13 +50,14 @@ double height_of(const Family& family, const DecadeRecord& d) {
 
 std::string reach_bar(const FamilyRecord& f) {
     constexpr double width = 280, height = 30;
-    const auto& decades = f.family->decades;
+    const auto& decades = f.family->demand.decades;
     const Places at{decades, 34, width - 34};
     std::string svg = fmt::format(
         "<svg class=\"reach\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" role=\"img\" "
         "aria-label=\"{2}: passes {3}\">",
         width, height, html(f.family->swept), html(in_words(f.reach)));
-    svg += at.rect("tried", {decades.front(), decades.back()}, 9, 10) + at.rect("ordinary", f.family->scored, 2, 24);
+    svg += at.rect("tried", {decades.front(), decades.back()}, 9, 10) +
+           at.rect("ordinary", f.family->demand.scored, 2, 24);
     svg += at.rect(f.is_scored() && !f.scored_passed() ? "passes bad" : "passes good", f.reach, 9, 10);
     svg += at.rect("solution", f.solution, 22, 3);
     return svg + label(30, 18, "end", power(decades.front())) + label(width - 30, 18, "start", power(decades.back())) +
@@ -65,14 +66,14 @@ std::string reach_bar(const FamilyRecord& f) {
 
 std::string error_plot(const FamilyRecord& f) {
     constexpr double width = 330, height = 150, top = 10, bottom = 124;
-    const auto& decades = f.family->decades;
+    const auto& decades = f.family->demand.decades;
     const Places at{decades, 40, width - 8};
     const auto y = [&](double v) { return bottom - (v - foot) / (head - foot) * (bottom - top); };
     std::string svg = fmt::format(
         "<svg class=\"errors\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" role=\"img\" "
         "aria-label=\"{2}: error over the allowed one\">",
         width, height, html(f.family->name));
-    svg += at.rect("ordinary", f.family->scored, top, bottom - top);
+    svg += at.rect("ordinary", f.family->demand.scored, top, bottom - top);
     for (const double v : {-8.0, -4.0, 0.0}) {
         svg += fmt::format("<line class=\"{}\" x1=\"40\" x2=\"{:g}\" y1=\"{:.1f}\" y2=\"{:.1f}\"/>",
                            v == 0 ? "truth" : "axis", width - 8, y(v), y(v));

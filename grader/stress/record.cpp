@@ -13,8 +13,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 int bonus_of(const Family& family, const Reach& reach) {
-    return int(std::ranges::count_if(family.decades,
-                                     [&](int decade) { return reach.holds(decade) && !family.scored.holds(decade); }));
+    return int(std::ranges::count_if(
+        family.demand.decades, [&](int decade) { return reach.holds(decade) && !family.demand.scored.holds(decade); }));
 }
 
 /// JSON has no infinity.
@@ -47,7 +47,7 @@ int StressRecord::most_bonus() const {
 }
 
 Reach reach_of(const Family& family, const std::vector<DecadeRecord>& decades) {
-    const auto start = std::ranges::find(decades, family.mildest(), &DecadeRecord::decade);
+    const auto start = std::ranges::find(decades, family.demand.mildest(), &DecadeRecord::decade);
     if (start == decades.end() || !start->passed) return {};
     auto low = start, high = start;
     while (low != decades.begin() && (low - 1)->passed) --low;
@@ -70,9 +70,9 @@ std::string to_json(const StressRecord& record) {
                     {"fragments", f.family->fragments},
                     {"swept", f.family->swept},
                     {"error", f.family->error},
-                    {"tolerance", f.family->tolerance},
-                    {"bound", f.family->bound},
-                    {"scored_decades", pair(f.family->scored)},
+                    {"tolerance", f.family->demand.tolerance},
+                    {"bound", f.family->demand.bound},
+                    {"scored_decades", pair(f.family->demand.scored)},
                     {"started", f.started},
                     {"reach", pair(f.reach)},
                     {"solution_reach", pair(f.solution)},

@@ -26,9 +26,10 @@ struct FamilyRecord {
     Reach reach;
     Reach solution;  // of the solution
 
-    bool is_scored() const { return !family->scored.empty(); }
+    bool is_scored() const { return !family->demand.scored.empty(); }
     bool scored_passed() const {
-        return is_scored() && !reach.empty() && reach.low <= family->scored.low && reach.high >= family->scored.high;
+        return is_scored() && !reach.empty() && reach.low <= family->demand.scored.low &&
+               reach.high >= family->demand.scored.high;
     }
 
     /// Decades beyond those of ordinary scenes that pass.

@@ -11,7 +11,6 @@
 #include "programs/parallel.h"
 #include "programs/programs.h"
 #include "programs/runner.h"
-#include "stress/count.h"
 
 namespace grade::stress {
 
@@ -55,12 +54,12 @@ std::vector<DecadeRecord> sweep_family(const Family& family, const Programs& pro
                     }};
 
     // outwards from the mildest
-    std::vector<int> order = family.decades;
-    std::ranges::stable_sort(order, {}, [&](int decade) { return std::abs(decade - family.mildest()); });
+    std::vector<int> order = family.demand.decades;
+    std::ranges::stable_sort(order, {}, [&](int decade) { return std::abs(decade - family.demand.mildest()); });
     bool stuck_below = false, stuck_above = false;
     for (const int decade : order) {
         DecadeRecord result{decade, rt::inf, {}, false};
-        bool& stuck = decade < family.mildest() ? stuck_below : stuck_above;
+        bool& stuck = decade < family.demand.mildest() ? stuck_below : stuck_above;
         if (!stuck) try {
                 Generator random = stream(std::uint64_t(std::int64_t(decade)), family.name);
                 result.error = worse_error(0, family.measure(std::pow(10.0, decade), random, ask));
@@ -73,7 +72,7 @@ std::vector<DecadeRecord> sweep_family(const Family& family, const Programs& pro
             }
         else
             result.message = "not tried: a milder one did not end";
-        result.passed = result.error <= family.allowed(decade);
+        result.passed = result.error <= family.demand.allowed(decade);
         decades.push_back(std::move(result));
     }
     std::ranges::sort(decades, {}, &DecadeRecord::decade);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "assignment/assignment.h"
-#include "programs/toolchain.h"
+#include "programs/programs.h"
 #include "stress/record.h"
 #include "submission/submission.h"
 
@@ -26,5 +26,8 @@ struct StressSettings {
 /// machine fails.
 StressRecord stress_submission(const Submission& submission, const Assignment& assignment, const Toolchain& chain,
                                const StressSettings& settings);
+
+/// The big counts: rays from within closed meshes, and rays that leave surfaces, at sizes of 2^-40 to 2^40.
+std::vector<CountRecord> big_counts(Programs& programs, const fs::path& meshes, const StressSettings& settings);
 
 }  // namespace grade::stress

@@ -82,8 +82,7 @@ std::vector<vec2> borders(double x) {
 }
 
 double disk_border(double x, Generator&, const Asker& ask) {
-    Rows rows;
-    for (const vec2 u : borders(x)) rows.push_back(row(u));
+    const Rows rows = rows_at(borders(x), [](vec2 u) { return row(u); });
     return worst_of<rt::uniform_disk>(ask, "uniform_disk", rows, [](const DiskSample& sample) {
         const auto [p, density] = sample;
         return worse_error(std::max(0.0, glm::length(p) - 1) + 0 * p.x, std::abs(density * rt::pi - 1));
@@ -91,8 +90,7 @@ double disk_border(double x, Generator&, const Asker& ask) {
 }
 
 double hemisphere_border(double x, Generator&, const Asker& ask) {
-    Rows rows;
-    for (const vec2 u : borders(x)) rows.push_back(row(u));
+    const Rows rows = rows_at(borders(x), [](vec2 u) { return row(u); });
     return worst_of<rt::cosine_hemisphere>(ask, "cosine_hemisphere", rows, [](const DirectionSample& sample) {
         const auto [d, density] = sample;
         if (!(d.z >= 0)) return rt::inf;
@@ -105,49 +103,16 @@ double hemisphere_border(double x, Generator&, const Asker& ask) {
 std::vector<Family> warp_families() {
     constexpr double u = rt::roundoff;
     return {
-        {.name = "strata_count",
-         .fragments = {"stratified_2d"},
-         .swept = "number of cells",
-         .error = "relative error of a cell's area",
-         .tolerance = 1e-4,
-         .bound = 1e-9,
-         .decades = sweep(0, 9),
-         .scored = {0, 4},
-         .measure = strata_count},
-        {.name = "strata_end",
-         .fragments = {"stratified_2d"},
-         .swept = "distance of u from 1",
-         .error = "points at 1",
-         .tolerance = 0,
-         .decades = sweep(-16, -1),
-         .scored = {-3, -1},
-         .measure = strata_end},
-        {.name = "film_position",
-         .fragments = {"film_sample"},
-         .swept = "place of a pixel on the film",
-         .error = "error of a cell's area / place",
-         .tolerance = 1e-3,
-         .bound = 64 * u,
-         .decades = sweep(0, 9),
-         .scored = {0, 3},
-         .measure = film_position},
-        {.name = "disk_border",
-         .fragments = {"uniform_disk"},
-         .swept = "distance of u from a border",
-         .error = "length beyond 1, error of the density",
-         .bound = 8 * u,
-         .decades = sweep(-16, -1),
-         .scored = {-3, -1},
-         .measure = disk_border},
-        {.name = "hemisphere_border",
-         .fragments = {"cosine_hemisphere"},
-         .swept = "distance of u from a border",
-         .error = "error of length and density",
-         .bound = 8 * u,
-         .decades = sweep(-16, -1),
-         .scored = {-3, -1},
-         .measure = hemisphere_border},
-    };
+        Family("strata_count", {"stratified_2d"}, "number of cells", "relative error of a cell's area",
+               {.tolerance = 1e-4, .bound = 1e-9, .decades = sweep(0, 9), .scored = {0, 4}}, strata_count),
+        Family("strata_end", {"stratified_2d"}, "distance of u from 1", "points at 1",
+               {.tolerance = 0, .decades = sweep(-16, -1), .scored = {-3, -1}}, strata_end),
+        Family("film_position", {"film_sample"}, "place of a pixel on the film", "error of a cell's area / place",
+               {.tolerance = 1e-3, .bound = 64 * u, .decades = sweep(0, 9), .scored = {0, 3}}, film_position),
+        Family("disk_border", {"uniform_disk"}, "distance of u from a border", "length beyond 1, error of the density",
+               {.bound = 8 * u, .decades = sweep(-16, -1), .scored = {-3, -1}}, disk_border),
+        Family("hemisphere_border", {"cosine_hemisphere"}, "distance of u from a border", "error of length and density",
+               {.bound = 8 * u, .decades = sweep(-16, -1), .scored = {-3, -1}}, hemisphere_border)};
 }
 
 }  // namespace grade::stress

@@ -110,9 +110,7 @@ def lamps(n):
     text, side = LAMPS.replace("12, 12, 12", f"{48 / n}, {48 / n}, {48 / n}"), math.ceil(math.sqrt(n))
     for k in range(n):
         x, z = (4 * ((k % side) + 0.5) / side - 2, 4 * ((k // side) + 0.5) / side - 2)
-        text += (
-            f'[[shape]]\ntype = "quad"\ncenter = [{x}, 4.5, {z}]\nu = [0.1, 0, 0]\nv = [0, 0, 0.1]\nmaterial = "lamp"\n'
-        )
+        text += f'[[shape]]\ntype = "quad"\ncenter = [{x}, 4.5, {z}]\nu = [0.1, 0, 0]\nv = [0, 0, 0.1]\nmaterial = "lamp"\n'
     return text
 
 
@@ -182,14 +180,8 @@ def measure(bench, most_triangles):
         file.write_text(MESH.replace("FILE", mesh.name))
         jobs.append((file, plain))
     runs = bench.runs(jobs)
-    seconds = bench.growth(
-        "Triangles",
-        "triangles",
-        sizes,
-        runs,
-        "no more than a logarithm is the goal",
-        [("reading and building, CPU s", lambda r: r.cpu - r.render), ("peak, MB", lambda r: r.megabytes)],
-    )
+    columns = [("reading and building, CPU s", lambda r: r.cpu - r.render), ("peak, MB", lambda r: r.megabytes)]
+    seconds = bench.growth("Triangles", "triangles", sizes, runs, "no more than a logarithm is the goal", columns)
     bench.text += (
         f"From {sizes[0]} to {sizes[-1]} triangles the seconds grow by {seconds[-1] / seconds[0]:.2f}, the logarithm by "
         f"{math.log(sizes[-1]) / math.log(sizes[0]):.2f}.\n\n"

@@ -96,62 +96,51 @@ def render_million(raytrace):
 
 
 def report(results, linked, memory, cpu, rounds):
-    lines = [
-        "# Rays through a mesh",
-        "",
-        f"Written by `tests/bench/rays.py BUILD --rounds {rounds} --write` on one thread of {machine()}, "
-        "which did other work as well.",
-        "Millions of rays per CPU second, the medians of the rounds. The mesh is a knot with bumps on a floor; both",
-        "sides get the same rays, ours in batches of 64 and in double precision, Embree's one by one and in single.",
-        "Embree's two columns are its tree of medium quality and its best.",
-        "",
-        table(
-            ["triangles", "rays", "", "ours", "Embree", "Embree, best tree", "ratio (least to greatest round)"],
-            [
-                [f"{n:,}", name, what, *(speed(result[name], who) for who in ("ours", "embree", "embree_high")), ratio(result[name])]
-                for n, result in results.items()
-                for name, what in kinds.items()
-            ],
-        ),
-        table(
-            ["triangles", "nodes", "tree [MB]", "building it [CPU s]", "Embree's", "Embree's best"],
-            [
-                [f"{n:,}", f"{r['nodes']:,}", f"{r['bytes'] / 1e6:.1f}", f"{median(r['build']):.3f}"]
-                + [f"{r[k]:.3f}" if k in r else "–" for k in ("embree_build", "embree_high_build")]
-                for n, r in results.items()
-            ],
-        ).rstrip(),
-    ]
+    sides = ("ours", "embree", "embree_high")
     slower = ", ".join(f"{name} {speed(linked[name], 'ours')}" for name in kinds)
-    lines += [
-        "",
-        f"With fragments that are linked, not included, through {middle:,} triangles: {slower}.",
-    ]
     first, last = results[sizes[0]], results[sizes[-1]]
+
     def growth(who):
         if who not in first["camera, closest"]:
             return "not known here"
         seconds = [{name: median(r[name][who]) / r[name]["rays"] for name in kinds} for r in (first, last)]
         return ", ".join(f"{name} {seconds[1][name] / seconds[0][name]:.2f}" for name in kinds)
 
-    lines += [
-        "",
-        f"From {sizes[0]:,} to {sizes[-1]:,} triangles the logarithm doubles, and the time of a ray grows by",
-        f"factors of {growth('ours')}; Embree's of {growth('embree')}.",
-        "The nodes that a ray looks at grow with the logarithm (`tests/bvh_test.cpp`); the rest is memory, once the",
-        "mesh is larger than the caches.",
-        "",
-        "A whole process that reads 1,000,000 triangles with smooth normals, builds the tree and draws 256 × 256",
-        f"pixels with 16 samples: {memory:.0f} MiB at most, {cpu:.1f} CPU seconds.",
-        "",
-        "A ratio below 1 falls short of the goal. What stands in the way: a ray's last word is the fragment",
-        "`hit_triangle`, watertight and in double precision with six divisions, on vectors half as wide as single",
-        "precision's and with every ray and triangle copied into them; boxes are the only thing that may leave a",
-        "triangle out, for any cheaper test would take the exercise away from the student; and a step without branches",
-        "always handles all eight children of a node, met or not.",
-        "",
+    rays = [
+        [f"{n:,}", name, what, *(speed(result[name], who) for who in sides), ratio(result[name])]
+        for n, result in results.items()
+        for name, what in kinds.items()
     ]
-    return "\n".join(lines)
+    trees = [
+        [f"{n:,}", f"{r['nodes']:,}", f"{r['bytes'] / 1e6:.1f}", f"{median(r['build']):.3f}"]
+        + [f"{r[k]:.3f}" if k in r else "–" for k in ("embree_build", "embree_high_build")]
+        for n, r in results.items()
+    ]
+    return f"""# Rays through a mesh
+
+Written by `tests/bench/rays.py BUILD --rounds {rounds} --write` on one thread of {machine()}, which did other work as well.
+Millions of rays per CPU second, the medians of the rounds. The mesh is a knot with bumps on a floor; both
+sides get the same rays, ours in batches of 64 and in double precision, Embree's one by one and in single.
+Embree's two columns are its tree of medium quality and its best.
+
+{table(["triangles", "rays", "", "ours", "Embree", "Embree, best tree", "ratio (least to greatest round)"], rays)}
+{table(["triangles", "nodes", "tree [MB]", "building it [CPU s]", "Embree's", "Embree's best"], trees)}
+With fragments that are linked, not included, through {middle:,} triangles: {slower}.
+
+From {sizes[0]:,} to {sizes[-1]:,} triangles the logarithm doubles, and the time of a ray grows by
+factors of {growth('ours')}; Embree's of {growth('embree')}.
+The nodes that a ray looks at grow with the logarithm (`tests/bvh_test.cpp`); the rest is memory, once the
+mesh is larger than the caches.
+
+A whole process that reads 1,000,000 triangles with smooth normals, builds the tree and draws 256 × 256
+pixels with 16 samples: {memory:.0f} MiB at most, {cpu:.1f} CPU seconds.
+
+A ratio below 1 falls short of the goal. What stands in the way: a ray's last word is the fragment
+`hit_triangle`, watertight and in double precision with six divisions, on vectors half as wide as single
+precision's and with every ray and triangle copied into them; boxes are the only thing that may leave a
+triangle out, for any cheaper test would take the exercise away from the student; and a step without branches
+always handles all eight children of a node, met or not.
+"""
 
 
 def main():

@@ -52,25 +52,9 @@ class Penumbra:
 
     def render(self, scene, way, n, seed):
         n = 2 ** round(math.log2(n))
-        done = subprocess.run(
-            [
-                self.raytrace,
-                scene,
-                "-o",
-                self.out,
-                "--threads",
-                "1",
-                "--sampler",
-                way,
-                "--samples",
-                str(n),
-                "--seed",
-                str(seed),
-            ],
-            capture_output=True,
-            text=True,
-            check=True,
-        )
+        command = [self.raytrace, scene, "-o", self.out, "--threads", "1"]
+        command += ["--sampler", way, "--samples", str(n), "--seed", str(seed)]
+        done = subprocess.run(command, capture_output=True, text=True, check=True)
         return read_image(self.out), float(re.search(r"time\s+([\d.]+) s CPU", done.stdout).group(1)), n
 
 
@@ -178,36 +162,22 @@ class PovRay:
         text = self.folder / "povray.pov"
         text.write_text(to_povray(read_scene(scene), lamp, blur))
         out = self.folder / "povray.exr"
-        size = read_scene(scene)["camera"]["size"]
-        done = subprocess.run(
-            [
-                "povray",
-                f"+I{text}",
-                f"+O{out}",
-                "+FE",
-                "File_Gamma=1.0",
-                f"+W{size[0]}",
-                f"+H{size[1]}",
-                "+WT1",
-                "-D",
-                "-V",
-                *([] if blur else ["+A0.0", "+AM1", f"+R{side}", "+J"]),
-            ],
-            capture_output=True,
-            text=True,
-            check=True,
-        )
+        width, height = read_scene(scene)["camera"]["size"]
+        command = ["povray", f"+I{text}", f"+O{out}", "+FE", "File_Gamma=1.0", f"+W{width}", f"+H{height}", "+WT1", "-D", "-V"]
+        if not blur:
+            command += ["+A0.0", "+AM1", f"+R{side}", "+J"]
+        done = subprocess.run(command, capture_output=True, text=True, check=True)
         cpu = re.search(r"Trace Time.*?with ([\d.]+) CPU", done.stderr, re.DOTALL)
         return read_image(out), float(cpu.group(1)), (blur or side * side) * lamp * lamp
 
 
 def newest_llvm():
     """The newest libLLVM that Mitsuba can use; none: it aborts with those up to 16."""
-    files = [
-        f for f in pathlib.Path("/usr/lib").glob("*/libLLVM*.so*") if re.search(r"LLVM[.-]?(?:so\.)?(\d+)", f.name)
-    ]
-    version = {f: int(re.search(r"LLVM[.-]?(?:so\.)?(\d+)", f.name).group(1)) for f in files}
-    best = max(files, key=version.get, default=None)
+    version = {}
+    for file in pathlib.Path("/usr/lib").glob("*/libLLVM*.so*"):
+        if number := re.search(r"LLVM[.-]?(?:so\.)?(\d+)", file.name):
+            version[file] = int(number.group(1))
+    best = max(version, key=version.get, default=None)
     return best if best and version[best] > 16 else None
 
 

@@ -59,13 +59,8 @@ TEST_CASE("60 fields of view from 1e-6 to 179.9999 degrees", "[extremes]") {
 
 TEST_CASE("59 60 a focus of 0, fields of view of 0 and 180 degrees are rejected where they stand", "[extremes]") {
     const std::string camera = "[camera]\neye = [0, 0, 5]\ntarget = [0, 0, 0]\n";
-    const auto complaint = [&](const std::string& line) -> std::string {
-        try {
-            parse_scene(camera + line, "s.toml");
-            return "";
-        } catch (const InputError& error) {
-            return error.what();
-        }
+    const auto complaint = [&](const std::string& line) {
+        return complaint_of([&] { parse_scene(camera + line, "s.toml"); });
     };
     CHECK(complaint("focus = 0").rfind("s.toml:4:9: 'focus' is 0; expected ", 0) == 0);
     CHECK(complaint("focus = -1").rfind("s.toml:4:9: 'focus' is -1; expected ", 0) == 0);

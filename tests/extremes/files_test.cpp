@@ -13,12 +13,7 @@ const std::string head = "[camera]\neye = [0, 0, 5]\ntarget = [0, 0, 0]\n[materi
 
 /// The message that a scene with these lines, from the seventh on, earns; empty: none.
 std::string complaint(const std::string& lines) {
-    try {
-        parse_scene(head + lines, "s.toml");
-        return "";
-    } catch (const InputError& error) {
-        return error.what();
-    }
+    return complaint_of([&] { parse_scene(head + lines, "s.toml"); });
 }
 
 }  // namespace

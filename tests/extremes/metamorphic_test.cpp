@@ -42,12 +42,7 @@ Scene turned(Scene scene, Map map) {
 }
 
 Image rendered(const Scene& scene, std::optional<Crop> crop = {}, int threads = 1) {
-    RenderSettings settings;
-    settings.samples = scene.samples;
-    settings.sampler = scene.sampler;
-    settings.threads = threads;
-    settings.crop = crop;
-    return render(scene, settings).image;
+    return render(scene, {.samples = scene.samples, .threads = threads, .sampler = scene.sampler, .crop = crop}).image;
 }
 
 }  // namespace

@@ -27,10 +27,7 @@ TEST_CASE("40 8192 x 8192 pixels with 64 samples: no number wraps at 32 bits", "
     Scene scene = small_scene("hit_quad");
     scene.camera.size = {8192, 8192};
     scene.samples = 64;
-    RenderSettings settings;
-    settings.samples = 64;
-    settings.crop = Crop{8176, 8176, 16, 16};
-    const Rendering part = render(scene, settings);
+    const Rendering part = render(scene, {.samples = 64, .crop = Crop{8176, 8176, 16, 16}});
     CHECK(!part.bad_sample);
     CHECK(part.rays[int(RayKind::camera)] >= 16u * 16 * 64);
     const Ray corner = camera_ray(scene.camera, {8192, 8192}), opposite = camera_ray(scene.camera, {0, 0});
@@ -49,9 +46,7 @@ TEST_CASE("40 the whole film of 8192 x 8192 with 64 samples", "[extremes]") {
     Scene scene = plain_scene();
     scene.background = Color(1);
     scene.shapes.push_back({Sphere{{0, 0, -1e6}, 1}, 0, vec3(0)});
-    RenderSettings settings;
-    settings.samples = 64;
-    settings.estimate_error = false;
+    const RenderSettings settings{.samples = 64, .estimate_error = false};
     scene.camera.size = {8192, 8192};
     const Rendering whole = render(scene, settings);
     figure(40, "camera rays of 8192 x 8192 x 64 that are missing", double((std::uint64_t(1) << 32) - whole.rays[0]), 0);
@@ -110,11 +105,7 @@ TEST_CASE("45 1e8 accumulations: relative 1e-12", "[extremes]") {
     Scene scene;
     scene.background = Color(0.1, 0.2, 0.3);  // every pass is the same
     scene.camera.size = {1, 1};
-    RenderSettings settings;
-    settings.samples = 1;
-    settings.estimate_error = false;
-    settings.time_limit = 1;
-    settings.threads = 1;
+    RenderSettings settings{.samples = 1, .threads = 1, .estimate_error = false, .time_limit = 1};
     const Rendering many = render(scene, settings);
     settings.time_limit = inf;
     const Color one = render(scene, settings).image.pixels[0];

@@ -15,12 +15,8 @@ inline rt::Scene small_scene(const std::string& name) {
 }
 
 inline rt::Image picture(const rt::Scene& scene, int threads = 1) {
-    rt::RenderSettings settings;
-    settings.samples = scene.samples;
-    settings.sampler = scene.sampler;
-    settings.threads = threads;
-    settings.estimate_error = false;
-    const rt::Rendering rendering = rt::render(scene, settings);
+    const rt::Rendering rendering = rt::render(
+        scene, {.samples = scene.samples, .threads = threads, .sampler = scene.sampler, .estimate_error = false});
     CHECK(!rendering.bad_sample);
     return rendering.image;
 }

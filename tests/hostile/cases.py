@@ -59,14 +59,14 @@ class Case:
 cases = []
 
 
-def case(number, title, verdicts, words=(), **more):
+def case(number, title, verdicts, words=(), source=None, **more):
+    """With a source the case is complete; without one it waits for the function that makes one of its place."""
     def add(build):
         given = {verdicts} if isinstance(verdicts, str) else set(verdicts)
         cases.append(Case(number, title, build, given, (words,) if isinstance(words, str) else tuple(words), **more))
         return build
 
-    return add
-
+    return add(lambda _: source) if source is not None else add
 
 HEAD = """#include "rt/fragments.h"
 #include <cerrno>
@@ -141,17 +141,14 @@ def paths(*list_of_paths):
 
 # ---- results
 
-@case("1", "a static constructor prints PASS and exits", "crashed", "a fragment must return, not exit", fast=True, own=True)
-def _(place):
-    return disk("    return wrong(u);", """
-static const int early = (std::puts("uniform_disk            passed                2 of 2"), std::fflush(stdout), _exit(0), 0);""")
+case("1", "a static constructor prints PASS and exits", "crashed", "a fragment must return, not exit", fast=True, own=True,
+     source=disk("    return wrong(u);", """
+static const int early = (std::puts("uniform_disk            passed                2 of 2"), std::fflush(stdout), _exit(0), 0);"""))
 
-
-@case("2", "atexit handlers and destructors write to all descriptors", ANY_FAULT, own=True)
-def _(place):
-    return disk("    return wrong(u);", """
+case("2", "atexit handlers and destructors write to all descriptors", ANY_FAULT, own=True,
+     source=disk("    return wrong(u);", """
 static void again() { for (int fd = 0; fd < 64; ++fd) (void)!write(fd, "passed passed passed", 20); }
-static struct Late { Late() { std::atexit(again); at_quick_exit(again); } ~Late() { again(); } } late;""")
+static struct Late { Late() { std::atexit(again); at_quick_exit(again); } ~Late() { again(); } } late;"""))
 
 
 @case("3a", "#include of the solution", "did_not_build", "error", fast=True)
@@ -185,21 +182,15 @@ def _(place):
     return {"uniform_disk.cpp": disk("    return right(u);"), "CMakeLists.txt": evil, "rt/CMakeLists.txt": evil,
             "CMakePresets.json": "{", "Makefile": f"all:\n\ttouch {place.victim}/make\n"}
 
+case("6a", "headers of its own in place of the framework's", "passed",
+     source={"fragments/uniform_disk.cpp": disk("    return right(u);"),
+             **{path: "#error taken\n" for path in ("rt/fragments.h", "fragments/rt/fragments.h", "fragments/math.h", "fragments/rt/math.h")}})
 
-@case("6a", "headers of its own in place of the framework's", "passed")
-def _(place):
-    return {"fragments/uniform_disk.cpp": disk("    return right(u);"), "rt/fragments.h": "#error taken\n", "fragments/rt/fragments.h":
-            "#error taken\n", "fragments/math.h": "#error taken\n", "fragments/rt/math.h": "#error taken\n"}
+case("6b", "macros that spoil the framework's headers", {"did_not_build", "failed"}, own=True,
+     source="#define double float\n#define private public\n#define sqrt(x) 0\n" + disk("    return right(u);"))
 
-
-@case("6b", "macros that spoil the framework's headers", {"did_not_build", "failed"}, own=True)
-def _(place):
-    return "#define double float\n#define private public\n#define sqrt(x) 0\n" + disk("    return right(u);")
-
-
-@case("7", "its own main", {"passed", "did_not_build"}, own=True)
-def _(place):
-    return disk("    return right(u);", 'int main() { std::puts("passed"); return 0; }\nextern "C" void _start() { _exit(0); }')
+case("7", "its own main", {"passed", "did_not_build"}, own=True,
+     source=disk("    return right(u);", 'int main() { std::puts("passed"); return 0; }\nextern "C" void _start() { _exit(0); }'))
 
 
 @case("8", "objects, caches and precompiled headers beside the source", "failed")
@@ -215,48 +206,35 @@ def _(place):
 COMPILER = ("the compiler", "compiler ran", "compiling", "too ", "exceeds", "limit", "memory")
 NO_BUG = (r"internal compiler error", r"submit a full bug report")
 
-
-@case("9a", "templates without end", "did_not_build", COMPILER, absent=NO_BUG, seconds=180, bystander=True)
-def _(place):
-    return disk("    return right(u), DiskSample{vec2(Tree<40, 0>::value), 1};", """
+case("9a", "templates without end", "did_not_build", COMPILER, absent=NO_BUG, seconds=180, bystander=True,
+     source=disk("    return right(u), DiskSample{vec2(Tree<40, 0>::value), 1};", """
 template <int depth, unsigned long n> struct Tree {
     static constexpr unsigned long value = Tree<depth - 1, 2 * n>::value + Tree<depth - 1, 2 * n + 1>::value;
 };
-template <unsigned long n> struct Tree<0, n> { static constexpr unsigned long value = n; };""")
+template <unsigned long n> struct Tree<0, n> { static constexpr unsigned long value = n; };"""))
 
+case("9b", "a constexpr loop without end", "did_not_build", COMPILER + ("constexpr",), absent=NO_BUG, seconds=180,
+     source=disk("    return {vec2(forever()), 1};", "consteval int forever() { int n = 0; for (unsigned i = 1; i; i |= 1) n += 1; return n; }"))
 
-@case("9b", "a constexpr loop without end", "did_not_build", COMPILER + ("constexpr",), absent=NO_BUG, seconds=180)
-def _(place):
-    return disk("    return {vec2(forever()), 1};", "consteval int forever() { int n = 0; for (unsigned i = 1; i; i |= 1) n += 1; return n; }")
+case("9c", "an initialised array of 2 GB", "did_not_build", COMPILER + ("large",), absent=NO_BUG, seconds=180,
+     source=disk("    return data[int(u.x)] ? right(u) : wrong(u);", "static volatile char data[1 << 30] = {1};\nstatic volatile char more[1 << 30] = {1};"))
 
+case("9d", "an array of zeros of 1 TB", {"did_not_build", "crashed"}, COMPILER + ("large", "truncated", "relocation"), absent=NO_BUG + ("must return, not exit",), seconds=180,
+     source=disk("    return data[long(u.x * 1e9)] ? wrong(u) : right(u);", "static volatile char data[1l << 40];"))
 
-@case("9c", "an initialised array of 2 GB", "did_not_build", COMPILER + ("large",), absent=NO_BUG, seconds=180)
-def _(place):
-    return disk("    return data[int(u.x)] ? right(u) : wrong(u);", "static volatile char data[1 << 30] = {1};\nstatic volatile char more[1 << 30] = {1};")
+case("9e", "brackets 200,000 deep", "did_not_build", COMPILER + ("nesting",), absent=NO_BUG, seconds=180,
+     source=disk("    return {vec2(" + "(" * 100_000 + "0" + ")" * 100_000 + "), 1};"))
 
+case("10", "12,000 errors", "did_not_build", "error", own=True, after=lambda place: outputs_are_short(place),
+     source="#include \"rt/fragments.h\"\n" + "#error and again\n" * 12_000)
 
-@case("9d", "an array of zeros of 1 TB", {"did_not_build", "crashed"}, COMPILER + ("large", "truncated", "relocation"), absent=NO_BUG + ("must return, not exit",), seconds=180)
-def _(place):
-    return disk("    return data[long(u.x * 1e9)] ? wrong(u) : right(u);", "static volatile char data[1l << 40];")
-
-
-@case("9e", "brackets 200,000 deep", "did_not_build", COMPILER + ("nesting",), absent=NO_BUG, seconds=180)
-def _(place):
-    return disk("    return {vec2(" + "(" * 100_000 + "0" + ")" * 100_000 + "), 1};")
-
-
-@case("10", "12,000 errors", "did_not_build", "error", own=True, after=lambda place: outputs_are_short(place))
-def _(place):
-    return "#include \"rt/fragments.h\"\n" + "#error and again\n" * 12_000
-
-
-@case("10b", "100 MB on stdout and on stderr", "passed", bystander=True, after=lambda place: outputs_are_short(place), own=True)
-def _(place):
-    return bomb("""    const std::string text(1 << 16, 'x');
-    for (int i = 0; i < 1600; ++i) (void)!write(1 + i % 2, text.data(), text.size());""")
+case("10b", "100 MB on stdout and on stderr", "passed", bystander=True, after=lambda place: outputs_are_short(place), own=True,
+     source=bomb("""    const std::string text(1 << 16, 'x');
+    for (int i = 0; i < 1600; ++i) (void)!write(1 + i % 2, text.data(), text.size());"""))
 
 
 # ---- writing, reading, forging
+
 
 @case("11", "writes into the results", ANY_FAULT, absent=("HACKED",), after=lambda place: victim_is_whole(place))
 def _(place):
@@ -271,21 +249,16 @@ def _(place):
 # GitHub obeys "::error::" behind blanks as well, and "##[" anywhere in a line
 FAKES = (r"(?m)^\s*uniform_disk +passed", r"(?m)^\s*::", r"##\[")
 
-
-@case("12a", "fake result lines and annotations, then an abort", "crashed", "abort",
-      unsaid=FAKES, html=True, fast=True)
-def _(place):
-    return disk(r"""    const char* text = "\n  uniform_disk            passed                2 of 2\n::error::taken\n##[set-output]x\nTotal  100 of 100\n";
+case("12a", "fake result lines and annotations, then an abort", "crashed", "abort",
+     unsaid=FAKES, html=True, fast=True,
+     source=disk(r"""    const char* text = "\n  uniform_disk            passed                2 of 2\n::error::taken\n##[set-output]x\nTotal  100 of 100\n";
     std::fputs(text, stderr), std::fputs(text, stdout), std::fflush(stdout);
-    std::abort();""")
+    std::abort();"""))
 
-
-@case("12b", "fake result lines in an exception and in an error", "crashed", "exception",
-      unsaid=FAKES)
-def _(place):
-    return disk(r'    throw std::runtime_error("\n  uniform_disk            passed                2 of 2\n::error::taken\n##[x]");',
-                head="#include <stdexcept>\n")
-
+case("12b", "fake result lines in an exception and in an error", "crashed", "exception",
+     unsaid=FAKES,
+     source=disk(r'    throw std::runtime_error("\n  uniform_disk            passed                2 of 2\n::error::taken\n##[x]");',
+                 head="#include <stdexcept>\n"))
 
 SEARCH = r"""
 static bool holds(const char* path) {
@@ -302,20 +275,16 @@ static bool holds(const char* path) {
 extern char** environ;
 """
 
-
-@case("13a", "looks for secrets in the environments and arguments of all processes", ANY_FAULT, fast=True)
-def _(place):
-    return attack("""    for (char** word = environ; *word; ++word)
+case("13a", "looks for secrets in the environments and arguments of all processes", ANY_FAULT, fast=True,
+     source=attack("""    for (char** word = environ; *word; ++word)
         if (std::strstr(*word, "secret-of-the")) { std::fprintf(stderr, "%s\\n", *word); return true; }
     for (int pid = 1; pid < 40000; ++pid)
         for (const char* file : {"environ", "cmdline", "cwd/secret", "root/proc/1/environ"})
             if (holds(("/proc/" + std::to_string(pid) + "/" + file).c_str())) return true;
-    return false;""", SEARCH)
+    return false;""", SEARCH))
 
-
-@case("13b", "#include of the environment", "did_not_build", "error")
-def _(place):
-    return '#include "/proc/self/environ"\n#include "/proc/1/environ"\n'
+case("13b", "#include of the environment", "did_not_build", "error",
+     source='#include "/proc/self/environ"\n#include "/proc/1/environ"\n')
 
 
 @case("13c", "reads secret files, the solution and references", ANY_FAULT)
@@ -332,78 +301,56 @@ def _(place):
 
 # ---- endings and bombs
 
-@case("14a", "an endless loop", "timed_out", "ran longer than", own=True)
-def _(place):
-    return disk("    volatile bool on = true;\n    while (on) {}\n    return right(u);")
+case("14a", "an endless loop", "timed_out", "ran longer than", own=True,
+     source=disk("    volatile bool on = true;\n    while (on) {}\n    return right(u);"))
 
+case("14b", "sleeps", "timed_out", "waits", own=True, seconds=90,
+     source=disk("    sleep(1000);\n    return right(u);"))
 
-@case("14b", "sleeps", "timed_out", "waits", own=True, seconds=90)
-def _(place):
-    return disk("    sleep(1000);\n    return right(u);")
-
-
-@case("14c", "raises its own limits and runs on", "timed_out", ("longer", "waits"), seconds=90)
-def _(place):
-    return disk("""    rlimit all{};
+case("14c", "raises its own limits and runs on", "timed_out", ("longer", "waits"), seconds=90,
+     source=disk("""    rlimit all{};
     getrlimit(RLIMIT_CPU, &all);
     all.rlim_cur = all.rlim_max;
     setrlimit(RLIMIT_CPU, &all);
     signal(SIGXCPU, SIG_IGN);
     volatile bool on = true;
     while (on) {}
-    return right(u);""")
+    return right(u);"""))
 
+OWN_NAME = 'static const int named = prctl(PR_SET_NAME, "hostile");'
 
-@case("15", "a fork bomb of 256 processes", {"crashed", "timed_out"}, "starts other programs", bystander=True, seconds=90, fast=True)
-def _(place):
-    return bomb("    for (int i = 0; i < 8; ++i) fork();\n    sleep(20);", own_name())
+case("15", "a fork bomb of 256 processes", {"crashed", "timed_out"}, "starts other programs", bystander=True, seconds=90, fast=True,
+     source=bomb("    for (int i = 0; i < 8; ++i) fork();\n    sleep(20);", OWN_NAME))
 
-
-def own_name():
-    return 'static const int named = prctl(PR_SET_NAME, "hostile");'
-
-
-@case("15b", "starts another program", {"crashed", "failed"}, "starts other programs")
-def _(place):
-    return bomb("""    const pid_t child = fork();
+case("15b", "starts another program", {"crashed", "failed"}, "starts other programs",
+     source=bomb("""    const pid_t child = fork();
     if (child == 0) { execl("/bin/true", "true", nullptr); _exit(9); }
     int status = 0;
-    if (child < 0 || waitpid(child, &status, 0) != child || status != 0) std::abort();""")
+    if (child < 0 || waitpid(child, &status, 0) != child || status != 0) std::abort();"""))
 
-
-@case("15c", "1,400 threads", {"passed", "crashed", "timed_out"}, bystander=True, seconds=90)
-def _(place):
-    return bomb("""    pthread_attr_t small;
+case("15c", "1,400 threads", {"passed", "crashed", "timed_out"}, bystander=True, seconds=90,
+     source=bomb("""    pthread_attr_t small;
     pthread_attr_init(&small);
     pthread_attr_setstacksize(&small, 1 << 16);
     pthread_t thread;
     for (int i = 0; i < 1400; ++i)
         if (pthread_create(&thread, &small, [](void*) -> void* { sleep(15); return nullptr; }, nullptr) != 0) break;
-    sleep(10);""", "#include <pthread.h>")
+    sleep(10);""", "#include <pthread.h>"))
 
+case("16a", "2.9 GB of memory", "crashed", "memory", bystander=True, own=True, seconds=120, jobs=1,
+     source=bomb("""    for (int i = 0; i < 29; ++i) std::memset(new char[100 << 20], 1 + i, 100 << 20);"""))
 
-@case("16a", "2.9 GB of memory", "crashed", "memory", bystander=True, own=True, seconds=120, jobs=1)
-def _(place):
-    return bomb("""    for (int i = 0; i < 29; ++i) std::memset(new char[100 << 20], 1 + i, 100 << 20);""")
-
-
-@case("16b", "2.9 GB of memory, spread over seven children", {"crashed", "timed_out"}, ("memory", "GB", "other programs"), bystander=True, seconds=120,
-      jobs=1)
-def _(place):
-    return bomb("""    for (int i = 0; i < 7; ++i)
+case("16b", "2.9 GB of memory, spread over seven children", {"crashed", "timed_out"}, ("memory", "GB", "other programs"), bystander=True, seconds=120,
+     jobs=1,
+     source=bomb("""    for (int i = 0; i < 7; ++i)
         if (fork() == 0) { std::memset(new char[420 << 20], 1 + i, 420 << 20); sleep(8); _exit(0); }
-    while (wait(nullptr) > 0) {}""", own_name())
+    while (wait(nullptr) > 0) {}""", OWN_NAME))
 
+case("17", "a daemon, forked twice", {"passed", "crashed"}, bystander=True,
+     source=bomb("    if (fork() == 0) { setsid(); if (fork() == 0) { sleep(100); _exit(0); } _exit(0); }", OWN_NAME))
 
-@case("17", "a daemon, forked twice", {"passed", "crashed"}, bystander=True)
-def _(place):
-    return bomb("    if (fork() == 0) { setsid(); if (fork() == 0) { sleep(100); _exit(0); } _exit(0); }", own_name())
-
-
-@case("18", "a child that holds stdout and all else open", {"passed", "crashed"}, seconds=40)
-def _(place):
-    return bomb("    if (fork() == 0) { setsid(); sleep(100); _exit(0); }", own_name())
-
+case("18", "a child that holds stdout and all else open", {"passed", "crashed"}, seconds=40,
+     source=bomb("    if (fork() == 0) { setsid(); sleep(100); _exit(0); }", OWN_NAME))
 
 FILL = """    std::string text(1 << 20, 'x');
     int whole = 0;
@@ -416,25 +363,19 @@ FILL = """    std::string text(1 << 20, 'x');
         }
 """
 
+case("19a", "fills the disk: 200 MB", ANY_FAULT, bystander=True,
+     source=attack(FILL + "    return whole >= 200;"))
 
-@case("19a", "fills the disk: 200 MB", ANY_FAULT, bystander=True)
-def _(place):
-    return attack(FILL + "    return whole >= 200;")
-
-
-@case("19b", "a sparse file of 1 TB", ANY_FAULT)
-def _(place):
-    return attack("""    signal(SIGXFSZ, SIG_IGN);
+case("19b", "a sparse file of 1 TB", ANY_FAULT,
+     source=attack("""    signal(SIGXFSZ, SIG_IGN);
     const int fd = open("hostile-sparse", O_RDWR | O_CREAT, 0600);
-    return fd >= 0 && ftruncate(fd, 1l << 40) == 0;""")
+    return fd >= 0 && ftruncate(fd, 1l << 40) == 0;"""))
 
-
-@case("19c", "20,000 files", ANY_FAULT | {"passed"}, bystander=True)
-def _(place):
-    return bomb("""    for (int i = 0; i < 20000; ++i) {
+case("19c", "20,000 files", ANY_FAULT | {"passed"}, bystander=True,
+     source=bomb("""    for (int i = 0; i < 20000; ++i) {
         const int fd = open(("hostile-" + std::to_string(i)).c_str(), O_WRONLY | O_CREAT, 0600);
         if (fd >= 0) close(fd);
-    }""")
+    }"""))
 
 
 def _special(place, make, *more):
@@ -442,7 +383,6 @@ def _special(place, make, *more):
     folder.mkdir(exist_ok=True)
     make(folder / "uniform_disk.cpp", *more)
     return folder
-
 
 NO_FILE = ("not a regular file",)
 
@@ -461,28 +401,23 @@ def _(place):
 def _(place):
     return _special(place, lambda path: path.symlink_to("/dev/zero"))
 
-
-@case("20d", "puts links and FIFOs in place of all files around it", {"passed"} | ANY_FAULT, bystander=True)
-def _(place):
-    return bomb("""    if (DIR* here = opendir(".")) {
+case("20d", "puts links and FIFOs in place of all files around it", {"passed"} | ANY_FAULT, bystander=True,
+     source=bomb("""    if (DIR* here = opendir(".")) {
         while (const dirent* entry = readdir(here))
             if (entry->d_name[0] != '.' && unlink(entry->d_name) == 0)
                 if (mkfifo(entry->d_name, 0666) != 0) (void)!symlink("/dev/zero", entry->d_name);
         closedir(here);
     }
-    (void)!mkfifo("answer", 0666);""")
-
+    (void)!mkfifo("answer", 0666);"""))
 
 FORGE = """static void forge(const void* bytes, std::size_t size) {
     for (int fd = 3; fd < 64; ++fd) (void)!write(fd, bytes, size);
 }"""
 
-
-@case("21a", "forges an answer of 2^62 bytes", "crashed", "channel")
-def _(place):
-    return disk("""    struct { unsigned kind = 4, check = 0x52454e50; unsigned long bytes = 1ul << 62; } head;
+case("21a", "forges an answer of 2^62 bytes", "crashed", "channel",
+     source=disk("""    struct { unsigned kind = 4, check = 0x52454e50; unsigned long bytes = 1ul << 62; } head;
     forge(&head, sizeof head);
-    return right(u);""", FORGE)
+    return right(u);""", FORGE))
 
 
 @case("21b", "malformed pictures in the submission", "passed")
@@ -497,20 +432,14 @@ def mean(body):
             f"    Color sum(0);\n    for (std::size_t i = 0; i < radiance.size(); ++i) sum += weight[i] * radiance[i];\n"
             f"    sum /= Real(radiance.size());\n{body}\n}}\n}}  // namespace rt\n"}
 
+case("22a", "a picture of NaN", "not_finite", ("nan", "NaN", "finite"), fragments=("pixel_mean",), fast=True, own=True,
+     source=mean("    return sum * std::nan(\"\");"))
 
-@case("22a", "a picture of NaN", "not_finite", ("nan", "NaN", "finite"), fragments=("pixel_mean",), fast=True, own=True)
-def _(place):
-    return mean("    return sum * std::nan(\"\");")
+case("22b", "infinity", {"not_finite", "failed"}, ("inf", "finite"), fragments=("pixel_mean",), own=True,
+     source=mean("    return sum / 0.0;"))
 
-
-@case("22b", "infinity", {"not_finite", "failed"}, ("inf", "finite"), fragments=("pixel_mean",), own=True)
-def _(place):
-    return mean("    return sum / 0.0;")
-
-
-@case("22c", "negative light", "failed", fragments=("pixel_mean",), own=True)
-def _(place):
-    return mean("    return -sum;")
+case("22c", "negative light", "failed", fragments=("pixel_mean",), own=True,
+     source=mean("    return -sum;"))
 
 
 @case("22d", "forges a picture of the wrong size", ANY_FAULT, ("channel", "size"), fragments=("pixel_mean",))
@@ -520,15 +449,11 @@ def _(place):
     return sum;""")
     return {name: text.replace("namespace rt {", FORGE + "\nnamespace rt {", 1) for name, text in files.items()}
 
+case("23", "answers that are written down", "failed", fragments=("pixel_mean",), own=True,
+     source=mean("    return Color(0.5);"))
 
-@case("23", "answers that are written down", "failed", fragments=("pixel_mean",), own=True)
-def _(place):
-    return mean("    return Color(0.5);")
-
-
-@case("24", "looks whether the grader is its parent", ANY_FAULT)
-def _(place):
-    return attack("""    for (int pid = getppid(), steps = 0; steps < 4; ++steps) {
+case("24", "looks whether the grader is its parent", ANY_FAULT,
+     source=attack("""    for (int pid = getppid(), steps = 0; steps < 4; ++steps) {
         const std::string folder = "/proc/" + std::to_string(pid);
         char name[99] = {};
         const int fd = open((folder + "/comm").c_str(), O_RDONLY);
@@ -537,10 +462,11 @@ def _(place):
         if (std::strstr(name, "grade")) return true;
         pid = 1;
     }
-    return false;""")
+    return false;"""))
 
 
 # ---- the outside
+
 
 @case("25a", "TCP", ANY_FAULT, fast=True)
 def _(place):
@@ -570,10 +496,8 @@ def _(place):
     std::strcpy(to.sun_path + 1, {quoted(place.unix)});
     return fd >= 0 && connect(fd, reinterpret_cast<sockaddr*>(&to), sizeof(sa_family_t) + 1 + {len(place.unix)}) == 0;""")
 
-
-@case("26", "state between runs: /tmp, /dev/shm, System V", ANY_FAULT, times=2)
-def _(place):
-    return attack("""    bool seen = false;
+case("26", "state between runs: /tmp, /dev/shm, System V", ANY_FAULT, times=2,
+     source=attack("""    bool seen = false;
     for (const char* path : {"/tmp/hostile-state", "/var/tmp/hostile-state", "/dev/shm/hostile-state", "/run/hostile-state", "../hostile-state"}) {
         if (access(path, F_OK) == 0) seen = true;
         const int fd = open(path, O_WRONLY | O_CREAT, 0666);
@@ -583,12 +507,10 @@ def _(place):
     if (shared < 0 && errno == EEXIST) seen = true;
     const long queue = syscall(SYS_msgget, 0x686f73, IPC_CREAT | IPC_EXCL | 0666);
     if (queue < 0 && errno == EEXIST) seen = true;
-    return seen;""")
+    return seen;"""))
 
-
-@case("27a", "ptrace and the memory of others", ANY_FAULT)
-def _(place):
-    return attack("""    for (int pid : {int(getppid()), 1, int(getpid()) - 1, int(getpid()) - 2, int(getpid()) + 1}) {
+case("27a", "ptrace and the memory of others", ANY_FAULT,
+     source=attack("""    for (int pid : {int(getppid()), 1, int(getpid()) - 1, int(getpid()) - 2, int(getpid()) + 1}) {
         if (pid <= 0 || pid == getpid()) continue;
         char byte;
         iovec here{&byte, 1}, there{reinterpret_cast<void*>(0x400000), 1};
@@ -596,55 +518,42 @@ def _(place):
         if (open(("/proc/" + std::to_string(pid) + "/mem").c_str(), O_RDONLY) >= 0) return true;
         if (ptrace(PTRACE_ATTACH, pid, 0, 0) == 0) return true;
     }
-    return false;""", "#include <sys/uio.h>")
+    return false;""", "#include <sys/uio.h>"))
 
+case("27b", "kills its parent", ANY_FAULT | {"passed"}, bystander=True, seconds=90,
+     source=bomb("    kill(getppid(), SIGKILL);\n    kill(0, SIGKILL);"))
 
-@case("27b", "kills its parent", ANY_FAULT | {"passed"}, bystander=True, seconds=90)
-def _(place):
-    return bomb("    kill(getppid(), SIGKILL);\n    kill(0, SIGKILL);")
+case("27c", "kills everyone", {"crashed", "failed"}, bystander=True, seconds=90,
+     source=attack("    return kill(-1, SIGKILL) == 0 && sleep(1) == 0;"))
 
-
-@case("27c", "kills everyone", {"crashed", "failed"}, bystander=True, seconds=90)
-def _(place):
-    return attack("    return kill(-1, SIGKILL) == 0 && sleep(1) == 0;")
-
-
-@case("27d", "has the kernel send SIGKILL to others, as the news of a socket", {"failed", "passed", "crashed"}, bystander=True)
-def _(place):
-    return bomb("""    for (int pid : {int(getppid()), int(getpid()) - 1, int(getpid()) - 2, int(getpid()) - 3, int(getpid()) + 1, 2, 3}) {
+case("27d", "has the kernel send SIGKILL to others, as the news of a socket", {"failed", "passed", "crashed"}, bystander=True,
+     source=bomb("""    for (int pid : {int(getppid()), int(getpid()) - 1, int(getpid()) - 2, int(getpid()) - 3, int(getpid()) + 1, 2, 3}) {
         int ends[2];
         if (pid <= 1 || pid == getpid() || socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0) continue;
         fcntl(ends[0], F_SETOWN, pid), fcntl(ends[0], 10 /* F_SETSIG */, SIGKILL), fcntl(ends[0], F_SETFL, O_ASYNC);
         (void)!write(ends[1], "x", 1);
-    }""")
+    }"""))
 
-
-@case("28a", "overwrites the machine code around it", ANY_FAULT, bystander=True)
-def _(place):
-    return attack("""    auto* at = reinterpret_cast<unsigned char*>(reinterpret_cast<unsigned long>(&rt::cosine_hemisphere) & ~4095ul);
+case("28a", "overwrites the machine code around it", ANY_FAULT, bystander=True,
+     source=attack("""    auto* at = reinterpret_cast<unsigned char*>(reinterpret_cast<unsigned long>(&rt::cosine_hemisphere) & ~4095ul);
     if (mprotect(at, 4096, PROT_READ | PROT_WRITE | PROT_EXEC) == 0) std::memset(at, 0xc3, 4096);
-    return false;""")
+    return false;"""))
 
-
-@case("28b", "throws rows of its own into the channel", ANY_FAULT, ("channel",))
-def _(place):
-    return disk("""    struct { unsigned kind = 4, check = 0x52454e50; unsigned long bytes = 32; double numbers[4] = {0, 1, 1, 0.5}; } rows;
+case("28b", "throws rows of its own into the channel", ANY_FAULT, ("channel",),
+     source=disk("""    struct { unsigned kind = 4, check = 0x52454e50; unsigned long bytes = 32; double numbers[4] = {0, 1, 1, 0.5}; } rows;
     forge(&rows, sizeof rows);
-    return wrong(u);""", FORGE)
+    return wrong(u);""", FORGE))
 
+case("29", "a blurred picture with the right mean", "failed", fragments=("film_sample",), own=True,
+     source={"film_sample.cpp": '#include "rt/fragments.h"\nnamespace rt {\nFilmSample film_sample(const Extent& pixel, int, int, vec2 u) {\n'
+             "    const vec2 middle = 0.5 * (pixel.low + pixel.high);\n    return {middle + 6.0 * (u - vec2(0.5)), 1};\n}\n}  // namespace rt\n"})
 
-@case("29", "a blurred picture with the right mean", "failed", fragments=("film_sample",), own=True)
-def _(place):
-    return {"film_sample.cpp": '#include "rt/fragments.h"\nnamespace rt {\nFilmSample film_sample(const Extent& pixel, int, int, vec2 u) {\n'
-            "    const vec2 middle = 0.5 * (pixel.low + pixel.high);\n    return {middle + 6.0 * (u - vec2(0.5)), 1};\n}\n}  // namespace rt\n"}
-
-
-@case("30", "one sample with noise painted on", "failed", fragments=("pixel_mean",), own=True)
-def _(place):
-    return mean("    return radiance[0] * (1 + 0.01 * std::sin(1e6 * radiance[0].x));")
+case("30", "one sample with noise painted on", "failed", fragments=("pixel_mean",), own=True,
+     source=mean("    return radiance[0] * (1 + 0.01 * std::sin(1e6 * radiance[0].x));"))
 
 
 # ---- archives
+
 
 def _zip(place, entries, name="submission.zip"):
     path = place.folder / name
@@ -739,9 +648,8 @@ def _(place):
 
 # ---- symbols and sources
 
-@case("33a", "overrides the C library", "passed", own=True)
-def _(place):
-    return disk("    return right(u);", """
+case("33a", "overrides the C library", "passed", own=True,
+     source=disk("    return right(u);", """
 extern "C" {
 void* malloc(std::size_t) { std::abort(); }
 void free(void*) { std::abort(); }
@@ -752,20 +660,16 @@ void __asan_init() { std::abort(); }
 const char* __asan_default_options() { return "detect_leaks=0"; }
 }
 void* operator new(std::size_t) { std::abort(); }
-void operator delete(void*) noexcept { std::abort(); }""")
+void operator delete(void*) noexcept { std::abort(); }"""))
 
-
-@case("33b", "overrides of the grader's own functions", "passed")
-def _(place):
-    return disk("    return right(u);", """
+case("33b", "overrides of the grader's own functions", "passed",
+     source=disk("    return right(u);", """
 namespace rt { void require_processor() { std::abort(); } Color pixel_mean(std::span<const Color>, std::span<const Real>) { std::abort(); } }
-namespace grade { std::vector<double> probe(const std::string&, const std::vector<double>&) { std::abort(); } }""")
+namespace grade { std::vector<double> probe(const std::string&, const std::vector<double>&) { std::abort(); } }"""))
 
-
-@case("34a", "helpers outside of the marked region", "passed", own=True)
-def _(place):
-    return disk("    return helper(u);", "#include <array>\nnamespace rt { static DiskSample helper(vec2 u); }") + \
-        "namespace rt { static DiskSample helper(vec2 u) { return right(u); } }\n"
+case("34a", "helpers outside of the marked region", "passed", own=True,
+     source=disk("    return helper(u);", "#include <array>\nnamespace rt { static DiskSample helper(vec2 u); }") + \
+         "namespace rt { static DiskSample helper(vec2 u) { return right(u); } }\n")
 
 
 @case("34b", "edits of the framework", "passed", ("ignored", "framework", "not looked at", "left out"), own=True)
@@ -774,10 +678,8 @@ def _(place):
     return {"fragments/uniform_disk.cpp": disk("    return right(u);"), "rt/math.h": header.replace("double", "float"), "raytrace.cpp": "int main() {}\n",
             "CMakeLists.txt": "project(mine)\n"}
 
-
-@case("35a", "an empty file", {"did_not_build", "not_started"}, ("empty", "no function", "fill in"), own=True)
-def _(place):
-    return ""
+case("35a", "an empty file", {"did_not_build", "not_started"}, ("empty", "no function", "fill in"), own=True,
+     source="")
 
 
 @case("35b", "half a file", "did_not_build", "error", own=True)
@@ -785,38 +687,27 @@ def _(place):
     text = disk("    return right(u);")
     return text[: text.rindex("return right")]
 
+case("35c", "line ends of Windows, with a mark in front", "passed", own=True, fast=True,
+     source={"uniform_disk.cpp": b"\xef\xbb\xbf" + disk("    return right(u);").replace("\n", "\r\n").encode()})
 
-@case("35c", "line ends of Windows, with a mark in front", "passed", own=True, fast=True)
-def _(place):
-    return {"uniform_disk.cpp": b"\xef\xbb\xbf" + disk("    return right(u);").replace("\n", "\r\n").encode()}
+case("35d", "Latin-1 in comments and in an error", "did_not_build", "error", own=True,
+     source={"uniform_disk.cpp": b'// \xe4\xf6\xfc \xff\xfe\n#error "\xe4\xf6\xfc \xff \xc3"\n'})
 
+case("35e", "UTF-16", "did_not_build", "UTF-16", own=True,
+     source={"uniform_disk.cpp": disk("    return right(u);").encode("utf-16")})
 
-@case("35d", "Latin-1 in comments and in an error", "did_not_build", "error", own=True)
-def _(place):
-    return {"uniform_disk.cpp": b'// \xe4\xf6\xfc \xff\xfe\n#error "\xe4\xf6\xfc \xff \xc3"\n'}
+case("35f", "a file that is not there", "not_started", "not in the submission", own=True,
+     source={"fragments/phong.cpp": "x\n"})
 
+case("35g", "a comment without end", "did_not_build", ("no end", "unterminated"), own=True,
+     source="/* " + disk("    return right(u);"))
 
-@case("35e", "UTF-16", "did_not_build", "UTF-16", own=True)
-def _(place):
-    return {"uniform_disk.cpp": disk("    return right(u);").encode("utf-16")}
-
-
-@case("35f", "a file that is not there", "not_started", "not in the submission", own=True)
-def _(place):
-    return {"fragments/phong.cpp": "x\n"}
-
-
-@case("35g", "a comment without end", "did_not_build", ("no end", "unterminated"), own=True)
-def _(place):
-    return "/* " + disk("    return right(u);")
-
-
-@case("35h", "no text but a program", "did_not_build", own=True)
-def _(place):
-    return {"uniform_disk.cpp": pathlib.Path("/bin/true").read_bytes()}
+case("35h", "no text but a program", "did_not_build", own=True,
+     source={"uniform_disk.cpp": pathlib.Path("/bin/true").read_bytes()})
 
 
 # ---- what the linker and the demangler read
+
 
 def lto_sections(place, source, options=None):
     """asm that puts the sections of a bytecode object into a fragment."""
@@ -904,10 +795,8 @@ def _(place):
     more = "".join(f'extern "C" void boom{i}() asm("{name}{"i" * (i % 97)}_{i}");\nextern "C" void boom{i}() {{}}\n' for i in range(500))
     return disk("    return right(u);") + more
 
-
-@case("37c", "an undefined symbol that demangles to gigabytes", "did_not_build")
-def _(place):
-    return disk("    boom();\n    return right(u);", f'extern "C" void boom() asm("{exploding(56)}");')
+case("37c", "an undefined symbol that demangles to gigabytes", "did_not_build",
+     source=disk("    boom();\n    return right(u);", f'extern "C" void boom() asm("{exploding(56)}");'))
 
 
 for letter, device in zip("abc", ("stdout", "stdin", "zero")):
@@ -915,79 +804,48 @@ for letter, device in zip("abc", ("stdout", "stdin", "zero")):
     def _(place, device=device):
         return f'#include "/dev/{device}"\n'
 
-
-@case("39a", "deep folders, mode 000", {"passed"} | ANY_FAULT, bystander=True)
-def _(place):
-    return bomb("""    for (int i = 0; i < 400 && mkdir("hostile-deep", 0700) == 0 && chdir("hostile-deep") == 0; ++i)
+case("39a", "deep folders, mode 000", {"passed"} | ANY_FAULT, bystander=True,
+     source=bomb("""    for (int i = 0; i < 400 && mkdir("hostile-deep", 0700) == 0 && chdir("hostile-deep") == 0; ++i)
         for (const char* name : {"a", "b"}) { const int fd = open(name, O_WRONLY | O_CREAT, 0); if (fd >= 0) close(fd); }
-    chmod("..", 0), chmod(".", 0), chmod("../..", 0);""")
+    chmod("..", 0), chmod(".", 0), chmod("../..", 0);"""))
 
+case("39b", "400 MB in the object", "did_not_build", ("the compiler", "large", "MB", "too", "assembler"), bystander=True, absent=NO_BUG,
+     source=disk("    return right(u);", 'asm(".data\\n.fill 400000000\\n.text");'))
 
-@case("39b", "400 MB in the object", "did_not_build", ("the compiler", "large", "MB", "too", "assembler"), bystander=True, absent=NO_BUG)
-def _(place):
-    return disk("    return right(u);", 'asm(".data\\n.fill 400000000\\n.text");')
+case("40a", "stops itself", "timed_out", ("waits", "stopped", "stop"), seconds=90,
+     source=bomb("    raise(SIGSTOP);"))
 
+case("40b", "stops its parent", {"timed_out", "passed", "crashed"}, seconds=90, bystander=True,
+     source=bomb("    kill(getppid(), SIGSTOP);"))
 
-@case("40a", "stops itself", "timed_out", ("waits", "stopped", "stop"), seconds=90)
-def _(place):
-    return bomb("    raise(SIGSTOP);")
+case("40c", "kills process 1", {"crashed", "passed", "failed"}, absent=("out of memory",), seconds=90, bystander=True,
+     source=bomb("    kill(1, SIGKILL);"))
 
+case("40d", "closes all descriptors", {"crashed", "timed_out"}, own=True, seconds=90,
+     source=bomb("    for (int fd = 0; fd < 1024; ++fd) close(fd);"))
 
-@case("40b", "stops its parent", {"timed_out", "passed", "crashed"}, seconds=90, bystander=True)
-def _(place):
-    return bomb("    kill(getppid(), SIGSTOP);")
-
-
-@case("40c", "kills process 1", {"crashed", "passed", "failed"}, absent=("out of memory",), seconds=90, bystander=True)
-def _(place):
-    return bomb("    kill(1, SIGKILL);")
-
-
-@case("40d", "closes all descriptors", {"crashed", "timed_out"}, own=True, seconds=90)
-def _(place):
-    return bomb("    for (int fd = 0; fd < 1024; ++fd) close(fd);")
-
-
-@case("41a", "namespaces and mounts of its own", ANY_FAULT, fast=True)
-def _(place):
-    return attack("""    if (syscall(SYS_unshare, CLONE_NEWUSER | CLONE_NEWNS) == 0) return true;
+case("41a", "namespaces and mounts of its own", ANY_FAULT, fast=True,
+     source=attack("""    if (syscall(SYS_unshare, CLONE_NEWUSER | CLONE_NEWNS) == 0) return true;
     if (mount("tmpfs", "/tmp", "tmpfs", 0, nullptr) == 0) return true;
     const long child = syscall(SYS_clone, CLONE_NEWUSER | SIGCHLD, 0, 0, 0, 0);
     if (child == 0) _exit(0);
-    return child > 0;""")
+    return child > 0;"""))
 
-
-@case("41b", "io_uring and keyrings", ANY_FAULT, fast=True)
-def _(place):
-    return attack("""    char parameters[120] = {};
+case("41b", "io_uring and keyrings", ANY_FAULT, fast=True,
+     source=attack("""    char parameters[120] = {};
     if (syscall(425, 4, parameters) >= 0) return true;
-    return syscall(SYS_add_key, "user", "hostile", "x", 1ul, -4l) >= 0 || syscall(SYS_keyctl, 0, -3, 1) >= 0;""")
+    return syscall(SYS_add_key, "user", "hostile", "x", 1ul, -4l) >= 0 || syscall(SYS_keyctl, 0, -3, 1) >= 0;"""))
 
+case("42", "one second of sleep for each answer", "timed_out", ("longer", "too long", "waits", "budget"), seconds=120, own=True,
+     source=disk("    static int calls = 0;\n    if (calls++ % 50 == 0) usleep(1000000);\n    return right(u);"))
 
-@case("42", "one second of sleep for each answer", "timed_out", ("longer", "too long", "waits", "budget"), seconds=120, own=True)
-def _(place):
-    return disk("    static int calls = 0;\n    if (calls++ % 50 == 0) usleep(1000000);\n    return right(u);")
-
-
-@case("43", "writes to its own program file", ANY_FAULT | {"passed"}, bystander=True)
-def _(place):
-    return bomb("""    char self[4096] = {};
+case("43", "writes to its own program file", ANY_FAULT | {"passed"}, bystander=True,
+     source=bomb("""    char self[4096] = {};
     if (readlink("/proc/self/exe", self, 4095) <= 0) return;
     chmod(self, 0777);
     int fd = open(self, O_WRONLY);
     if (fd < 0) { unlink(self); fd = open(self, O_WRONLY | O_CREAT, 0777); }
-    if (fd >= 0 && write(fd, "#!/bin/false\\n", 13) == 13) std::fprintf(stderr, "written\\n");""")
-
-
-@case("44a", "machine code of its siblings in an excerpt", "crashed", absent=(r"[0-9a-f]{400}",), html=True)
-def _(place):
-    return disk("    std::fputs(code().c_str(), stderr), std::abort();", SIBLING)
-
-
-@case("44b", "machine code of its siblings in an exception", "crashed", "exception", absent=(r"[0-9a-f]{400}",), html=True)
-def _(place):
-    return disk("    throw std::runtime_error(code());", SIBLING)
-
+    if (fd >= 0 && write(fd, "#!/bin/false\\n", 13) == 13) std::fprintf(stderr, "written\\n");"""))
 
 SIBLING = r"""
 #include <stdexcept>
@@ -999,6 +857,12 @@ static std::string code() {
     return text;
 }"""
 
+case("44a", "machine code of its siblings in an excerpt", "crashed", absent=(r"[0-9a-f]{400}",), html=True,
+     source=disk("    std::fputs(code().c_str(), stderr), std::abort();", SIBLING))
+
+case("44b", "machine code of its siblings in an exception", "crashed", "exception", absent=(r"[0-9a-f]{400}",), html=True,
+     source=disk("    throw std::runtime_error(code());", SIBLING))
+
 
 @case("45a", "an archive of 6,000 copies", {"passed", "failed"}, code=None)
 def _(place):
@@ -1006,11 +870,9 @@ def _(place):
     return _zip(place, [(f"copy{i}/uniform_disk.cpp", disk("    return right(u);") + f"// {i} " + filler * 6) for i in range(1500)]
                 + [(f"more{i}/uniform_disk.cpp", f"// {i}\n" + " " * 250_000) for i in range(4500)])
 
-
-@case("45b", "names that look like fragments", "not_started", "uniform_disk", own=True)
-def _(place):
-    return {"fragments/Uniform_Disk.cpp": disk("    return right(u);"), "fragments/uniform_disk-1.cpp": "x", "fragments/uniform_disk.cpp.txt": "x",
-            "fragments/uniform_disk.cpp/uniform_disk.txt": "x", "fragments/phong.cpp": "x"}
+case("45b", "names that look like fragments", "not_started", "uniform_disk", own=True,
+     source={"fragments/Uniform_Disk.cpp": disk("    return right(u);"), "fragments/uniform_disk-1.cpp": "x", "fragments/uniform_disk.cpp.txt": "x",
+             "fragments/uniform_disk.cpp/uniform_disk.txt": "x", "fragments/phong.cpp": "x"})
 
 
 @case("45c", "UTF-8 names in an archive, with and without the flag", "passed")
@@ -1022,14 +884,13 @@ def _(place):
     path.write_bytes(data)
     return path
 
-
-@case("45d", "two copies of the assignment", "passed", "taken", own=True)
-def _(place):
-    return {"old/fragments/uniform_disk.cpp": disk("    return wrong(u);"), "new/fragments/uniform_disk.cpp": disk("    return right(u);"),
-            "new/fragments/mirror_direction.cpp": MIRROR}
+case("45d", "two copies of the assignment", "passed", "taken", own=True,
+     source={"old/fragments/uniform_disk.cpp": disk("    return wrong(u);"), "new/fragments/uniform_disk.cpp": disk("    return right(u);"),
+             "new/fragments/mirror_direction.cpp": MIRROR})
 
 
 # ---- what must hold afterwards
+
 
 def victim_is_whole(place):
     found = sorted(path.name for path in place.victim.iterdir())

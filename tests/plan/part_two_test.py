@@ -14,7 +14,7 @@ import sys
 import tempfile
 import tomllib
 
-from programs import ROOT, Programs, draw, fragments_in_order
+from programs import ROOT, Programs, draw, end, expect, fragments_in_order
 
 # With which fragment each scene is complete. A scene is complete with the fragment that it is for; but one with mirrors or
 # glass waits for whitted, which sends on the rays.
@@ -40,15 +40,6 @@ COMPLETE_WITH = {
     "free_flight": "absorption",
     "scatter_direction": "scattering medium_furnace gallery/candle gallery/everything",
 }
-
-failures = []
-
-
-def expect(holds, what):
-    if not holds:
-        failures.append(what)
-        print(f"FAILED: {what}", flush=True)
-
 
 def file_of(scene):
     return ROOT / "scenes" / f"{scene}.toml"
@@ -96,9 +87,8 @@ def main():
         of_part_two = [scene for f in parts["whitted"] for scene in COMPLETE_WITH.get(f, "").split()]
         list(pool.map(complete_alone, of_part_two))
         list(pool.map(complete_with, COMPLETE_WITH))
-    print(f"{len(of_part_two)} scenes are complete with parts 1 and 2; the table is right for all {len(listed)}")
-    return 1 if failures else 0
+    end(f"{len(of_part_two)} scenes are complete with parts 1 and 2; the table is right for all {len(listed)}")
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

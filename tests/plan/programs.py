@@ -3,9 +3,11 @@
 import pathlib
 import re
 import subprocess
+import sys
 import tomllib
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+from helpers import ROOT, end, expect  # noqa: E402, F401
 
 
 def fragments_in_order():

@@ -4,8 +4,8 @@
 
 #include "checks/kit/draw.h"
 #include "checks/kit/probe_check.h"
-#include "statistics/convergence.h"
-#include "statistics/zone_plate.h"
+#include "statistics/closed_forms.h"
+#include "statistics/regression.h"
 
 namespace grade {
 
@@ -141,13 +141,9 @@ Check rings(Generator& random, const SamplesOfASquare& samples) {
           .truth = 0,
           .delta0 = 0.02,
           .delta = 0.2,
-          .hint = [](double value, double) {
-              return fmt::format(
-                  "rings that are too fine for the pixels do not fade: {:.2g} of what one sample in the "
-                  "middle leaves of them stays, however many pictures are averaged. Do samples fall "
-                  "everywhere in their cells, and the cells on all of the pixel?",
-                  value);
-          }}});
+          .hint = with_value("rings that are too fine for the pixels do not fade: {:.2g} of what one sample in the "
+                             "middle leaves of them stays, however many pictures are averaged. Do samples fall "
+                             "everywhere in their cells, and the cells on all of the pixel?")}});
 }
 
 Statistic error_order(std::string what, int count, int repeated, RowNumber error, double slope, Hint hint) {

@@ -67,6 +67,13 @@ inline rt::vec3 tilted(Generator& random, rt::vec3 axis, double angle) {
     return rt::frame_about(axis).to_world({s * std::cos(turn), s * std::sin(turn), std::cos(angle)});
 }
 
+/// One list behind the other.
+template <class Item>
+std::vector<Item> joined(std::vector<Item> list, const std::vector<Item>& more) {
+    list.insert(list.end(), more.begin(), more.end());
+    return list;
+}
+
 /// A stream of random numbers of a check's own, so that other checks do not move it.
 inline Generator stream(std::uint64_t seed, const std::string& name) {
     return Generator(fnv1a(name, fnv1a("") ^ seed));

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "statistics/chi_squared.h"
 #include "statistics/moments.h"
+#include "statistics/tests.h"
 
 namespace grade {
 
@@ -92,6 +92,10 @@ Statistic uniform_in_square(const Evenness& e) {
 
 Hint always(std::string words) {
     return [words = std::move(words)](double, double) { return words; };
+}
+
+Hint with_value(std::string words) {
+    return [words = std::move(words)](double value, double) { return fmt::format(fmt::runtime(words), value); };
 }
 
 Hint by_value(std::string what, std::vector<KnownValue> known, double near, std::string else_words) {

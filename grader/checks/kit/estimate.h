@@ -35,8 +35,9 @@ struct Evenness {
 };
 Statistic uniform_in_square(const Evenness& evenness);
 
-/// A hint that does not depend on the value.
+/// A hint that does not depend on the value, and one that names it where {:.3g} or the like stands.
 Hint always(std::string words);
+Hint with_value(std::string words);
 
 /// A value that a known mistake leads to, and what that mistake is.
 struct KnownValue {

@@ -20,9 +20,7 @@ double seen_in_pixel(int x, int y, const Sight& sight) {
 }
 
 Blob due_moments(const rt::Camera& camera, const Sight& sight) {
-    rt::Image expected(camera.size.x, camera.size.y);
-    for (int y = 0; y < expected.height; ++y)
-        for (int x = 0; x < expected.width; ++x) expected.at(x, y) = rt::Color(seen_in_pixel(x, y, sight));
+    const rt::Image expected = picture_of(camera.size, [&](int x, int y) { return seen_in_pixel(x, y, sight); });
     return blob_moments(expected, whole(expected));
 }
 
@@ -36,10 +34,7 @@ std::vector<Statistic> figure_statistics(const rt::Camera& camera, const Sight& 
                            .number = std::move(off),
                            .truth = 0,
                            .delta = 0.15,
-                           .hint = [=](double value, double) {
-                               return fmt::format("the {} is seen {:.3g} pixels beside its place, {}", figure, value,
-                                                  axis);
-                           }});
+                           .hint = with_value("the " + figure + " is seen {:.3g} pixels beside its place, " + axis)});
     };
     const auto ratio = [&](const std::string& of, double delta, PictureNumber squared) {
         return of_picture({.id = "A1",

@@ -1,9 +1,9 @@
-#include "checks/kit/glass.h"
+#include "checks/kit/pictures.h"
 
 #include <fmt/format.h>
 
 #include "checks/kit/figures.h"
-#include "statistics/projection.h"
+#include "statistics/closed_forms.h"
 
 namespace grade {
 
@@ -51,13 +51,10 @@ Check invisible_glass(Generator& random) {
              .what = "radiance of " + thing + ", over that of its surroundings",
              .number = [=](const rt::Image& image) { return brightness(region_mean(image, region)) / around; },
              .delta = 0.01,
-             .hint =
-                 [=](double value, double) {
-                     return fmt::format(
-                         "{} where light comes from everywhere alike must be invisible, but its radiance is "
-                         "{:.3g} times that of its surroundings: {}",
-                         thing, value, question);
-                 }});
+             .hint = with_value(thing +
+                                " where light comes from everywhere alike must be invisible, but its radiance is "
+                                "{:.3g} times that of its surroundings: " +
+                                question)});
     };
     return render_check(
         "invisible_glass", {scene, 4, "sobol"},

@@ -1,4 +1,4 @@
-#include "checks/kit/horizon.h"
+#include "checks/kit/pictures.h"
 
 #include <fmt/format.h>
 
@@ -65,6 +65,15 @@ double seen_regularly(const Board& board, int x, int y) {
         cells);
 }
 
+std::string text(const Board& board, double dark, double light) {
+    const std::string checker = fmt::format("{{ albedo = {}, size = {} }}", dark, board.square);
+    const double half = 1e5 * board.square;
+    return material("board", {{"albedo", light}, {"checker", checker.c_str()}}) +
+           directional_light(board.place.axes.z, rt::pi) +
+           quad("board", board.place({board.start.x, board.start.y, 0}), half * board.place.axes.x,
+                half * board.place.axes.y);
+}
+
 }  // namespace
 
 Check horizon(Generator& random) {
@@ -80,14 +89,6 @@ Check horizon(Generator& random) {
                     {columns, rows}};
     board.camera = camera_of(view);
     const double dark = between(random, 0.05, 0.2), light = between(random, 0.6, 0.9);
-    const std::string scene =
-        toml(view) +
-        material("board", {{"albedo", light},
-                           {"checker", fmt::format("{{ albedo = {}, size = {} }}", dark, board.square).c_str()}}) +
-        directional_light(board.place.axes.z, rt::pi) +
-        quad("board", board.place({board.start.x, board.start.y, 0}), 1e5 * board.square * board.place.axes.x,
-             1e5 * board.square * board.place.axes.y);
-
     const auto due = later([=] { return covered(board); });
     const auto pattern = later([=] {
         std::vector<double> all;
@@ -105,32 +106,22 @@ Check horizon(Generator& random) {
         return sum / whole;
     };
     return render_check(
-        "horizon", {scene, cells * cells, "random"},
+        "horizon", {toml(view) + text(board, dark, light), cells * cells, "random"},
         {of_picture({.id = "A1",
                      .what = "contrast of a checkerboard's squares, over what a pixel's mean leaves of it",
                      .number = [=](const rt::Image& image) { return 1 + share(image, due()); },
                      .delta = 0.1,
-                     .hint =
-                         [](double value, double) {
-                             return fmt::format(
-                                 "a checkerboard's squares have {:.3g} of the contrast that a pixel's mean leaves: do "
-                                 "samples fall beside their pixel, or in a part of it?",
-                                 value);
-                         }}),
+                     .hint = with_value("a checkerboard's squares have {:.3g} of the contrast that a pixel's mean "
+                                        "leaves: do samples fall beside their pixel, or in a part of it?")}),
          of_picture(
              {.id = "A2",
               .what = "false patterns of a checkerboard towards its horizon, over those that regular points see",
               .number = [=](const rt::Image& image) { return share(image, pattern()); },
               .truth = 0,
               .delta = 0.2,
-              .hint =
-                  [](double value, double) {
-                      return fmt::format(
-                          "a checkerboard towards its horizon shows {:.2g} of the false patterns that a regular "
-                          "grid in each pixel sees, however many pictures are averaged. Do samples fall everywhere "
-                          "in their cells?",
-                          value);
-                  }})});
+              .hint = with_value(
+                  "a checkerboard towards its horizon shows {:.2g} of the false patterns that a regular grid in each "
+                  "pixel sees, however many pictures are averaged. Do samples fall everywhere in their cells?")})});
 }
 
 }  // namespace grade

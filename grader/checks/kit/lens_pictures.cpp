@@ -1,11 +1,10 @@
-#include "checks/kit/lens_pictures.h"
+#include "checks/kit/pictures.h"
 
 #include <fmt/format.h>
 
 #include "checks/kit/render_check.h"
 #include "statistics/blob.h"
-#include "statistics/colors.h"
-#include "statistics/projection.h"
+#include "statistics/closed_forms.h"
 
 namespace grade {
 
@@ -51,18 +50,15 @@ Check two_colors(Generator& random) {
         return color_moments(image, whole(image), vec2(0.5 * size), blur);
     };
     const auto statistic = [](const std::string& what, PictureNumber number) {
-        return of_picture({.id = "D4",
-                           .what = "red less green, " + what,
-                           .number = std::move(number),
-                           .truth = 0,
-                           .delta = 0.3,
-                           .hint = [](double value, double) {
-                               return fmt::format(
-                                   "what is seen through one side of the lens is redder than through "
-                                   "the other, by {:.3g}: does the point on the lens go together with "
-                                   "the point on the lamp? The lens has its own numbers u",
-                                   value);
-                           }});
+        return of_picture(
+            {.id = "D4",
+             .what = "red less green, " + what,
+             .number = std::move(number),
+             .truth = 0,
+             .delta = 0.3,
+             .hint = with_value(
+                 "what is seen through one side of the lens is redder than through the other, by {:.3g}: does the "
+                 "point on the lens go together with the point on the lamp? The lens has its own numbers u")});
     };
     return render_check(
         "two_colors", {scene, 24, "random"},
@@ -100,13 +96,8 @@ Check adding_up(Generator& random) {
              .what = "variance " + what + " of a lamp out of focus, over the sum of its parts",
              .number = [=](const rt::Image& image) { return variance(image, axis) / due; },
              .delta = 0.12,
-             .hint =
-                 [](double value, double) {
-                     return fmt::format(
-                         "the picture of what moves and is out of focus is {:.3g} times as wide, squared, "
-                         "as pixel, lens and time make it: do they go together? The lens has its own numbers u",
-                         value);
-                 }});
+             .hint = with_value("the picture of what moves and is out of focus is {:.3g} times as wide, squared, as "
+                                "pixel, lens and time make it: do they go together? The lens has its own numbers u")});
     };
     return render_check("adding_up", {scene, 64, "sobol"},
                         {statistic("along the way", along, streak_variance(length, blur, lamp)),

@@ -1,6 +1,6 @@
 #include "checks/kit/lobe_check.h"
 
-#include "statistics/lobe.h"
+#include "statistics/closed_forms.h"
 #include "statistics/moments.h"
 
 namespace grade {
@@ -162,9 +162,7 @@ std::vector<Statistic> lobe_statistics(const LobeSetting& setting) {
     const double n = setting.exponent, angle = std::acos(std::min(1.0, rt::dot(setting.axis, setting.outward)));
     const double all = phong_moment(n, angle, 0), width = all - phong_moment(n, angle, 1);
     Statistic albedo = mean_weight(setting, all, angle), spread = width_of_lobe(setting, width / all);
-    auto suspects = setting.suspects;
-    for (LobeSuspect& suspect : common_lobe_suspects(setting.axis, setting.outward, n))
-        suspects.push_back(std::move(suspect));
+    const auto suspects = joined(setting.suspects, common_lobe_suspects(setting.axis, setting.outward, n));
     albedo.cause = spread.cause = [suspects, axis = setting.axis](const Observation& seen) {
         return lobe_cause(seen, axis, suspects);
     };

@@ -7,7 +7,7 @@
 
 #include "checks/kit/later.h"
 #include "statistics/blob.h"
-#include "statistics/lobe.h"
+#include "statistics/closed_forms.h"
 
 namespace grade {
 
@@ -47,17 +47,10 @@ double lobe_light(const Lobe& lobe, const rt::Sphere& lamp, rt::vec3 p) {
 namespace {
 
 Blob due_moments(const LobeSurface& surface, const rt::Sphere& lamp, double exponent) {
-    rt::Image image(surface.camera.size.x, surface.camera.size.y);
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x) {
-            const rt::vec2 film(x + 0.5, y + 0.5);
-            const Lobe lobe = surface.lobe(view_direction(surface.camera, film), exponent);
-            image.at(x, y) =
-                rt::Color(lobe_light(lobe, lamp, seen_on_plane(surface.camera, film, surface.point, surface.normal)));
-        }
-    Blob blob = blob_moments(image, whole(image));
-    blob.radial_square += 1.0 / 6;  // a pixel is the mean over its area, not its centre's value
-    return blob;
+    return moments_of_middles(surface.camera, [&](rt::vec2 film) {
+        const Lobe lobe = surface.lobe(view_direction(surface.camera, film), exponent);
+        return lobe_light(lobe, lamp, seen_on_plane(surface.camera, film, surface.point, surface.normal));
+    });
 }
 
 }  // namespace

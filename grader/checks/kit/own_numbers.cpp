@@ -1,4 +1,4 @@
-#include "checks/kit/own_numbers.h"
+#include "checks/kit/pictures.h"
 
 #include <fmt/format.h>
 
@@ -20,17 +20,14 @@ Statistic own_numbers(const Region& region, int samples, const std::string& what
             return fmt::format("all pixels of a column have one {}: it must come from u alone", what);
         return std::string();
     };
-    return of_picture({.id = "G1",
-                       .what = "share of the noise that pixels have in common: of the picture, a row, a column",
-                       .number = [=](const rt::Image& image) { return sharing(image, region, samples).sum(); },
-                       .truth = 0,
-                       .delta = 0.4,
-                       .hint =
-                           [=](double value, double) {
-                               return fmt::format(
-                                   "pixels share {:.3g} of their noise: is one {} drawn for many pixels?", value, what);
-                           },
-                       .cause = cause});
+    return of_picture(
+        {.id = "G1",
+         .what = "share of the noise that pixels have in common: of the picture, a row, a column",
+         .number = [=](const rt::Image& image) { return sharing(image, region, samples).sum(); },
+         .truth = 0,
+         .delta = 0.4,
+         .hint = with_value("pixels share {:.3g} of their noise: is one " + what + " drawn for many pixels?"),
+         .cause = cause});
 }
 
 }  // namespace grade

@@ -32,6 +32,15 @@ std::function<Rows(Generator&)> rows_of_kinds(int each, Draw... draw) {
     };
 }
 
+/// The rows of one and then those of the other.
+template <class First, class Second>
+std::function<Rows(Generator&)> rows_then(First first, Second second) {
+    return [=](Generator& random) {
+        const Rows rows = first(random);
+        return joined(rows, second(random));
+    };
+}
+
 /// Rows with a number of each decade between two powers of ten.
 template <class F>
 std::function<Rows(Generator&)> rows_of_decades(int low, int high, int each, F row_with) {

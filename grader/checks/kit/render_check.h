@@ -4,6 +4,7 @@
 #include "checks/kit/later.h"
 #include "checks/kit/scene.h"
 #include "rt/ray.h"
+#include "statistics/blob.h"
 #include "statistics/region.h"
 
 /// Checks that render, and numbers of their pictures.
@@ -55,6 +56,24 @@ PictureNumber light_over_due(rt::ivec2 size, Chosen chosen, Light light, Due due
         for (const rt::ivec2 p : pixels()) seen += light(image.at(p.x, p.y));
         return seen / all_due();
     };
+}
+
+/// The picture whose pixel x, y is grey(x, y).
+template <class Grey>
+rt::Image picture_of(rt::ivec2 size, Grey grey) {
+    rt::Image image(size.x, size.y);
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) image.at(x, y) = rt::Color(grey(x, y));
+    return image;
+}
+
+/// The moments of a picture, of which light(film) is known in the middle of each pixel.
+template <class Light>
+Blob moments_of_middles(const rt::Camera& camera, Light light) {
+    const rt::Image image = picture_of(camera.size, [&](int x, int y) { return light(rt::vec2(x + 0.5, y + 0.5)); });
+    Blob blob = blob_moments(image, whole(image));
+    blob.radial_square += 1.0 / 6;  // a pixel is the mean over its area, not its middle's value
+    return blob;
 }
 
 /// The mean of a function of the film over pixel x, y, from n x n points.

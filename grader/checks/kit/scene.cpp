@@ -101,4 +101,18 @@ rt::vec3 seen_on_plane(const rt::Camera& camera, rt::vec2 film, rt::vec3 point, 
     return camera.eye + rt::dot(point - camera.eye, normal) / rt::dot(d, normal) * d;
 }
 
+View film_view(const Place& place, rt::ivec2 size) {
+    return place.from_above(5, vfov_of(size.y * film_pixel / 2, 5), size);
+}
+
+std::string bright(const Place& place, rt::ivec2 size, const std::string& material, rt::vec2 center, rt::vec2 u,
+                   rt::vec2 v) {
+    const auto turned = [&](rt::vec2 d) { return place.turned(film_pixel * rt::vec3(d.x, -d.y, 0)); };
+    const rt::vec2 c = center - 0.5 * rt::vec2(size);
+    const rt::vec3 across = turned(u), along = turned(v);
+    // the front side faces the camera
+    const bool faces = rt::dot(rt::cross(across, along), place.axes.z) > 0;
+    return quad(material, place(film_pixel * rt::vec3(c.x, -c.y, 0)), across, faces ? along : -along);
+}
+
 }  // namespace grade

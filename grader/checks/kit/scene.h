@@ -79,4 +79,13 @@ rt::vec3 view_direction(const rt::Camera& camera, rt::vec2 film);
 /// Where the ray through a film point meets a plane.
 rt::vec3 seen_on_plane(const rt::Camera& camera, rt::vec2 film, rt::vec3 point, rt::vec3 normal);
 
+constexpr double film_pixel = 0.01;  // [m] of the plane that such a camera sees
+
+/// A camera that sees the plane z = 0 of a place in pixels.
+View film_view(const Place& place, rt::ivec2 size);
+
+/// A rectangle of light on the film, by its centre and half edges in pixels, y down.
+std::string bright(const Place& place, rt::ivec2 size, const std::string& material, rt::vec2 center, rt::vec2 u,
+                   rt::vec2 v);
+
 }  // namespace grade

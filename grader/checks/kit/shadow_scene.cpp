@@ -4,8 +4,7 @@
 
 #include "checks/kit/later.h"
 #include "checks/kit/render_check.h"
-#include "statistics/irradiance.h"
-#include "statistics/projection.h"
+#include "statistics/closed_forms.h"
 #include "statistics/spread.h"
 
 namespace grade {

@@ -1,10 +1,9 @@
-#include "checks/kit/slanted_edges.h"
+#include "checks/kit/pictures.h"
 
 #include <fmt/format.h>
 
 #include <array>
 
-#include "checks/kit/film_view.h"
 #include "checks/kit/render_check.h"
 #include "statistics/spread.h"
 
@@ -99,9 +98,8 @@ Check slanted_edges(Generator& random) {
     };
     std::vector<Statistic> statistics;
     for (const bool across : {true, false})
-        for (Statistic& one : of_edge(across ? "across" : "down", across ? upright : level, samples,
-                                      [=](const rt::Image& image) { return spread(image, across); }))
-            statistics.push_back(std::move(one));
+        statistics = joined(statistics, of_edge(across ? "across" : "down", across ? upright : level, samples,
+                                                [=](const rt::Image& image) { return spread(image, across); }));
     statistics.push_back(of_picture(
         {.id = "G2",
          .what = "noise of the pixels on an edge, over that of independent samples",
@@ -111,14 +109,11 @@ Check slanted_edges(Generator& random) {
          .delta0 = 0.15,
          .hint =
              [](double value, double) {
-                 return value > 0.8 ? fmt::format(
-                                          "pixels on an edge have {:.3g} times the noise of independent samples: "
-                                          "each sample must fall in a cell of its own",
-                                          value)
-                                    : fmt::format(
-                                          "pixels on an edge are {:.3g} times as noisy as independent samples make "
-                                          "them; expected about 0.25",
-                                          value);
+                 const char* words = value > 0.8 ? "pixels on an edge have {:.3g} times the noise of independent "
+                                                   "samples: each sample must fall in a cell of its own"
+                                                 : "pixels on an edge are {:.3g} times as noisy as independent samples "
+                                                   "make them; expected about 0.25";
+                 return fmt::format(fmt::runtime(words), value);
              }}));
     return render_check("slanted_edges", {scene, samples, "stratified"}, statistics);
 }

@@ -25,6 +25,13 @@ inline Cause half_circles(RowPoint point) {
     };
 }
 
+/// Equal parts of what is sampled about z get equally many samples: `cell` is uniform in the unit square, its second
+/// coordinate the turn.
+inline Statistic even_about_z(const std::string& id, const std::string& what, const RowPoint& cell, std::string words) {
+    return uniform_in_square(
+        {.id = id, .what = what, .point = cell, .hint = always(std::move(words)), .cause = half_circles(cell)});
+}
+
 constexpr double neighbour_step = 1e-7;
 
 /// How far apart the answers to numbers u are that lie side by side, over the distance of these: a warp keeps strata

@@ -1,10 +1,10 @@
-#include "checks/kit/white_medium.h"
+#include "checks/kit/pictures.h"
 
 #include <fmt/format.h>
 
 #include "checks/kit/draw.h"
 #include "checks/kit/render_check.h"
-#include "statistics/projection.h"
+#include "statistics/closed_forms.h"
 #include "statistics/region.h"
 
 namespace grade {
@@ -23,22 +23,17 @@ Check white_medium(Generator& random) {
     const std::string scene = environment(around) + toml(place.from_above(far, vfov_of(1.1, far), {16, 16})) +
                               milk("milk", extinction, {1, 1 - loss, 1 - 2 * loss}, g) +
                               sphere("milk", place({0, 0, 0}), 1);
-    const Statistic red =
-        of_picture({.id = "B1",
-                    .what = "radiance of a white medium, over that of its surroundings",
-                    .number =
-                        [=](const rt::Image& image) {
-                            return region_mean(image, {4, 4, 8, 8}).r / around;
-                        },
-                    .delta = 0.05,
-                    .hint =
-                        [](double value, double) {
-                            return fmt::format(
-                                "a white medium where light comes from everywhere alike must be invisible, but its "
-                                "radiance is {:.3g} "
-                                "times that of its surroundings: is the density normalised, and that of the direction?",
-                                value);
-                        }});
+    const Statistic red = of_picture(
+        {.id = "B1",
+         .what = "radiance of a white medium, over that of its surroundings",
+         .number =
+             [=](const rt::Image& image) {
+                 return region_mean(image, {4, 4, 8, 8}).r / around;
+             },
+         .delta = 0.05,
+         .hint = with_value(
+             "a white medium where light comes from everywhere alike must be invisible, but its radiance is {:.3g} "
+             "times that of its surroundings: is the density normalised, and that of the direction?")});
     // the ball takes pi/4 of the square about it: what is lost in all pixels, over the ball's share of them
     constexpr double ball = rt::pi / (2.2 * 2.2);
     const double due = mean_scatterings(1, extinction);
