@@ -282,8 +282,8 @@ std::string of_numbers(const Calls& calls, const Ask& right, bool sampled) {
 /// The relation that is found in some of the calls, and found again in others: what holds by chance is not.
 std::optional<Relation> sure_relation(const Calls& calls, const Ask& right, const Ask& ask_right, bool sampled,
                                       bool& right_otherwise) {
-    const auto found = [&](bool others, const Ask& ask) {
-        const Calls some = picked(calls, most_compared, others);
+    const auto found = [&](bool others, const Ask& ask, std::size_t most = most_compared) {
+        const Calls some = picked(calls, most, others);
         auto relation = relation_of(some, ask, sampled, right_otherwise);
         return right_otherwise ? std::nullopt : simpler(std::move(relation), relation_of_steps(some, ask, sampled));
     };
@@ -291,7 +291,8 @@ std::optional<Relation> sure_relation(const Calls& calls, const Ask& right, cons
     if (!relation || relation->explains != Relation::Explains::all) return relation;
     std::size_t left = most_calls;
     const auto again = found(true, limited(ask_right, left));
-    return again && again->words != relation->words ? std::nullopt : relation;
+    return again && again->words != relation->words ? found(false, limited(ask_right, left), 2 * most_compared)
+                                                    : relation;
 }
 
 /// The simplest wrong call. Of a sample there may be more than one right place, unless it is told what is done otherwise.

@@ -140,7 +140,7 @@ private:
     std::optional<Relation> where_it_is_not_nothing() {
         std::vector<std::size_t> some;
         for (const std::size_t k : all_)
-            if (is_something(calls_.right[k])) some.push_back(k);
+            if (is_something(calls_.right[k]) && !is_void(calls_.result, calls_.right[k])) some.push_back(k);
         if (some.size() < 2 * enough || some.size() == all_.size()) return std::nullopt;
         region_ = "where the right answer is not 0 or inf, ";
         one_change(same_, some);
@@ -384,6 +384,10 @@ private:
                 if (change.cost >= best || calls_.result.parts.size() < 2) break;
                 const auto right = answers(change, nullptr, all_);
                 if (!right || !tells(*right, all_)) continue;
+                // what counts for nothing explains nothing
+                if (std::ranges::any_of(
+                        wrong_, [&](std::size_t k) { return is_wrong(k) && is_void(calls_.result, (*right)[k]); }))
+                    continue;
                 if (const auto form = form_of(calls_, *part, *right, all_, true); form && form->words.empty())
                     best = change.cost, found = fmt::format("{} is exactly what the right fragment answers with {}",
                                                             named(*part), change.words);
