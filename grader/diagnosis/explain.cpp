@@ -295,7 +295,8 @@ std::optional<Relation> sure_relation(const Calls& calls, const Ask& right, cons
                                                     : relation;
 }
 
-/// The simplest wrong call. Of a sample there may be more than one right place, unless it is told what is done otherwise.
+/// The simplest wrong call. Of a sample there may be more than one right place, unless it is told what is done
+/// otherwise.
 void add_example(Finding& finding, const Calls& all, const Region& region, bool is_one_right, const Ask& ask_mine,
                  const Ask& ask_right) {
     std::size_t left = 4000;
@@ -352,8 +353,8 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_min
     if (finding.how.empty())
         finding.how = broken ? broken->words : is_nothing ? independence(all, depends) : relation->words;
     if (finding.how.empty() && relation) finding.how = relation->words;
-    // Another parametrisation is wrong in no call. Where many answers are the solution's, the random numbers are used as
-    // the solution does, but perhaps not in calls of one kind.
+    // Another parametrisation is wrong in no call. Where many answers are the solution's, the random numbers are used
+    // as the solution does, but perhaps not in calls of one kind.
     constexpr double many = 0.2;
     const bool is_comparable = !sampled || not_numbers > 0 || double(all.size() - wrong) >= many * double(all.size());
     if (!is_comparable && !relation) return of_samples(finding, all, broken, ask_mine, ask_right);
