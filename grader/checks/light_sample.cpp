@@ -339,8 +339,8 @@ bool shines(const Emitter& light, vec3 p) {
     return rt::dot(p - rt::center(light), rt::normal(light)) > 0;
 }
 
-/// Lamps from a centimetre to 100 m away, seen along an axis of the world or anyhow; flat ones from behind, spheres
-/// from the inside as well, and so close that they fill half of the sky.
+/// Lamps from a centimetre to 100 m away, seen along an axis of the world or anyhow; flat ones from behind as well,
+/// spheres from the inside, and so close that they fill half of the sky.
 Check anywhere() {
     const auto flat = [](Generator& draw) {
         const Emitter light = emitter(draw, chance(draw, 0.5) ? Emitter::Kind::quad : Emitter::Kind::disc);

@@ -36,8 +36,7 @@ Statistic irradiance_by_point() {
          .right = with_cosine([](double c) { return std::max(0.0, c); }),
          .suspects = {
              {"1/r^2 is missing: the light does not grow fainter with its distance", times_distance(2)},
-             {"the light fades with 1/r; expected 1/r^2: divided by r once, or n . d of a vector that is not of unit "
-              "length",
+             {"the light fades with 1/r; expected 1/r^2: divided by r once, or n . d of a vector not of unit length",
               times_distance(1)},
              {"the light fades with 1/r^3; expected 1/r^2: is n . d divided by the length twice?", times_distance(-1)},
              {"the cosine n . d is missing", with_cosine([](double) { return 1.0; })},

@@ -26,6 +26,18 @@ struct Calls {
     std::size_t size() const { return rows.size(); }
 };
 
+/// Those calls of which is_kept(k) holds.
+template <class Kept>
+Calls those_of(const Calls& calls, Kept is_kept) {
+    Calls some{calls.signature, {}, {}, {}, {}, calls.result, calls.told, calls.changeable};
+    for (std::size_t k = 0; k < calls.size(); ++k) {
+        if (!is_kept(k)) continue;
+        some.rows.push_back(calls.rows[k]), some.layouts.push_back(calls.layouts[k]);
+        some.mine.push_back(calls.mine[k]), some.right.push_back(calls.right[k]);
+    }
+    return some;
+}
+
 /// The parts that are told of these calls: of a shape that is one of several kinds, those of the kind that all have.
 std::vector<bool> told_of(const Calls& calls, const std::vector<std::size_t>& scope);
 

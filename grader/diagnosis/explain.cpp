@@ -6,12 +6,12 @@
 
 #include "diagnosis/bounds.h"
 #include "diagnosis/by_steps.h"
-#include "diagnosis/offsets.h"
 #include "diagnosis/own_numbers.h"
 #include "diagnosis/relation.h"
 #include "diagnosis/shares.h"
 #include "diagnosis/simplest.h"
 #include "diagnosis/spread.h"
+#include "diagnosis/terms.h"
 #include "diagnosis/where.h"
 
 namespace grade {
@@ -45,12 +45,7 @@ Calls picked(const Calls& all, std::size_t most, bool others = false) {
     const std::size_t of_right = std::min(good.size(), most - std::min(wrong.size(), most * 2 / 3));
     std::vector<std::size_t> chosen = thin(wrong, most - of_right);
     for (const std::size_t k : thin(good, of_right)) chosen.push_back(k);
-    Calls some{all.signature, {}, {}, {}, {}, all.result, all.told};
-    for (const std::size_t k : chosen) {
-        some.rows.push_back(all.rows[k]), some.layouts.push_back(all.layouts[k]);
-        some.mine.push_back(all.mine[k]), some.right.push_back(all.right[k]);
-    }
-    return some;
+    return those_of(all, [&](std::size_t k) { return std::ranges::count(chosen, k) > 0; });
 }
 
 /// In what share of the calls an answer changes with a part.
@@ -165,13 +160,7 @@ std::string independence(const Calls& calls, const std::vector<Dependence>& all)
 }
 
 Calls only_wrong(const Calls& all) {
-    Calls some{all.signature, {}, {}, {}, {}, all.result, all.told};
-    for (std::size_t k = 0; k < all.size(); ++k) {
-        if (is_equal(all.result, all.mine[k], all.right[k])) continue;
-        some.rows.push_back(all.rows[k]), some.layouts.push_back(all.layouts[k]);
-        some.mine.push_back(all.mine[k]), some.right.push_back(all.right[k]);
-    }
-    return some;
+    return those_of(all, [&](std::size_t k) { return !is_equal(all.result, all.mine[k], all.right[k]); });
 }
 
 /// The calls, of which only those parts are told that an answer to a wrong call depends on.
@@ -281,20 +270,48 @@ std::string of_own_numbers(const Calls& all, const Ask& mine, const Ask& right) 
 
 /// What is wrong where the answer is a number.
 std::string of_numbers(const Calls& calls, const Ask& right, bool sampled) {
-    Calls some = calls;
-    for (auto* list : {&some.rows, &some.mine, &some.right}) list->clear();
-    some.layouts.clear();
-    for (std::size_t k = 0; k < calls.size(); ++k) {
-        if (is_nan(calls.mine[k], calls.right[k])) continue;
-        some.rows.push_back(calls.rows[k]), some.layouts.push_back(calls.layouts[k]);
-        some.mine.push_back(calls.mine[k]), some.right.push_back(calls.right[k]);
-    }
+    const Calls some = those_of(calls, [&](std::size_t k) { return !is_nan(calls.mine[k], calls.right[k]); });
     bool right_otherwise = false;
     auto found = some.size() > 0 ? relation_of(some, right, sampled, right_otherwise) : std::nullopt;
     if (some.size() > 0) found = simpler(std::move(found), relation_of_steps(some, right, sampled));
     const std::string words = "some answers are nan where the right one is a number";
     if (!found || found->explains != Relation::Explains::all) return words;
     return fmt::format("{}; where it is a number, {}", words, found->words + found->usually);
+}
+
+/// The relation that is found in some of the calls, and found again in others: what holds by chance is not.
+std::optional<Relation> sure_relation(const Calls& calls, const Ask& right, const Ask& ask_right, bool sampled,
+                                      bool& right_otherwise) {
+    const auto found = [&](bool others, const Ask& ask, std::size_t most = most_compared) {
+        const Calls some = picked(calls, most, others);
+        auto relation = relation_of(some, ask, sampled, right_otherwise);
+        return right_otherwise ? std::nullopt : simpler(std::move(relation), relation_of_steps(some, ask, sampled));
+    };
+    auto relation = found(false, right);
+    if (!relation || relation->explains != Relation::Explains::all) return relation;
+    std::size_t left = most_calls;
+    const auto again = found(true, limited(ask_right, left));
+    return again && again->words != relation->words ? found(false, limited(ask_right, left), 2 * most_compared)
+                                                    : relation;
+}
+
+/// The simplest wrong call. Of a sample there may be more than one right place, unless it is told what is done
+/// otherwise.
+void add_example(Finding& finding, const Calls& all, const Region& region, bool is_one_right, const Ask& ask_mine,
+                 const Ask& ask_right) {
+    std::size_t left = 4000;
+    const Ask mine = limited(ask_mine, left), right = limited(ask_right, left);
+    const Example simplest = simplest_wrong(all, region, mine, right);
+    std::vector<bool> wrong_parts;
+    bool is_place_wrong = false;
+    for (const Field& part : all.result.parts) {
+        wrong_parts.push_back(counts(all.result, part, simplest.mine, simplest.right) &&
+                              !is_equal(part, simplest.mine, simplest.right));
+        is_place_wrong = is_place_wrong || (wrong_parts.back() && is_place(part));
+    }
+    finding.answer = result_in_words(all.signature, simplest.mine, wrong_parts);
+    if (is_one_right || !is_place_wrong) finding.right = result_in_words(all.signature, simplest.right, wrong_parts);
+    add_call(finding, all.signature, simplest);
 }
 
 }  // namespace
@@ -305,35 +322,22 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_min
     Calls all = compared(signature, rows, mine, right);
     std::size_t wrong = 0;
     for (std::size_t k = 0; k < all.size(); ++k) wrong += !is_equal(all.result, all.mine[k], all.right[k]);
-    if (wrong == 0) {
-        Finding finding;
-        finding.how = small_offsets(all);
-        return finding;
-    }
-    constexpr double nearly = 1e-3;
     bool is_near = true;
+    constexpr double nearly = 1e-3;
     for (std::size_t k = 0; k < all.size(); ++k)
         is_near = is_near && is_alike(all.result, all.mine[k], all.right[k], nearly);
+    Finding finding;
+    if (is_near) finding.how = small_offsets(all);
+    if (wrong == 0) return finding;
     const auto depends = dependences(all, all, mine, right);
     for (const Dependence& d : depends) all.told.push_back(d.mine > 0 || d.right > 0);
 
     const auto& arguments = signature.arguments;
     const bool sampled = std::ranges::any_of(arguments, [](const auto& argument) { return argument.name == "u"; });
     bool right_otherwise = false;
-    Finding finding;
-    const Calls many_calls = crossed(all, mine, right), compared_calls = picked(many_calls, most_compared);
-    auto relation = relation_of(compared_calls, right, sampled, right_otherwise);
+    const Calls many_calls = crossed(all, mine, right);
+    auto relation = sure_relation(many_calls, right, ask_right, sampled, right_otherwise);
     if (right_otherwise) return {};
-    relation = simpler(std::move(relation), relation_of_steps(compared_calls, right, sampled));
-    if (relation && relation->explains == Relation::Explains::all) {
-        // what holds for some calls by chance does not hold for others
-        std::size_t again = most_calls;
-        const Ask right_again = limited(ask_right, again);
-        const Calls more_calls = picked(many_calls, most_compared, true);
-        auto other = relation_of(more_calls, right_again, sampled, right_otherwise);
-        other = simpler(std::move(other), relation_of_steps(more_calls, right_again, sampled));
-        if (other && other->words != relation->words) relation.reset();
-    }
     finding.sampled = sampled;
     if (relation) relation->words += relation->usually;
     const bool is_known = relation && relation->explains == Relation::Explains::all;
@@ -341,11 +345,11 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_min
     const auto broken = is_nothing ? broken_bound(all, right) : std::nullopt;
     std::size_t not_numbers = 0;
     for (std::size_t k = 0; k < all.size(); ++k) not_numbers += is_nan(all.mine[k], all.right[k]);
-    if (not_numbers > 0 && !is_known)
-        finding.how = of_numbers(compared_calls, right, sampled);
-    else if (!is_known)
-        finding.how = !sampled ? wrong_shares(all, mine, right) : broken ? "" : of_own_numbers(all, mine, right);
-    if (is_near && !is_known) finding.how = small_offsets(all);
+    if (finding.how.empty() && !is_known)
+        finding.how = not_numbers > 0 ? of_numbers(picked(many_calls, most_compared), right, sampled)
+                      : !sampled      ? wrong_shares(all, mine, right)
+                      : broken        ? ""
+                                      : of_own_numbers(all, mine, right);
     if (finding.how.empty())
         finding.how = broken ? broken->words : is_nothing ? independence(all, depends) : relation->words;
     if (finding.how.empty() && relation) finding.how = relation->words;
@@ -358,22 +362,8 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_min
 
     const Region region =
         is_comparable ? tell_where(finding, with_parts_that_matter(all, mine, right), wrong, not_numbers) : Region{};
-    std::size_t more = 4000;
-    const Ask mine_again = limited(ask_mine, more), right_again = limited(ask_right, more);
-    const Example simplest = simplest_wrong(all, region, mine_again, right_again);
-    std::vector<bool> wrong_parts;
-    for (const Field& part : all.result.parts)
-        wrong_parts.push_back(counts(all.result, part, simplest.mine, simplest.right) &&
-                              !is_equal(part, simplest.mine, simplest.right));
-    finding.answer = result_in_words(signature, simplest.mine, wrong_parts);
-    // of a sample there may be more than one right place
-    bool is_place_wrong = false;
-    for (std::size_t i = 0; i < wrong_parts.size(); ++i)
-        is_place_wrong = is_place_wrong || (wrong_parts[i] && is_place(all.result.parts[i]));
-    const bool is_exact = relation && relation->explains != Relation::Explains::nothing && relation->everywhere;
-    const bool is_known_number = !sampled || is_known || is_exact || not_numbers > 0 || !is_place_wrong;
-    if (is_known_number) finding.right = result_in_words(signature, simplest.right, wrong_parts);
-    add_call(finding, signature, simplest);
+    const bool is_exact = relation && !is_nothing && (is_known || relation->everywhere);
+    add_example(finding, all, region, !sampled || is_exact || not_numbers > 0, ask_mine, ask_right);
     return finding;
 } catch (const std::out_of_range&) {
     return {};  // an answer that is too short

@@ -148,7 +148,8 @@ private:
     void add(const Family& family, const Spot& spot, double c) {
         const double few_digits = std::stod(fmt::format("{:.4g}", c));
         const bool is_short = std::abs(few_digits - c) <= equal_within * std::abs(c);
-        if (!is_short && !is_named(c)) return;
+        const bool is_usual = std::abs(c) > 1e-4 && std::abs(c) < 1e4;
+        if ((!is_short && !is_named(c)) || !is_usual) return;
         const double used = is_named(c) ? c : few_digits;
         const std::string words =
             fmt::format(fmt::runtime(family.words), spot.name, is_named(c) ? constant(c) : number_in_words(few_digits));

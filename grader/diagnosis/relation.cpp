@@ -100,7 +100,8 @@ private:
             std::string kinds;
             bool is_all = true;
             for (int value = 0; value < 5; ++value) {
-                const Calls some = calls_with(i, value);
+                const Calls some = those_of(
+                    calls_, [&](std::size_t k) { return calls_.rows[k][calls_.layouts[k].parts[i].at] == value; });
                 if (some.size() == 0 || some.size() == calls_.size()) continue;
                 Search search(some, ask_, sampled_);
                 if (search.wrong_.empty()) continue;
@@ -121,18 +122,6 @@ private:
         return std::nullopt;
     }
 
-    Calls calls_with(std::size_t part, int value) const {
-        Calls some = calls_;
-        for (auto* list : {&some.rows, &some.mine, &some.right}) list->clear();
-        some.layouts.clear();
-        for (const std::size_t k : all_) {
-            if (calls_.rows[k][calls_.layouts[k].parts[part].at] != value) continue;
-            some.rows.push_back(calls_.rows[k]), some.layouts.push_back(calls_.layouts[k]);
-            some.mine.push_back(calls_.mine[k]), some.right.push_back(calls_.right[k]);
-        }
-        return some;
-    }
-
     std::optional<Relation> one_mistake() {
         if (wrong_.size() < enough) return std::nullopt;
         for (const Change& base : same_sampling(calls_.layouts.front())) {
@@ -151,7 +140,7 @@ private:
     std::optional<Relation> where_it_is_not_nothing() {
         std::vector<std::size_t> some;
         for (const std::size_t k : all_)
-            if (is_something(calls_.right[k])) some.push_back(k);
+            if (is_something(calls_.right[k]) && !is_void(calls_.result, calls_.right[k])) some.push_back(k);
         if (some.size() < 2 * enough || some.size() == all_.size()) return std::nullopt;
         region_ = "where the right answer is not 0 or inf, ";
         one_change(same_, some);
@@ -382,6 +371,11 @@ private:
     std::optional<Relation> by_parts() const {
         std::string words;
         for (const Field* part : parts_) {
+            const auto is_wrong = [&](std::size_t k) {
+                return counts(calls_.result, *part, calls_.mine[k], calls_.right[k]) &&
+                       !is_equal(*part, calls_.mine[k], calls_.right[k]);
+            };
+            if (std::ranges::count_if(wrong_, is_wrong) < std::ptrdiff_t(2 * enough)) continue;
             double best = best_cost;
             std::string found;
             if (const auto form = form_of(calls_, *part, calls_.right, all_, false); form && !sampled_)
@@ -390,6 +384,10 @@ private:
                 if (change.cost >= best || calls_.result.parts.size() < 2) break;
                 const auto right = answers(change, nullptr, all_);
                 if (!right || !tells(*right, all_)) continue;
+                // what counts for nothing explains nothing
+                if (std::ranges::any_of(
+                        wrong_, [&](std::size_t k) { return is_wrong(k) && is_void(calls_.result, (*right)[k]); }))
+                    continue;
                 if (const auto form = form_of(calls_, *part, *right, all_, true); form && form->words.empty())
                     best = change.cost, found = fmt::format("{} is exactly what the right fragment answers with {}",
                                                             named(*part), change.words);

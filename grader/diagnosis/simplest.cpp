@@ -357,20 +357,14 @@ private:
         }
     }
 
-    /// Three vectors at right angles, as of a camera.
+    /// Three vectors at right angles, as of a camera, or two, as of a quad.
     void axes() {
         const auto parts = calls_.signature.of_arguments(best_.row).parts;
-        for (std::size_t i = 0; i + 2 < parts.size(); ++i) {
-            if (!parts[i].name.ends_with(".right")) continue;
-            Row row = best_.row;
-            for (std::size_t a = 0; a < 3; ++a)
-                for (std::size_t c = 0; c < 3; ++c) row[parts[i + a].at + c] = a == c;
-            if (row != best_.row && invariants_.mend(row, i)) take({row});
-        }
         for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
-            if (!parts[i].name.ends_with(".u") || !parts[i + 1].name.ends_with(".v")) continue;
+            const std::size_t count = parts[i].name.ends_with(".right") ? 3 : parts[i].name.ends_with(".u") ? 2 : 0;
+            if (count == 0 || i + count > parts.size()) continue;
             Row row = best_.row;
-            for (std::size_t a = 0; a < 2; ++a)
+            for (std::size_t a = 0; a < count; ++a)
                 for (std::size_t c = 0; c < 3; ++c) row[parts[i + a].at + c] = a == c;
             if (row != best_.row && invariants_.mend(row, i)) take({row});
         }

@@ -1,12 +1,23 @@
 #pragma once
 
+#include <algorithm>
 #include <tuple>
-#include <utility>
 
 #include "diagnosis/steps.h"
 #include "protocol/rows.h"
 
 namespace grade {
+
+/// "Real x; bool a mistake in words"
+inline std::vector<Signature::Argument> named(const std::string& text) {
+    std::vector<Signature::Argument> all;
+    for (std::size_t at = 0, next; at < text.size(); at = next + 2) {
+        next = std::min(text.find("; ", at), text.size());
+        const std::size_t space = text.find(' ', at);
+        all.push_back({text.substr(at, space - at), text.substr(space + 1, next - space - 1)});
+    }
+    return all;
+}
 
 inline std::size_t count_of(const std::vector<Signature::Argument>& names) {
     std::size_t count = 0;
@@ -17,14 +28,15 @@ inline std::size_t count_of(const std::vector<Signature::Argument>& names) {
 
 /// take(arguments...) makes the steps, finish(steps, arguments...) the answer.
 template <class... Arguments>
-Steps steps(std::string formula, std::vector<Signature::Argument> names, Row (*take)(const Arguments&...),
+Steps steps(const char* formula, const char* numbers, Row (*take)(const Arguments&...),
             Row (*finish)(const double* steps, const Arguments&...)) {
+    const auto names = named(numbers);
     const std::size_t count = count_of(names);
     const auto arguments = [](const Row& in) {
         RowReader reader(in);
         return std::tuple<Arguments...>{read(reader, Tag<Arguments>{})...};
     };
-    return {std::move(formula), std::move(names), [=](const Row& in) { return std::apply(take, arguments(in)); },
+    return {formula, names, [=](const Row& in) { return std::apply(take, arguments(in)); },
             [=](const Row& in) {
                 return std::apply([&](const Arguments&... each) { return finish(&in[in.size() - count], each...); },
                                   arguments(in));

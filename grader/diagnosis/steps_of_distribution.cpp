@@ -13,7 +13,7 @@ vec2 on_disk(vec2 u) { return std::sqrt(u.x) * circle_of(u.y); }
 
 std::vector<Steps> of_film() {
     return {steps(
-        "low + cell * size, size = high - low", {{"vec2", "cell"}, {"vec2", "low"}, {"vec2", "size"}},
+        "low + cell * size, size = high - low", "vec2 cell; vec2 low; vec2 size",
         +[](const Extent& pixel, const int& i, const int& n, const vec2& u) {
             const Real columns = std::floor(std::sqrt(Real(n))), column = std::floor(i * columns / n);
             const Real first = std::ceil(column * n / columns), next = std::ceil((column + 1) * n / columns);
@@ -30,25 +30,20 @@ std::vector<Steps> of_mean() {
     using Weights = std::vector<Real>;
     return {steps(
         "the sum of weight[i] * radiance[i] over radiance.size()",
-        {{"int", "the number of terms"},
-         {"int", "radiance.size()"},
-         {"bool", "weights left out"},
-         {"bool", "weights squared"},
-         {"bool", "1 / weight[i] in place of weight[i]"},
-         {"bool", "the sum of the weights in place of the number of samples"},
-         {"bool", "a sum that starts at radiance[0], which is added again"},
-         {"bool", "the last sample alone"},
-         {"bool", "weight[0] for all"}},
+        "int the number of terms; int radiance.size(); bool weights left out; bool weights squared; bool 1 / weight[i] "
+        "in place of weight[i]; bool the sum of the weights in place of the number of samples; bool a sum that starts "
+        "at radiance[0], which is added again; bool the last sample alone; bool weight[0] for all; bool the first "
+        "sample left out",
         +[](const Colors& all, const Weights&) {
             Row taken = row(int(all.size()), int(all.size()));
-            taken.resize(9);
+            taken.resize(10);
             return taken;
         },
         +[](const double* s, const Colors& all, const Weights& weights) {
             Color sum = s[6] != 0 ? all.at(0) : Color(0);
             Real of_weights = 0;
             const std::size_t last = std::min(all.size(), std::size_t(std::max(s[0], 0.0)));
-            for (std::size_t i = s[7] != 0 ? all.size() - 1 : 0; i < last; ++i) {
+            for (std::size_t i = s[7] != 0 ? all.size() - 1 : s[9] != 0; i < last; ++i) {
                 const Real w = weights.at(s[8] != 0 ? 0 : i);
                 sum += (s[2] != 0 ? 1 : s[3] != 0 ? w * w : s[4] != 0 ? 1 / w : w) * all[i];
                 of_weights += w;
@@ -87,15 +82,9 @@ std::vector<Steps> of_light() {
         steps(
             "density = distance^2 / (cos * area) for cos > 0, the front side, with cos = -dot(unit(point - p), "
             "unit(normal(light)))",
-            {{"Real", "distance^2"},
-             {"Real", "cos"},
-             {"Real", "area"},
-             {"Real", "cos in the density"},
-             {"bool", "cos <= 0, the back side, counted"},
-             {"Real", "distance^2 / cos"},
-             {"Real", "-dot(unit(point - p), normal(light))"},
-             {"Real", "-dot(point - p, unit(normal(light)))"},
-             {"Real", "distance"}},
+            "Real distance^2; Real cos; Real area; Real cos in the density; bool cos <= 0, the back side, counted; "
+            "Real distance^2 / cos; Real -dot(unit(point - p), normal(light)); Real -dot(point - p, "
+            "unit(normal(light))); Real distance",
             +[](const Emitter& light, const vec3& p, const vec2& u) {
                 const vec3 to = point_of(light, on_light(light, u)) - p;
                 const Real cosine = cosine_at(light, to), distance = length(to);
@@ -112,7 +101,7 @@ std::vector<Steps> of_light() {
         steps(
             "point = center + at.x * u + at.y * v with at = 2 * u - 1 of a quad, center + radius * (at.x * x + at.y * "
             "y) with at = uniform_disk(u).point of a disc",
-            {{"vec2", "at"}}, +[](const Emitter& light, const vec3&, const vec2& u) { return row(on_light(light, u)); },
+            "vec2 at", +[](const Emitter& light, const vec3&, const vec2& u) { return row(on_light(light, u)); },
             +[](const double* s, const Emitter& light, const vec3& p, const vec2& u) {
                 if (light.kind == Emitter::Kind::sphere) return sphere_light(light, p, u);
                 const vec3 to = point_of(light, {s[0], s[1]}) - p;
@@ -121,7 +110,7 @@ std::vector<Steps> of_light() {
             }),
         steps(
             "of a sphere, distance = along - half, half = sqrt(radius^2 - beside^2) half of the ray's way through it",
-            {{"Real", "half"}, {"Real", "along"}},
+            "Real half; Real along",
             +[](const Emitter& light, const vec3& p, const vec2& u) {
                 const auto all = from_row<LightSample>(sphere_light(light, p, u));
                 const Real along = dot(light.sphere.center - p, all.direction);
@@ -146,133 +135,92 @@ std::pair<vec3, Real> lobe_about(vec3 axis, Real exponent, vec2 u) {
     return {frame_about(axis).to_world({s * circle.x, s * circle.y, c}), c};
 }
 
-const std::vector<Signature::Argument> lobe_names = {{"Real", "cos(theta)"},
-                                                     {"Real", "cos(alpha)"},
-                                                     {"Real", "n + 2"},
-                                                     {"Real", "n + 1"},
-                                                     {"Real", "the factor cos(theta)"}};
-constexpr const char* lobe_formula = "weight = (n + 2) / (n + 1) * cos(theta) for cos(theta) > 0";
-
-const std::vector<Signature::Argument> estimate_names = {
-    {"Real", "brdf"}, {"Real", "density"}, {"Real", "cos(theta)"}, {"Real", "cos(alpha)^n"}};
-constexpr const char* estimate_formula =
-    "weight = brdf * cos(theta) / density for cos(theta) > 0, brdf = (n + 2) / (2 * pi) * cos(alpha)^n, density = (n + "
-    "1) / (2 * pi) * cos(alpha)^n";
-
-Row steps_of_weight(Real theta, Real alpha, Real n) { return row(theta, alpha, n + 2, n + 1, theta); }
-
-Scattered weighed(const double* s, Real theta, vec3 direction) {
-    const Real cosine = s[0] != theta ? s[0] : s[4];
-    return {direction, Color(s[0] > 0 ? s[2] / s[3] * cosine : 0)};
-}
-
-Row steps_of_estimate(Real theta, Real alpha, Real n) {
-    const Real power = std::pow(alpha, n);
-    return row((n + 2) / (2 * pi) * power, (n + 1) / (2 * pi) * power, theta, power);
-}
-
-Scattered estimated(const double* s, Real theta, vec3 direction) {
-    return {direction, Color(theta > 0 ? s[0] * s[2] / s[1] : 0)};
-}
-
-std::vector<Steps> of_glossy() {
-    return {steps(
-                lobe_formula, lobe_names,
-                +[](const vec3& d, const vec3& n, const Real& exponent, const vec2& u) {
-                    const auto [direction, alpha] = lobe_about(d - 2 * dot(d, n) * n, exponent, u);
-                    return steps_of_weight(dot(direction, n), alpha, exponent);
-                },
-                +[](const double* s, const vec3& d, const vec3& n, const Real& exponent, const vec2& u) {
-                    const vec3 direction = lobe_about(d - 2 * dot(d, n) * n, exponent, u).first;
-                    return row(weighed(s, dot(direction, n), direction));
-                }),
-            steps(
-                estimate_formula, estimate_names,
-                +[](const vec3& d, const vec3& n, const Real& exponent, const vec2& u) {
-                    const auto [direction, alpha] = lobe_about(d - 2 * dot(d, n) * n, exponent, u);
-                    return steps_of_estimate(dot(direction, n), alpha, exponent);
-                },
-                +[](const double* s, const vec3& d, const vec3& n, const Real& exponent, const vec2& u) {
-                    const vec3 direction = lobe_about(d - 2 * dot(d, n) * n, exponent, u).first;
-                    return row(estimated(s, dot(direction, n), direction));
-                }),
-            steps(
-                "the axis of the lobe is d - 2 * dot(d, n) * n", {{"vec3", "the axis"}},
-                +[](const vec3& d, const vec3& n, const Real&, const vec2&) { return row(d - 2 * dot(d, n) * n); },
-                +[](const double* s, const vec3&, const vec3& n, const Real& exponent, const vec2& u) {
-                    const vec3 direction = lobe_about({s[0], s[1], s[2]}, exponent, u).first;
-                    const Real c = dot(direction, n);
-                    return row(Scattered{direction, Color(c > 0 ? (exponent + 2) / (exponent + 1) * c : 0)});
-                })};
-}
-
 vec3 refracted(vec3 d, vec3 n, Real from, Real to) {
     const Real along = -from * dot(d, n), squared = (to - from) * (to + from) + along * along;
     return squared < 0 ? vec3(0) : (from * d + (along - std::sqrt(squared)) * n) / to;
 }
 
+/// Of glossy_reflection, or of translucency: its axis, and the side on which its directions count.
+struct Lobe {
+    vec3 axis, d, outward;
+    Real n;
+    vec2 u;
+
+    vec3 direction() const { return lobe_about(axis, n, u).first; }
+    Real theta() const { return dot(direction(), outward); }
+    Real power() const { return std::pow(lobe_about(axis, n, u).second, n); }
+    Row scattered(Real weight) const {
+        return axis == vec3(0) ? row(Scattered{d, Color(0)}) : row(Scattered{direction(), Color(weight)});
+    }
+};
+
+Lobe lobe_of(vec3 d, vec3 n, Real exponent, vec2 u) { return {d - 2 * dot(d, n) * n, d, n, exponent, u}; }
+Lobe lobe_of(vec3 d, vec3 n, Real from, Real to, Real exponent, vec2 u) {
+    return {refracted(d, n, from, to), d, -n, exponent, u};
+}
+
+template <class... Arguments>
+std::vector<Steps> of_lobe(const char* formula_of_axis) {
+    return {steps<Arguments...>(
+                "weight = (n + 2) / (n + 1) * cos(theta) for cos(theta) > 0",
+                "Real cos(theta); Real cos(alpha); Real n + 2; Real n + 1; Real the factor cos(theta)",
+                +[](const Arguments&... arguments) {
+                    const Lobe l = lobe_of(arguments...);
+                    return row(l.theta(), lobe_about(l.axis, l.n, l.u).second, l.n + 2, l.n + 1, l.theta());
+                },
+                +[](const double* s, const Arguments&... arguments) {
+                    const Lobe l = lobe_of(arguments...);
+                    return l.scattered(s[0] > 0 ? s[2] / s[3] * (s[0] != l.theta() ? s[0] : s[4]) : 0);
+                }),
+            steps<Arguments...>(
+                "weight = brdf * cos(theta) / density for cos(theta) > 0, brdf = (n + 2) / (2 * pi) * cos(alpha)^n, "
+                "density = (n + 1) / (2 * pi) * cos(alpha)^n",
+                "Real brdf; Real density; Real cos(theta); Real cos(alpha)^n",
+                +[](const Arguments&... arguments) {
+                    const Lobe l = lobe_of(arguments...);
+                    const Real power = l.power() / (2 * pi);
+                    return row((l.n + 2) * power, (l.n + 1) * power, l.theta(), l.power());
+                },
+                +[](const double* s, const Arguments&... arguments) {
+                    const Lobe l = lobe_of(arguments...);
+                    return l.scattered(l.theta() > 0 ? s[0] * s[2] / s[1] : 0);
+                }),
+            steps<Arguments...>(
+                formula_of_axis, "vec3 the axis",
+                +[](const Arguments&... arguments) { return row(lobe_of(arguments...).axis); },
+                +[](const double* s, const Arguments&... arguments) {
+                    Lobe l = lobe_of(arguments...);
+                    l.axis = vec3(s[0], s[1], s[2]);
+                    return l.scattered(l.theta() > 0 ? (l.n + 2) / (l.n + 1) * l.theta() : 0);
+                })};
+}
+
+std::vector<Steps> of_glossy() {
+    return of_lobe<vec3, vec3, Real, vec2>("the axis of the lobe is d - 2 * dot(d, n) * n");
+}
+
 std::vector<Steps> of_translucency() {
-    return {
-        steps(
-            lobe_formula, lobe_names,
-            +[](const vec3& d, const vec3& n, const Real& from, const Real& to, const Real& exponent, const vec2& u) {
-                const auto [direction, alpha] = lobe_about(refracted(d, n, from, to), exponent, u);
-                return steps_of_weight(-dot(direction, n), alpha, exponent);
-            },
-            +[](const double* s, const vec3& d, const vec3& n, const Real& from, const Real& to, const Real& exponent,
-                const vec2& u) {
-                const vec3 axis = refracted(d, n, from, to);
-                if (axis == vec3(0)) return row(Scattered{d, Color(0)});
-                const vec3 direction = lobe_about(axis, exponent, u).first;
-                return row(weighed(s, -dot(direction, n), direction));
-            }),
-        steps(
-            estimate_formula, estimate_names,
-            +[](const vec3& d, const vec3& n, const Real& from, const Real& to, const Real& exponent, const vec2& u) {
-                const auto [direction, alpha] = lobe_about(refracted(d, n, from, to), exponent, u);
-                return steps_of_estimate(-dot(direction, n), alpha, exponent);
-            },
-            +[](const double* s, const vec3& d, const vec3& n, const Real& from, const Real& to, const Real& exponent,
-                const vec2& u) {
-                const vec3 axis = refracted(d, n, from, to);
-                if (axis == vec3(0)) return row(Scattered{d, Color(0)});
-                const vec3 direction = lobe_about(axis, exponent, u).first;
-                return row(estimated(s, -dot(direction, n), direction));
-            }),
-        steps(
-            "the axis of the lobe is refracted_direction(d, n, ior_from, ior_to)", {{"vec3", "the axis"}},
-            +[](const vec3& d, const vec3& n, const Real& from, const Real& to, const Real&, const vec2&) {
-                return row(refracted(d, n, from, to));
-            },
-            +[](const double* s, const vec3& d, const vec3& n, const Real&, const Real&, const Real& exponent,
-                const vec2& u) {
-                const vec3 axis(s[0], s[1], s[2]);
-                if (axis == vec3(0)) return row(Scattered{d, Color(0)});
-                const vec3 direction = lobe_about(axis, exponent, u).first;
-                const Real c = -dot(direction, n);
-                return row(Scattered{direction, Color(c > 0 ? (exponent + 2) / (exponent + 1) * c : 0)});
-            })};
+    return of_lobe<vec3, vec3, Real, Real, Real, vec2>(
+        "the axis of the lobe is refracted_direction(d, n, ior_from, ior_to)");
 }
 
 std::vector<Steps> of_flight() {
     return {steps(
         "-log(1 - u) / extinction",
-        {{"Real", "log(1 - u)"},
-         {"bool", "log(1 + u) / extinction"},
-         {"bool", "-log(1 + u) / extinction"},
-         {"bool", "exp(-u / extinction)"},
-         {"bool", "exp(-u * extinction)"}},
-        +[](const Real&, const Real& u) { return row(std::log1p(-u), false, false, false, false); },
+        "Real log(1 - u); bool log(1 + u) / extinction; bool -log(1 + u) / extinction; bool exp(-u / extinction); bool "
+        "exp(-u * extinction); bool extinction * exp(-extinction * u)",
+        +[](const Real&, const Real& u) { return row(std::log1p(-u), false, false, false, false, false); },
         +[](const double* s, const Real& extinction, const Real& u) {
             if (s[1] != 0 || s[2] != 0) return row((s[1] != 0 ? 1 : -1) * std::log1p(u) / extinction);
             if (s[3] != 0) return row(std::exp(-u / extinction));
+            if (s[5] != 0) return row(extinction * std::exp(-extinction * u));
             return row(s[4] != 0 ? std::exp(-u * extinction) : -s[0] / extinction);
         })};
 }
 
 std::vector<Steps> of_lens() {
     return {steps(
-                "offset = R * (at.x * right + at.y * up), at = uniform_disk(u).point", {{"vec2", "at"}},
+                "offset = R * (at.x * right + at.y * up), at = uniform_disk(u).point", "vec2 at",
                 +[](const Camera&, const Ray&, const vec2& u) { return row(on_disk(u)); },
                 +[](const double* s, const Camera& c, const Ray& ray, const vec2&) {
                     const vec3 offset = c.lens_radius * (s[0] * c.right + s[1] * c.up);
@@ -280,8 +228,7 @@ std::vector<Steps> of_lens() {
                     return row(Ray{ray.origin + offset, unit(ray.direction - offset / t), 0, inf});
                 }),
             steps(
-                "unit(d - offset / t), t = focus / cos, cos = -dot(d, back)",
-                {{"Real", "t"}, {"Real", "cos"}, {"vec3", "offset"}},
+                "unit(d - offset / t), t = focus / cos, cos = -dot(d, back)", "Real t; Real cos; vec3 offset",
                 +[](const Camera& c, const Ray& ray, const vec2& u) {
                     const vec2 p = c.lens_radius * on_disk(u);
                     const Real cosine = -dot(ray.direction, c.back);

@@ -11,9 +11,9 @@ using rt::Real;
 std::vector<Steps> of_uniform() {
     return {steps(
                 "w * sum of f(a + (i + 0.5) * step) for i < n, w = step = (b - a) / n",
-                {{"Real", "w"}, {"Real", "a"}, {"Real", "0.5"}, {"Real", "step"}, {"int", "n"}},
+                "Real w; Real a; Real 0.5; Real step; int n; Real (b - a) / (n - 1)",
                 +[](const Integrand&, const Real& a, const Real& b, const int& n) {
-                    return row((b - a) / n, a, 0.5, (b - a) / n, n);
+                    return row((b - a) / n, a, 0.5, (b - a) / n, n, (b - a) / std::max(n - 1, 1));
                 },
                 +[](const double* s, const Integrand& f, const Real&, const Real&, const int&) {
                     Real sum = 0;
@@ -22,13 +22,16 @@ std::vector<Steps> of_uniform() {
                 }),
             steps(
                 "f(a + i * step + 0.5 * step)",
-                {{"Real", "0.5 * step"}, {"bool", "a loop from i = 1"}, {"bool", "a loop that ends one i too early"}},
+                "Real 0.5 * step; bool a loop from i = 1; bool a loop that ends one i too early; bool i / n as a "
+                "division of "
+                "whole numbers",
                 +[](const Integrand&, const Real& a, const Real& b, const int& n) {
-                    return row(0.5 * (b - a) / n, false, false);
+                    return row(0.5 * (b - a) / n, false, false, false);
                 },
                 +[](const double* s, const Integrand& f, const Real& a, const Real& b, const int& n) {
                     Real sum = 0;
-                    for (int i = s[1] != 0; i < n - (s[2] != 0); ++i) sum += f(a + i * (b - a) / n + s[0]);
+                    for (int i = s[1] != 0; i < n - (s[2] != 0); ++i)
+                        sum += f(a + (s[3] != 0 ? 0 : i) * (b - a) / n + s[0]);
                     return row((b - a) / n * sum);
                 })};
 }
@@ -37,15 +40,9 @@ std::vector<Steps> of_monte_carlo() {
     using List = std::vector<Real>;
     return {steps(
         "the sum of f(x[i]) / density(x[i]) over x.size()",
-        {{"int", "the number of terms"},
-         {"int", "x.size()"},
-         {"bool", "f(x[i]) * density(x[i]) as terms"},
-         {"bool", "f(x[i]) alone as terms"},
-         {"bool", "1 / density(x[i]) as terms"},
-         {"bool", "the first term left out"},
-         {"bool", "the last term alone"},
-         {"bool", "the sum of 1 / density(x[i]) in place of x.size()"},
-         {"bool", "the sum of f(x[i]) over the sum of density(x[i])"}},
+        "int the number of terms; int x.size(); bool f(x[i]) * density(x[i]) as terms; bool f(x[i]) alone as terms; "
+        "bool 1 / density(x[i]) as terms; bool the first term left out; bool the last term alone; bool the sum of 1 / "
+        "density(x[i]) in place of x.size(); bool the sum of f(x[i]) over the sum of density(x[i])",
         +[](const Integrand&, const Integrand&, const List& x) {
             Row all = row(int(x.size()), int(x.size()));
             all.resize(9);
@@ -75,7 +72,9 @@ Real of_stratum(const double* s, const Integrand& f, const StratumOf& own, Real 
                  (s[1] != 0    ? 1
                   : s[15] != 0 ? own.high
                                : width) *
-                     (s[4] != 0 ? 0.5 : u));
+                     (s[4] != 0    ? 0.5
+                      : s[17] != 0 ? u / Real(own.u.size())
+                                   : u));
     return sum;
 }
 
@@ -83,24 +82,16 @@ std::vector<Steps> of_strata() {
     using List = std::vector<StratumOf>;
     return {steps(
         "",
-        {{"bool", "the width of the first stratum in all strata"},
-         {"bool", "f(low + u): u not multiplied by the width"},
-         {"bool", "f(u * width): low not added"},
-         {"bool", "f(high + u * width)"},
-         {"bool", "the middle of each stratum in place of its u"},
-         {"bool", "a sum that is not set back to 0 for each stratum"},
-         {"bool", "no width before the sum of a stratum"},
-         {"bool", "no division by the number of u"},
-         {"bool", "the number of all u in place of that of the stratum"},
-         {"bool", "the number of strata in place of that of u"},
-         {"bool", "a division by the number of strata too many"},
-         {"bool", "the first stratum left out"},
-         {"bool", "the last stratum left out"},
-         {"bool", "the square of the number of u"},
-         {"bool", "the width of the last stratum before the sum of all"},
-         {"bool", "f(low + u * high): u multiplied by high"},
-         {"bool", "high in place of the width before the sum"}},
-        +[](const Integrand&, const List&) { return Row(17); },
+        "bool the width of the first stratum in all strata; bool f(low + u): u not multiplied by the width; bool f(u * "
+        "width): low not added; bool f(high + u * width); bool the middle of each stratum in place of its u; bool a "
+        "sum that is not set back to 0 for each stratum; bool no width before the sum of a stratum; bool no division "
+        "by the number of u; bool the number of all u in place of that of the stratum; bool the number of strata in "
+        "place of that of u; bool a division by the number of strata too many; bool the first stratum left out; bool "
+        "the last stratum left out; bool the square of the number of u; bool the width of the last stratum before the "
+        "sum of all; bool f(low + u * high): u multiplied by high; bool high in place of the width before the sum; "
+        "bool u "
+        "divided by the number of u",
+        +[](const Integrand&, const List&) { return Row(18); },
         +[](const double* s, const Integrand& f, const List& strata) {
             std::size_t all = 0;
             for (const StratumOf& own : strata) all += own.u.size();

@@ -10,7 +10,7 @@ using namespace rt;
 
 std::vector<Steps> of_point_light() {
     return {steps(
-                "intensity * max(dot(n, d), 0) / distance^2", {{"Real", "dot(n, d)"}, {"Real", "distance^2"}},
+                "intensity * max(dot(n, d), 0) / distance^2", "Real dot(n, d); Real distance^2",
                 +[](const PointLight& light, const vec3& p, const vec3& n) {
                     const vec3 to = light.directional ? light.position : light.position - p;
                     return row(dot(n, unit(to)), light.directional ? 1 : dot(to, to));
@@ -20,7 +20,7 @@ std::vector<Steps> of_point_light() {
                 }),
             steps(
                 "intensity * max(dot(n, d), 0) / distance^2, d = unit(light.position - p)",
-                {{"vec3", "d"}, {"vec3", "light.position - p"}},
+                "vec3 d; vec3 light.position - p",
                 +[](const PointLight& light, const vec3& p, const vec3&) {
                     const vec3 to = light.directional ? light.position : light.position - p;
                     return row(unit(to), to);
@@ -67,70 +67,61 @@ Color reflected_by_steps(const double* s, const Material& material) {
     return surface.reflected(before * power);
 }
 
-const std::vector<Signature::Argument> surface_names = {
-    {"Real", "dot(n, d)"},
-    {"Real", "dot(n, d) in the test"},
-    {"Real", "dot(r, c)"},
-    {"bool", "a product in place of the power: max(dot(r, c), 0) * shininess"},
-    {"bool", "the highlight where dot(n, d) <= 0 as well"},
-    {"bool", "a factor (shininess + 2) / (2 * pi) before the highlight"},
-    {"bool", "a factor (shininess + 1) / (2 * pi) before the highlight"},
-    {"bool", "a factor (shininess + 8) / (8 * pi) before the highlight"},
-    {"bool", "a factor 1 / pi before the highlight"},
-    {"bool", "a factor dot(n, d) before the highlight"}};
+constexpr const char* surface_names =
+    "Real dot(n, d); Real dot(n, d) in the test; Real dot(r, c); bool a product in place of the power: max(dot(r, c), "
+    "0) * shininess; bool the highlight where dot(n, d) <= 0 as well; bool a factor (shininess + 2) / (2 * pi) before "
+    "the highlight; bool a factor (shininess + 1) / (2 * pi) before the highlight; bool a factor (shininess + 8) / (8 "
+    "* pi) before the highlight; bool a factor 1 / pi before the highlight; bool a factor dot(n, d) before the "
+    "highlight";
 
 constexpr const char* surface_formula = "dot(n, d) / pi * albedo + pow(max(dot(r, c), 0), shininess) * specular";
 
-std::vector<Steps> of_phong() {
-    return {steps(
-                surface_formula, surface_names,
-                +[](const Material&, const Color&, const Color&, const vec3& n, const vec3& l, const vec3& c) {
-                    return steps_of_surface(n, l, c);
-                },
-                +[](const double* s, const Material& m, const Color& ambient, const Color& h, const vec3&, const vec3&,
-                    const vec3&) { return row(m.ambient * ambient + h * reflected_by_steps(s, m)); }),
-            steps(
-                "r = 2 * dot(n, d) * n - d", {{"vec3", "r"}, {"Real", "cosine"}},
-                +[](const Material&, const Color&, const Color&, const vec3& n, const vec3& l, const vec3&) {
-                    return row(2 * dot(n, l) * n - l, dot(n, l));
-                },
-                +[](const double* s, const Material& m, const Color& ambient, const Color& h, const vec3&, const vec3&,
-                    const vec3& c) {
-                    const Surface surface{m, s[3], dot(vec3(s[0], s[1], s[2]), c)};
-                    return row(m.ambient * ambient + (s[3] > 0 ? h * surface.reflected() : Color(0)));
-                }),
-            steps(
-                "", {{"Real", "dot(n, d)"}},
-                +[](const Material&, const Color&, const Color&, const vec3& n, const vec3& l, const vec3&) {
-                    return row(dot(n, l));
-                },
-                +[](const double* s, const Material& m, const Color& ambient, const Color& h, const vec3& n,
-                    const vec3& l, const vec3& c) {
-                    const Surface surface{m, s[0], dot(2 * s[0] * n - l, c)};
-                    return row(m.ambient * ambient + (s[0] > 0 ? h * surface.reflected() : Color(0)));
-                })};
+/// Of phong, or of direct_light: what glows by itself, and what light falls from d.
+struct Lit {
+    const Material& material;
+    Color glow, light;
+    vec3 n, d, c;
+
+    Row with(Real cosine, vec3 r) const {
+        const Surface surface{material, cosine, dot(r, c)};
+        return row(glow + (cosine > 0 ? light * surface.reflected() : Color(0)));
+    }
+};
+
+Lit lit(const Material& m, Color ambient, Color irradiance, vec3 n, vec3 d, vec3 c) {
+    return {m, m.ambient * ambient, irradiance, n, d, c};
+}
+Lit lit(const Material& m, Color radiance, const LightSample& light, vec3 n, vec3 c) {
+    return {m, Color(0), light.density > 0 ? radiance / light.density : Color(0), n, light.direction, c};
 }
 
-std::vector<Steps> of_direct_light() {
-    return {steps(
+template <class... Arguments>
+std::vector<Steps> of_surface() {
+    return {steps<Arguments...>(
                 surface_formula, surface_names,
-                +[](const Material&, const Color&, const LightSample& light, const vec3& n, const vec3& c) {
-                    return steps_of_surface(n, light.direction, c);
+                +[](const Arguments&... arguments) {
+                    const Lit all = lit(arguments...);
+                    return steps_of_surface(all.n, all.d, all.c);
                 },
-                +[](const double* s, const Material& m, const Color& radiance, const LightSample& light, const vec3&,
-                    const vec3&) {
-                    return row(light.density > 0 ? radiance * reflected_by_steps(s, m) / light.density : Color(0));
+                +[](const double* s, const Arguments&... arguments) {
+                    const Lit all = lit(arguments...);
+                    return row(all.glow + all.light * reflected_by_steps(s, all.material));
                 }),
-            steps(
-                "r = 2 * dot(n, d) * n - d", {{"vec3", "r"}, {"Real", "cosine"}},
-                +[](const Material&, const Color&, const LightSample& light, const vec3& n, const vec3&) {
-                    return row(2 * dot(n, light.direction) * n - light.direction, dot(n, light.direction));
+            steps<Arguments...>(
+                "r = 2 * dot(n, d) * n - d", "vec3 r; Real cosine",
+                +[](const Arguments&... arguments) {
+                    const Lit all = lit(arguments...);
+                    return row(2 * dot(all.n, all.d) * all.n - all.d, dot(all.n, all.d));
                 },
-                +[](const double* s, const Material& m, const Color& radiance, const LightSample& light, const vec3&,
-                    const vec3& c) {
-                    const Surface surface{m, s[3], dot(vec3(s[0], s[1], s[2]), c)};
-                    const bool shines = s[3] > 0 && light.density > 0;
-                    return row(shines ? radiance * surface.reflected() / light.density : Color(0));
+                +[](const double* s, const Arguments&... arguments) {
+                    return lit(arguments...).with(s[3], vec3(s[0], s[1], s[2]));
+                }),
+            steps<Arguments...>(
+                "", "Real dot(n, d)",
+                +[](const Arguments&... arguments) { return row(dot(lit(arguments...).n, lit(arguments...).d)); },
+                +[](const double* s, const Arguments&... arguments) {
+                    const Lit all = lit(arguments...);
+                    return all.with(s[0], 2 * s[0] * all.n - all.d);
                 })};
 }
 
@@ -140,11 +131,8 @@ std::vector<Steps> of_fresnel() {
     return {
         steps(
             "c2 = sqrt(1 - e^2 * (1 - c1^2)), e = e1 / e2",
-            {{"Real", "e^2"},
-             {"Real", "1 - c1^2"},
-             {"Real", "c1^2"},
-             {"bool", "0 at total internal reflection"},
-             {"bool", "no root: c2 = 1 - e^2 * (1 - c1^2)"}},
+            "Real e^2; Real 1 - c1^2; Real c1^2; bool 0 at total internal reflection; bool no root: c2 = 1 - e^2 * (1 "
+            "- c1^2)",
             +[](const Real& c1, const Real& e1, const Real& e2) {
                 return row(sqr(e1 / e2), 1 - c1 * c1, c1 * c1, false, false);
             },
@@ -158,12 +146,8 @@ std::vector<Steps> of_fresnel() {
             }),
         steps(
             "s = (e1 * c1 - e2 * c2) / (e1 * c1 + e2 * c2), p = (e2 * c1 - e1 * c2) / (e2 * c1 + e1 * c2)",
-            {{"Real", "c2 in s"},
-             {"Real", "c2 in p"},
-             {"Real", "e1 * c1 - e2 * c2"},
-             {"Real", "e2 * c1 - e1 * c2"},
-             {"Real", "e1 * c1 + e2 * c2"},
-             {"Real", "e2 * c1 + e1 * c2"}},
+            "Real c2 in s; Real c2 in p; Real e1 * c1 - e2 * c2; Real e2 * c1 - e1 * c2; Real e1 * c1 + e2 * c2; Real "
+            "e2 * c1 + e1 * c2",
             +[](const Real& c1, const Real& e1, const Real& e2) {
                 const Real c2 = std::sqrt(1 - sqr(e1 / e2) * (1 - c1 * c1));
                 return row(c2, c2, e1 * c1 - e2 * c2, e2 * c1 - e1 * c2, e1 * c1 + e2 * c2, e2 * c1 + e1 * c2);
@@ -178,7 +162,7 @@ std::vector<Steps> of_fresnel() {
                 return row(fresnel_of(one(s[0], s[2], s[4], e1 * c1, e2), one(s[1], s[3], s[5], e2 * c1, e1)));
             }),
         steps(
-            "F = (s * s + p * p) / 2 of c1 and c2", {{"Real", "c2"}},
+            "F = (s * s + p * p) / 2 of c1 and c2", "Real c2",
             +[](const Real& c1, const Real& e1, const Real& e2) {
                 return row(std::sqrt(1 - sqr(e1 / e2) * (1 - c1 * c1)));
             },
@@ -190,14 +174,9 @@ std::vector<Steps> of_fresnel() {
             }),
         steps(
             "F = (s * s + p * p) / 2",
-            {{"Real", "s"},
-             {"Real", "p"},
-             {"bool", "s * p in place of the squares"},
-             {"bool", "no squares: (s + p) / 2"},
-             {"bool", "no squares: (abs(s) + abs(p)) / 2"},
-             {"bool", "the square of the mean: ((s + p) / 2)^2"},
-             {"bool", "no half: s * s + p * p"},
-             {"bool", "s * s - p * p in place of the sum"}},
+            "Real s; Real p; bool s * p in place of the squares; bool no squares: (s + p) / 2; bool no squares: "
+            "(abs(s) + abs(p)) / 2; bool the square of the mean: ((s + p) / 2)^2; bool no half: s * s + p * p; bool s "
+            "* s - p * p in place of the sum",
             +[](const Real& c1, const Real& e1, const Real& e2) {
                 const Real c2 = std::sqrt(1 - sqr(e1 / e2) * (1 - c1 * c1));
                 Row taken = row((e1 * c1 - e2 * c2) / (e1 * c1 + e2 * c2), (e2 * c1 - e1 * c2) / (e2 * c1 + e1 * c2));
@@ -215,7 +194,7 @@ std::vector<Steps> of_fresnel() {
                 return row(fresnel_of(s[0], s[1]) * (s[6] != 0 ? 2 : 1));
             }),
         steps(
-            "", {{"Real", "F"}, {"Real", "Schlick's approximation"}},
+            "", "Real F; Real Schlick's approximation",
             +[](const Real& c1, const Real& e1, const Real& e2) {
                 const Real c2 = std::sqrt(1 - sqr(e1 / e2) * (1 - c1 * c1)), straight = sqr((e1 - e2) / (e1 + e2));
                 if (!(c2 == c2)) return row(1.0, 1.0);
@@ -228,14 +207,10 @@ std::vector<Steps> of_fresnel() {
 std::vector<Steps> of_whitted() {
     return {steps(
         "",
-        {{"bool", "glass only where all channels of the transmittance are positive"},
-         {"bool", "glass only where the first channel of the transmittance is positive"},
-         {"bool", "glass everywhere"},
-         {"bool", "glass nowhere"},
-         {"Real", "fresnel before the reflectance"},
-         {"Real", "(1 - fresnel) before the transmittance"},
-         {"Color", "the reflectance of glass"},
-         {"Color", "the transmittance of glass"}},
+        "bool glass only where all channels of the transmittance are positive; bool glass only where the first channel "
+        "of the transmittance is positive; bool glass everywhere; bool glass nowhere; Real fresnel before the "
+        "reflectance; Real (1 - fresnel) before the transmittance; Color the reflectance of glass; Color the "
+        "transmittance of glass",
         +[](const Material& m, const Real& f) {
             return row(false, false, false, false, f, 1 - f, m.reflectance, m.transmittance);
         },
@@ -252,8 +227,8 @@ std::vector<Steps> of_whitted() {
 
 std::vector<Steps> steps_of_light(const std::string& fragment) {
     if (fragment == "point_irradiance") return of_point_light();
-    if (fragment == "phong") return of_phong();
-    if (fragment == "direct_light") return of_direct_light();
+    if (fragment == "phong") return of_surface<Material, Color, Color, vec3, vec3, vec3>();
+    if (fragment == "direct_light") return of_surface<Material, Color, LightSample, vec3, vec3>();
     if (fragment == "fresnel_dielectric") return of_fresnel();
     if (fragment == "whitted") return of_whitted();
     return {};

@@ -13,32 +13,31 @@ Row camera_direction(const Camera& camera, Real x, Real y) {
 }
 
 std::vector<Steps> of_camera() {
-    return {
-        steps(
-            "x * right + y * up - back", {{"Real", "x"}, {"Real", "y"}},
-            +[](const Camera& c, const vec2& film) {
-                const Real scale = 2 * c.tan_half_fov / c.size.y;
-                return row(scale * (film.x - 0.5 * c.size.x), scale * (0.5 * c.size.y - film.y));
-            },
-            +[](const double* s, const Camera& c, const vec2&) { return camera_direction(c, s[0], s[1]); }),
-        steps(
-            "x = scale * (film.x - half_width), y = scale * (half_height - film.y), scale = 2 * tan_half_fov / "
-            "size.y",
-            {{"Real", "half_width"}, {"Real", "half_height"}, {"Real", "scale"}, {"Real", "2 * tan_half_fov / size.x"}},
-            +[](const Camera& c, const vec2&) {
-                const Real size = 2 * c.tan_half_fov;
-                return row(0.5 * c.size.x, 0.5 * c.size.y, size / c.size.y, size / c.size.x);
-            },
-            +[](const double* s, const Camera& c, const vec2& film) {
-                return camera_direction(c, s[2] * (film.x - s[0]), s[2] * (s[1] - film.y));
-            }),
-        steps(
-            "x = (2 * film.x / camera.size.x - 1) * aspect * tan_half_fov, aspect = camera.size.x / camera.size.y",
-            {{"Real", "aspect"}}, +[](const Camera& c, const vec2&) { return row(Real(c.size.x) / c.size.y); },
-            +[](const double* s, const Camera& c, const vec2& film) {
-                return camera_direction(c, (2 * film.x / c.size.x - 1) * s[0] * c.tan_half_fov,
-                                        (1 - 2 * film.y / c.size.y) * c.tan_half_fov);
-            })};
+    return {steps(
+                "x * right + y * up - back", "Real x; Real y",
+                +[](const Camera& c, const vec2& film) {
+                    const Real scale = 2 * c.tan_half_fov / c.size.y;
+                    return row(scale * (film.x - 0.5 * c.size.x), scale * (0.5 * c.size.y - film.y));
+                },
+                +[](const double* s, const Camera& c, const vec2&) { return camera_direction(c, s[0], s[1]); }),
+            steps(
+                "x = scale * (film.x - half_width), y = scale * (half_height - film.y), scale = 2 * tan_half_fov / "
+                "size.y",
+                "Real half_width; Real half_height; Real scale; Real 2 * tan_half_fov / size.x",
+                +[](const Camera& c, const vec2&) {
+                    const Real size = 2 * c.tan_half_fov;
+                    return row(0.5 * c.size.x, 0.5 * c.size.y, size / c.size.y, size / c.size.x);
+                },
+                +[](const double* s, const Camera& c, const vec2& film) {
+                    return camera_direction(c, s[2] * (film.x - s[0]), s[2] * (s[1] - film.y));
+                }),
+            steps(
+                "x = (2 * film.x / camera.size.x - 1) * aspect * tan_half_fov, aspect = camera.size.x / camera.size.y",
+                "Real aspect", +[](const Camera& c, const vec2&) { return row(Real(c.size.x) / c.size.y); },
+                +[](const double* s, const Camera& c, const vec2& film) {
+                    return camera_direction(c, (2 * film.x / c.size.x - 1) * s[0] * c.tan_half_fov,
+                                            (1 - 2 * film.y / c.size.y) * c.tan_half_fov);
+                })};
 }
 
 Row first_root(Real near_root, Real far_root, const Ray& ray) {
@@ -51,7 +50,7 @@ std::vector<Steps> of_sphere() {
     return {
         steps(
             "(b -+ sqrt(b * b - a * c)) / a, a = dot(d, d), b = -dot(f, d), c = dot(f, f) - r^2, f = origin - center",
-            {{"Real", "a"}, {"Real", "b"}, {"Real", "c"}},
+            "Real a; Real b; Real c",
             +[](const Sphere& sphere, const Ray& ray) {
                 const vec3 f = ray.origin - sphere.center;
                 return row(dot(ray.direction, ray.direction), -dot(f, ray.direction), dot(f, f) - sqr(sphere.radius));
@@ -63,7 +62,7 @@ std::vector<Steps> of_sphere() {
             }),
         steps(
             "(-b -+ sqrt(b^2 - 4 * a * c)) / (2 * a), b = 2 * dot(f, d), c = dot(f, f) - r^2, f = origin - center",
-            {{"Real", "b^2"}, {"Real", "4 * a * c"}, {"Real", "2 * a"}, {"Real", "-b"}, {"Real", "b^2 - 4 * a * c"}},
+            "Real b^2; Real 4 * a * c; Real 2 * a; Real -b; Real b^2 - 4 * a * c",
             +[](const Sphere& sphere, const Ray& ray) {
                 const vec3 f = ray.origin - sphere.center;
                 const Real a = dot(ray.direction, ray.direction), b = 2 * dot(f, ray.direction),
@@ -81,12 +80,8 @@ std::vector<Steps> of_sphere() {
             }),
         steps(
             "",
-            {{"Real", "the near root"},
-             {"Real", "the far root"},
-             {"bool", "the far root alone"},
-             {"bool", "the near root alone"},
-             {"bool", "roots up to `near` counted"},
-             {"bool", "roots from `far` on counted"}},
+            "Real the near root; Real the far root; bool the far root alone; bool the near root alone; bool roots up "
+            "to `near` counted; bool roots from `far` on counted",
             +[](const Sphere& sphere, const Ray& ray) {
                 const vec3 f = ray.origin - sphere.center;
                 const Real a = dot(ray.direction, ray.direction), b = -dot(f, ray.direction);
@@ -104,13 +99,8 @@ std::vector<Steps> of_sphere() {
 std::vector<Steps> of_triangle() {
     return {steps(
         "t where none of the weights of the corners is negative; det = dot(b - a, cross(d, c - a))",
-        {{"Real", "the weight of a"},
-         {"Real", "the weight of b"},
-         {"Real", "the weight of c"},
-         {"Real", "t"},
-         {"Real", "det"},
-         {"bool", "hits before `near` counted"},
-         {"bool", "hits beyond `far` counted"}},
+        "Real the weight of a; Real the weight of b; Real the weight of c; Real t; Real det; bool hits before `near` "
+        "counted; bool hits beyond `far` counted",
         +[](const Triangle& triangle, const Ray& ray) {
             const vec3 b = triangle.b - triangle.a, c = triangle.c - triangle.a, o = ray.origin - triangle.a;
             const vec3 p = cross(ray.direction, c), q = cross(o, b);
@@ -128,14 +118,8 @@ Steps of_triangle_vectors() {
     return steps(
         "u = dot(s, p) / det, v = dot(d, q) / det, t = dot(e2, q) / det, det = dot(e1, p), p = cross(d, e2), q = "
         "cross(s, e1), s = o - a, e1 = b - a, e2 = c - a",
-        {{"vec3", "s"},
-         {"vec3", "d"},
-         {"vec3", "e2"},
-         {"vec3", "e1"},
-         {"vec3", "p"},
-         {"vec3", "q"},
-         {"bool", "u <= 1 and v <= 1 tested, not u + v <= 1"},
-         {"bool", "u >= 0 and v >= 0 not tested"}},
+        "vec3 s; vec3 d; vec3 e2; vec3 e1; vec3 p; vec3 q; bool u <= 1 and v <= 1 tested, not u + v <= 1; bool u >= 0 "
+        "and v >= 0 not tested",
         +[](const Triangle& triangle, const Ray& ray) {
             const vec3 e1 = triangle.b - triangle.a, e2 = triangle.c - triangle.a, s = ray.origin - triangle.a;
             return row(s, ray.direction, e2, e1, cross(ray.direction, e2), cross(s, e1), false, false);
@@ -156,57 +140,50 @@ Steps of_triangle_vectors() {
 }
 
 std::vector<Steps> of_quad() {
-    return {steps(
-                "t = dot(center - origin, n) / dot(d, n), n = cross(u, v)",
-                {{"Real", "dot(center - origin, n)"}, {"Real", "dot(d, n)"}},
-                +[](const Quad& quad, const Ray& ray) {
-                    const vec3 n = cross(quad.u, quad.v);
-                    return row(dot(quad.center - ray.origin, n), dot(ray.direction, n));
-                },
-                +[](const double* s, const Quad& quad, const Ray& ray) {
-                    const Real t = s[0] / s[1];
-                    const vec3 p = ray.origin + t * ray.direction - quad.center;
-                    const bool inside = std::abs(dot(p, quad.u)) <= dot(quad.u, quad.u) &&
-                                        std::abs(dot(p, quad.v)) <= dot(quad.v, quad.v);
-                    return row(inside && t > ray.near && t < ray.far ? t : inf);
-                }),
-            steps(
-                "abs(dot(p, u)) > dot(u, u) || abs(dot(p, v)) > dot(v, v): no hit",
-                {{"Real", "dot(p, u)"},
-                 {"Real", "dot(u, u)"},
-                 {"Real", "dot(p, v)"},
-                 {"Real", "dot(v, v)"},
-                 {"bool", "`&&` in place of `||` between the tests along u and v"},
-                 {"bool", "no test along u"},
-                 {"bool", "no test along v"},
-                 {"bool", "no abs(): only one edge of two tested"},
-                 {"bool", "hits before `near` counted"},
-                 {"bool", "hits beyond `far` counted"},
-                 {"bool", "the sum of both tested: abs(dot(p, u)) / dot(u, u) + abs(dot(p, v)) / dot(v, v) <= 1"}},
-                +[](const Quad& quad, const Ray& ray) {
-                    const vec3 n = cross(quad.u, quad.v);
-                    const vec3 p = ray.origin - quad.center +
-                                   dot(quad.center - ray.origin, n) / dot(ray.direction, n) * ray.direction;
-                    Row all = row(dot(p, quad.u), dot(quad.u, quad.u), dot(p, quad.v), dot(quad.v, quad.v));
-                    all.resize(11);
-                    return all;
-                },
-                +[](const double* s, const Quad& quad, const Ray& ray) {
-                    const vec3 n = cross(quad.u, quad.v);
-                    const Real t = dot(quad.center - ray.origin, n) / dot(ray.direction, n);
-                    const auto size = [&](Real x) { return s[7] != 0 ? x : std::abs(x); };
-                    const bool along_u = s[5] != 0 || size(s[0]) <= s[1], along_v = s[6] != 0 || size(s[2]) <= s[3];
-                    const bool inside = s[10] != 0  ? size(s[0]) / s[1] + size(s[2]) / s[3] <= 1
-                                        : s[4] != 0 ? along_u || along_v
-                                                    : along_u && along_v;
-                    return row(inside && (s[8] != 0 || t > ray.near) && (s[9] != 0 || t < ray.far) ? t : inf);
-                })};
+    return {
+        steps(
+            "t = dot(center - origin, n) / dot(d, n), n = cross(u, v)", "Real dot(center - origin, n); Real dot(d, n)",
+            +[](const Quad& quad, const Ray& ray) {
+                const vec3 n = cross(quad.u, quad.v);
+                return row(dot(quad.center - ray.origin, n), dot(ray.direction, n));
+            },
+            +[](const double* s, const Quad& quad, const Ray& ray) {
+                const Real t = s[0] / s[1];
+                const vec3 p = ray.origin + t * ray.direction - quad.center;
+                const bool inside =
+                    std::abs(dot(p, quad.u)) <= dot(quad.u, quad.u) && std::abs(dot(p, quad.v)) <= dot(quad.v, quad.v);
+                return row(inside && t > ray.near && t < ray.far ? t : inf);
+            }),
+        steps(
+            "abs(dot(p, u)) > dot(u, u) || abs(dot(p, v)) > dot(v, v): no hit",
+            "Real dot(p, u); Real dot(u, u); Real dot(p, v); Real dot(v, v); bool `&&` in place of `||` between the "
+            "tests along u and v; bool no test along u; bool no test along v; bool no abs(): only one edge of two "
+            "tested; bool hits before `near` counted; bool hits beyond `far` counted; bool the sum of both tested: "
+            "abs(dot(p, u)) / dot(u, u) + abs(dot(p, v)) / dot(v, v) <= 1",
+            +[](const Quad& quad, const Ray& ray) {
+                const vec3 n = cross(quad.u, quad.v);
+                const vec3 p =
+                    ray.origin - quad.center + dot(quad.center - ray.origin, n) / dot(ray.direction, n) * ray.direction;
+                Row all = row(dot(p, quad.u), dot(quad.u, quad.u), dot(p, quad.v), dot(quad.v, quad.v));
+                all.resize(11);
+                return all;
+            },
+            +[](const double* s, const Quad& quad, const Ray& ray) {
+                const vec3 n = cross(quad.u, quad.v);
+                const Real t = dot(quad.center - ray.origin, n) / dot(ray.direction, n);
+                const auto size = [&](Real x) { return s[7] != 0 ? x : std::abs(x); };
+                const bool along_u = s[5] != 0 || size(s[0]) <= s[1], along_v = s[6] != 0 || size(s[2]) <= s[3];
+                const bool inside = s[10] != 0  ? size(s[0]) / s[1] + size(s[2]) / s[3] <= 1
+                                    : s[4] != 0 ? along_u || along_v
+                                                : along_u && along_v;
+                return row(inside && (s[8] != 0 || t > ray.near) && (s[9] != 0 || t < ray.far) ? t : inf);
+            })};
 }
 
 /// What quads and spheres are measured with: vectors.
 Steps of_quad_vectors() {
     return steps(
-        "abs(dot(p, u)) <= dot(u, u) && abs(dot(p, v)) <= dot(v, v), p = origin + t * d - center", {{"vec3", "p"}},
+        "abs(dot(p, u)) <= dot(u, u) && abs(dot(p, v)) <= dot(v, v), p = origin + t * d - center", "vec3 p",
         +[](const Quad& quad, const Ray& ray) {
             const vec3 n = cross(quad.u, quad.v), to = quad.center - ray.origin;
             return row(dot(to, n) / dot(ray.direction, n) * ray.direction - to);
@@ -222,7 +199,7 @@ Steps of_quad_vectors() {
 
 Steps of_sphere_vectors() {
     return steps(
-        "b = -dot(f, d), c = dot(f', f') - r^2, f = f' = origin - center", {{"vec3", "f"}, {"vec3", "f'"}},
+        "b = -dot(f, d), c = dot(f', f') - r^2, f = f' = origin - center", "vec3 f; vec3 f'",
         +[](const Sphere& sphere, const Ray& ray) {
             const vec3 f = ray.origin - sphere.center;
             return row(f, f);
@@ -238,19 +215,15 @@ Steps of_sphere_vectors() {
 
 std::vector<Steps> of_mirror() {
     return {steps(
-        "d - 2 * dot(d, n) * n", {{"Real", "dot(d, n)"}}, +[](const vec3& d, const vec3& n) { return row(dot(d, n)); },
+        "d - 2 * dot(d, n) * n", "Real dot(d, n)", +[](const vec3& d, const vec3& n) { return row(dot(d, n)); },
         +[](const double* s, const vec3& d, const vec3& n) { return row(d - 2 * s[0] * n); })};
 }
 
 std::vector<Steps> of_refraction() {
     return {steps(
                 "e * d + (e * c - root) * n, e = ior_from / ior_to, c = -dot(d, n), root = sqrt(1 - e^2 * (1 - c^2))",
-                {{"Real", "e"},
-                 {"Real", "e * c"},
-                 {"Real", "c"},
-                 {"Real", "root"},
-                 {"bool", "d returned at total internal reflection"},
-                 {"bool", "d mirrored at total internal reflection"}},
+                "Real e; Real e * c; Real c; Real root; bool d returned at total internal reflection; bool d mirrored "
+                "at total internal reflection",
                 +[](const vec3& d, const vec3& n, const Real& from, const Real& to) {
                     const Real e = from / to, c = -dot(d, n);
                     return row(e, e * c, c, std::sqrt(1 - e * e * (1 - c * c)), false, false);
@@ -261,7 +234,7 @@ std::vector<Steps> of_refraction() {
                 }),
             steps(
                 "root = sqrt(1 - e^2 * (1 - c^2)), e = ior_from / ior_to, c = -dot(d, n)",
-                {{"Real", "e^2"}, {"Real", "c^2"}, {"Real", "1 - c^2"}, {"Real", "1 - e^2 * (1 - c^2)"}},
+                "Real e^2; Real c^2; Real 1 - c^2; Real 1 - e^2 * (1 - c^2)",
                 +[](const vec3& d, const vec3& n, const Real& from, const Real& to) {
                     const Real e = from / to, c = -dot(d, n);
                     return row(e * e, c * c, 1 - c * c, 1 - e * e * (1 - c * c));

@@ -32,18 +32,8 @@ std::vector<Steps> of_strata_2d() {
         steps(
             "x = left + u.x * width, y = bottom + u.y * height; left = first / n, width = count / n, bottom = row / "
             "count, height = 1 / count",
-            {{"Real", "left"},
-             {"Real", "width"},
-             {"Real", "bottom"},
-             {"Real", "height"},
-             {"Real", "column / columns"},
-             {"Real", "1 / columns"},
-             {"Real", "column"},
-             {"Real", "row"},
-             {"Real", "columns / n"},
-             {"Real", "row * columns / n"},
-             {"Real", "1 / sqrt(n)"},
-             {"Real", "column / sqrt(n)"}},
+            "Real left; Real width; Real bottom; Real height; Real column / columns; Real 1 / columns; Real column; "
+            "Real row; Real columns / n; Real row * columns / n; Real 1 / sqrt(n); Real column / sqrt(n)",
             +[](const int& i, const int& n, const vec2&) {
                 const Real all = std::floor(std::sqrt(Real(n))), root = std::sqrt(Real(n));
                 const OfColumn own(i, n, all);
@@ -56,15 +46,12 @@ std::vector<Steps> of_strata_2d() {
             }),
         steps(
             "",
-            {{"bool", "cells i % c and i / c with c = floor(sqrt(n)), which fill the square for a square n alone"},
-             {"bool", "cells i % c and i / c with c = ceil(sqrt(n)), which leave cells empty where n is no square"},
-             {"bool", "ceil(sqrt(n)) columns in place of floor(sqrt(n))"},
-             {"bool", "(i % c + u.x / c, i / c + u.y / c): the cell is not divided by c"},
-             {"bool", "columns of n / c cells each, of whole numbers"},
-             {"bool", "columns of n / c cells each, no whole number"},
-             {"bool", "sqrt(n) columns, which is no whole number: not rounded down"},
-             {"bool", "one column more"},
-             {"bool", "one column less"}},
+            "bool cells i % c and i / c with c = floor(sqrt(n)), which fill the square for a square n alone; bool "
+            "cells i % c and i / c with c = ceil(sqrt(n)), which leave cells empty where n is no square; bool "
+            "ceil(sqrt(n)) columns in place of floor(sqrt(n)); bool (i % c + u.x / c, i / c + u.y / c): the cell is "
+            "not divided by c; bool columns of n / c cells each, of whole numbers; bool columns of n / c cells each, "
+            "no whole number; bool sqrt(n) columns, which is no whole number: not rounded down; bool one column more; "
+            "bool one column less",
             +[](const int&, const int&, const vec2&) { return Row(9); },
             +[](const double* s, const int& i, const int& n, const vec2& u) {
                 const Real root = std::sqrt(Real(n)), low = std::floor(root), high = std::ceil(root);
@@ -85,8 +72,7 @@ std::vector<Steps> of_strata_2d() {
 
 std::vector<Steps> of_disk() {
     return {steps(
-        "r * (cos(phi), sin(phi)), phi = 2 * pi * u.y",
-        {{"Real", "r"}, {"Real", "cos(phi)"}, {"Real", "sin(phi)"}, {"Real", "phi"}},
+        "r * (cos(phi), sin(phi)), phi = 2 * pi * u.y", "Real r; Real cos(phi); Real sin(phi); Real phi",
         +[](const vec2& u) {
             const vec2 circle = turned(2 * pi * u.y);
             return row(std::sqrt(u.x), circle.x, circle.y, 2 * pi * u.y);
@@ -97,8 +83,7 @@ std::vector<Steps> of_disk() {
         })};
 }
 
-const std::vector<Signature::Argument> raised_names = {
-    {"Real", "sin(theta)"}, {"Real", "cos(theta)"}, {"Real", "cos(phi)"}, {"Real", "sin(phi)"}, {"Real", "phi"}};
+constexpr const char* raised_names = "Real sin(theta); Real cos(theta); Real cos(phi); Real sin(phi); Real phi";
 constexpr const char* raised_formula = "(sin(theta) * cos(phi), sin(theta) * sin(phi), cos(theta)), phi = 2 * pi * u.y";
 
 Row steps_of_raised(Real cosine, Real turn) {
@@ -120,12 +105,8 @@ std::vector<Steps> of_hemisphere() {
             }),
         steps(
             "z = sqrt(1 - u.x), density = cos(theta) / pi",
-            {{"Real", "1 - u.x"},
-             {"Real", "z"},
-             {"Real", "cos(theta)"},
-             {"bool", "theta = u.x * pi / 2, uniform in the angle"},
-             {"bool", "theta = u.x * pi, on the whole sphere"},
-             {"bool", "u.x as the cosine, uniform on the hemisphere"}},
+            "Real 1 - u.x; Real z; Real cos(theta); bool theta = u.x * pi / 2, uniform in the angle; bool theta = u.x "
+            "* pi, on the whole sphere; bool u.x as the cosine, uniform on the hemisphere",
             +[](const vec2& u) { return row(1 - u.x, std::sqrt(1 - u.x), std::sqrt(1 - u.x), false, false, false); },
             +[](const double* s, const vec2& u) {
                 if (s[3] != 0 || s[4] != 0 || s[5] != 0) {
@@ -154,15 +135,14 @@ std::vector<Steps> of_lobe() {
                 return row(DirectionSample{raised_by_steps(s, u.y), density});
             }),
         steps(
-            "cos(alpha) = u.x^(1 / (n + 1))", {{"Real", "n + 1"}, {"Real", "1 / (n + 1)"}},
+            "cos(alpha) = u.x^(1 / (n + 1))", "Real n + 1; Real 1 / (n + 1)",
             +[](const Real& n, const vec2&) { return row(n + 1, 1 / (n + 1)); },
             +[](const double* s, const Real& n, const vec2& u) {
                 const Real c = std::pow(u.x, s[0] != n + 1 ? 1 / s[0] : s[1]);
                 return row(lifted(std::sqrt(1 - c * c), turned(2 * pi * u.y), c, (n + 1) / (2 * pi) * std::pow(c, n)));
             }),
         steps(
-            "density = (n + 1) / (2 * pi) * cos(alpha)^n",
-            {{"Real", "n + 1"}, {"Real", "the power n"}, {"Real", "2 * pi"}},
+            "density = (n + 1) / (2 * pi) * cos(alpha)^n", "Real n + 1; Real the power n; Real 2 * pi",
             +[](const Real& n, const vec2&) { return row(n + 1, n, 2 * pi); },
             +[](const double* s, const Real& n, const vec2& u) {
                 const Real c = std::pow(u.x, 1 / (n + 1));
@@ -182,12 +162,9 @@ std::vector<Steps> of_cone() {
             }),
         steps(
             "cos(theta) = 1 - u.x * m, m = 1 - cos(theta_max), density = 1 / (2 * pi * m)",
-            {{"Real", "cos(theta_max)"},
-             {"Real", "m"},
-             {"Real", "m in the density"},
-             {"bool", "u.x * cos(theta_max) as the cosine: also directions outside of the cone"},
-             {"bool", "cos(u.x * theta_max) as the cosine: uniform in the angle"},
-             {"bool", "1 - u.x * cos(theta_max) as the cosine"}},
+            "Real cos(theta_max); Real m; Real m in the density; bool u.x * cos(theta_max) as the cosine: also "
+            "directions outside of the cone; bool cos(u.x * theta_max) as the cosine: uniform in the angle; bool 1 - "
+            "u.x * cos(theta_max) as the cosine",
             +[](const Real& sine, const vec2&) {
                 const Real c = std::sqrt(1 - sine * sine);
                 return row(c, 1 - c, 1 - c, false, false, false);
@@ -213,13 +190,7 @@ std::vector<Steps> of_scattering() {
     };
     return {steps(
                 "density = (1 - g * g) / (4 * pi * pow(1 + g * g - 2 * g * c, 1.5))",
-                {{"Real", "c"},
-                 {"Real", "c in the density"},
-                 {"Real", "phi"},
-                 {"Real", "1 - g * g"},
-                 {"Real", "1 + g * g - 2 * g * c"},
-                 {"Real", "1.5"}},
-                take,
+                "Real c; Real c in the density; Real phi; Real 1 - g * g; Real 1 + g * g - 2 * g * c; Real 1.5", take,
                 +[](const double* s, const vec3& d, const Real& g, const vec2&) {
                     const Real sine = std::sqrt(std::max(0.0, 1 - s[0] * s[0]));
                     const Real usual = 1 + g * g - 2 * g * s[0];
@@ -230,8 +201,7 @@ std::vector<Steps> of_scattering() {
                                                s[3] / (4 * pi * std::pow(base, s[5]))});
                 }),
             steps(
-                "c = (1 + g * g - q * q) / (2 * g), q = (1 - g * g) / (1 - g + 2 * g * u.x)",
-                {{"Real", "q * q"}, {"Real", "q"}},
+                "c = (1 + g * g - q * q) / (2 * g), q = (1 - g * g) / (1 - g + 2 * g * u.x)", "Real q * q; Real q",
                 +[](const vec3&, const Real& g, const vec2& u) {
                     const Real q = (1 - g * g) / (1 - g + 2 * g * u.x);
                     return row(q * q, q);

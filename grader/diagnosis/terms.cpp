@@ -157,19 +157,25 @@ std::string in_words(const Sum& sum) {
 
 bool is_plain(const Sum& sum) { return std::ranges::all_of(sum.factors, is_named); }
 
+/// As vectors, of a number as x.
+template <class Value>
+std::vector<vec3> values(const PartOfCalls& of, Value value) {
+    std::vector<vec3> all(of.scope.size(), vec3(0));
+    for (std::size_t i = 0; i < all.size(); ++i)
+        for (std::size_t c = 0; c < of.size(); ++c) all[i][int(c)] = value(of.scope[i], c);
+    return all;
+}
+
 }  // namespace
 
 std::optional<Form> terms_of(const PartOfCalls& of) {
     constexpr std::size_t enough = 8;
     const bool is_number = of.part.kind == Kind::number;
     if ((of.part.kind != Kind::vector && !is_number) || of.scope.size() < enough) return std::nullopt;
-    std::vector<vec3> mine, right;
-    for (const std::size_t k : of.scope) {
-        const auto value = [&](auto at) { return is_number ? vec3(at(0), 0, 0) : vec3(at(0), at(1), at(2)); };
-        mine.push_back(value([&](std::size_t c) { return of.mine(k, c); }));
-        right.push_back(value([&](std::size_t c) { return of.right(k, c); }));
-        if (!std::isfinite(mine.back().x + mine.back().y + mine.back().z)) return std::nullopt;
-    }
+    const auto mine = values(of, [&](std::size_t k, std::size_t c) { return of.mine(k, c); }),
+               right = values(of, [&](std::size_t k, std::size_t c) { return of.right(k, c); });
+    for (const vec3& v : mine)
+        if (!std::isfinite(v.x + v.y + v.z)) return std::nullopt;
     const std::vector<Term> all = is_number ? terms_of_numbers(of) : terms(of);
     const auto own = sum_of(mine, all);
     if (!own || !is_plain(*own)) return std::nullopt;
@@ -178,6 +184,29 @@ std::optional<Form> terms_of(const PartOfCalls& of) {
     if (is_number && !is_due) return std::nullopt;
     return Form{fmt::format("is `{}`{}", in_words(*own), is_due ? fmt::format(", must be `{}`", in_words(*due)) : ""),
                 own->terms.size() > 1 ? 1.6 : 1.5};
+}
+
+std::string small_offsets(const Calls& calls) {
+    constexpr double rounding = 1e-8;
+    std::string words;
+    for (const Field& part : calls.result.parts) {
+        if (part.kind != Kind::vector && part.kind != Kind::number) continue;
+        std::vector<std::size_t> scope;
+        bool is_off = false;
+        for (std::size_t k = 0; k < calls.size(); ++k) {
+            if (std::isfinite(calls.right[k][part.at])) scope.push_back(k);
+            is_off = is_off || !is_equal(part, calls.mine[k], calls.right[k], rounding);
+        }
+        const PartOfCalls of{calls, part, calls.right, scope};
+        const auto sum =
+            !is_off ? std::nullopt
+                    : sum_of(values(of, [&](std::size_t k, std::size_t c) { return of.mine(k, c) - of.right(k, c); }),
+                             part.kind == Kind::number ? terms_of_numbers(of) : terms(of));
+        if (!sum || sum->terms.size() > 1) continue;
+        words += fmt::format("{}{} is off by `{}`", words.empty() ? "" : ", and ",
+                             part.name.empty() ? "the answer" : "`" + part.name + "`", in_words(*sum));
+    }
+    return words;
 }
 
 }  // namespace grade

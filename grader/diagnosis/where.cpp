@@ -119,8 +119,11 @@ private:
         // the shortest number in between; one that nobody writes is chance
         std::optional<double> cut = low < 0 && high > 0 ? std::optional(0.0) : std::nullopt;
         for (int digits = 1; digits < 3 && !cut; ++digits) {
-            const double rounded = std::stod(fmt::format("{:.{}g}", (low + high) / 2, digits));
-            if (rounded >= low && rounded <= high) cut = rounded;
+            // as near as can be to what is still right
+            for (const double x : {above ? low : high, (low + high) / 2})
+                if (const double rounded = std::stod(fmt::format("{:.{}g}", x, digits));
+                    !cut && rounded >= low && rounded <= high)
+                    cut = rounded;
         }
         if (!cut) return;
         add(fmt::format("`{} {} {}`", q.words, above ? ">" : "<", number_in_words(*cut)),
@@ -282,19 +285,12 @@ Region where_among_alike(const Calls& calls) {
                     if (right[part.at + c] != other) return true;
                 return false;
             };
-            Calls some = calls;
-            for (auto* list : {&some.rows, &some.mine, &some.right}) list->clear();
-            some.layouts.clear();
-            bool are_all = true;
-            for (std::size_t k = 0; k < calls.size(); ++k) {
-                if (!is_alike(calls.right[k])) {
-                    are_all = are_all && is_equal(calls.result, calls.mine[k], calls.right[k]);
-                    continue;
-                }
-                some.rows.push_back(calls.rows[k]), some.layouts.push_back(calls.layouts[k]);
-                some.mine.push_back(calls.mine[k]), some.right.push_back(calls.right[k]);
-            }
-            if (!are_all || some.size() == 0 || some.size() == calls.size()) continue;
+            const bool are_all = std::ranges::all_of(calls.right, is_alike);
+            const Calls some = those_of(calls, [&](std::size_t k) { return is_alike(calls.right[k]); });
+            const Calls rest = those_of(calls, [&](std::size_t k) {
+                return !is_alike(calls.right[k]) && !is_equal(calls.result, calls.mine[k], calls.right[k]);
+            });
+            if (are_all || some.size() == 0 || rest.size() > 0) continue;
             const Region region = Features(some).rule();
             if (!region.is_exact) continue;
             return {fmt::format("{} and the right {} is not {}", region.words, part.name.empty() ? "answer" : part.name,
