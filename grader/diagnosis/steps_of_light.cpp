@@ -127,7 +127,8 @@ std::vector<Steps> of_surface() {
 
 Real fresnel_of(Real s, Real p) { return (s * s + p * p) / 2; }
 
-std::vector<Steps> of_fresnel() {
+/// To the amplitudes s and p.
+std::vector<Steps> of_amplitudes() {
     return {
         steps(
             "c2 = sqrt(1 - e^2 * (1 - c1^2)), e = e1 / e2",
@@ -160,7 +161,12 @@ std::vector<Steps> of_fresnel() {
                     return c != c2 ? (own - other * c) / (own + other * c) : top / bottom;
                 };
                 return row(fresnel_of(one(s[0], s[2], s[4], e1 * c1, e2), one(s[1], s[3], s[5], e2 * c1, e1)));
-            }),
+            })};
+}
+
+/// From s and p to the reflected share.
+std::vector<Steps> of_reflected_share() {
+    return {
         steps(
             "F = (s * s + p * p) / 2 of c1 and c2", "Real c2",
             +[](const Real& c1, const Real& e1, const Real& e2) {
@@ -202,6 +208,12 @@ std::vector<Steps> of_fresnel() {
                 return row(e1 == e2 ? 0.0 : fresnel_of(s, p), straight + (1 - straight) * std::pow(1 - c1, 5));
             },
             +[](const double* s, const Real&, const Real&, const Real&) { return row(s[0]); })};
+}
+
+std::vector<Steps> of_fresnel() {
+    std::vector<Steps> all = of_amplitudes();
+    for (Steps& more : of_reflected_share()) all.push_back(std::move(more));
+    return all;
 }
 
 std::vector<Steps> of_whitted() {
