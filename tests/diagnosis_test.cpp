@@ -323,6 +323,35 @@ TEST_CASE("the sign of what is 0 elsewhere is told") {
     CHECK(found("translucency", rays, negative).how == "`weight` has the opposite sign");
 }
 
+TEST_CASE("the example keeps an order that all calls have, equal ends among them") {
+    const Rows shutters = calls([](Generator& random) {
+        const double open = box(random, -5, 5).x;
+        return row(rt::Shutter{open, chance(random, 0.2) ? open : open + between(random, 0, 3)}, between(random, 0, 1));
+    });
+    const Ask to_close = [](const Rows& rows) {
+        Rows all;
+        for (const Row& in : rows) all.push_back({in[0] + in[2] * in[1]});
+        return all;
+    };
+    const std::string arguments = found("shutter_time", shutters, to_close).arguments;
+    INFO(arguments);
+    CHECK(arguments.find("shutter.close = ") != std::string::npos);
+}
+
+TEST_CASE("a sign that is wrong in all of a sample is told of all, not of its density alone") {
+    const Rows scattered = calls([](Generator& random) {
+        return row(direction(random), between(random, -0.9, 0.9),
+                   rt::vec2(between(random, 0, 1), between(random, 0, 1)));
+    });
+    const Ask other_way = [](const Rows& rows) {
+        Rows turned = rows;
+        for (Row& in : turned) in[3] *= -1;
+        return answers("scatter_direction")(turned);
+    };
+    CHECK(found("scatter_direction", scattered, other_way).how ==
+          "the answers are exactly what the right fragment answers with `-g` in place of `g`");
+}
+
 TEST_CASE("an offset that is small beside the answer is told") {
     const Rows hits = calls([](Generator& random) {
         const rt::vec3 n = direction(random);

@@ -40,11 +40,19 @@ Check ends() {
         const double extinction = log_between(random, 1e-6, 1e6);
         return row(extinction, ends[whole_between(random, 0, 4)]);
     });
-    return probe_check("ends", inputs,
-                       {property({.id = "B1",
-                                  .what = "distances below 0",
-                                  .violation = of_call<rt::free_flight>([](double t) { return t >= 0 ? 0.0 : 1.0; }),
-                                  .says = "a distance is negative: log of a number below 1 is"})});
+    const auto unless = [](auto holds) {
+        return of_call<rt::free_flight>([=](double t) { return holds(t) ? 0.0 : 1.0; });
+    };
+    return probe_check(
+        "ends", inputs,
+        {property({.id = "B1",
+                   .what = "distances below 0",
+                   .violation = unless([](double t) { return t >= 0; }),
+                   .says = "a distance is negative: log of a number below 1 is"}),
+         property({.id = "B1",
+                   .what = "distances without end",
+                   .violation = unless([](double t) { return t < rt::inf; }),
+                   .says = "a distance is infinite: u can be 0, and log(u) has no end there; 1 - u is never 0"})});
 }
 
 /// Extinctions from 0.001 to 10,000 per metre: numbers u spread evenly, so that little noise is left.

@@ -225,6 +225,11 @@ std::optional<Signature> signature_of(const std::string& fragment, const std::st
 
 std::string number_in_words(double x, int digits) {
     if (std::isnan(x)) return "nan";
+    // of what is nearly a whole number, say, more digits: 1 - 2^-30 is not 1
+    const double shown = digits > 0 ? std::stod(fmt::format("{:.2g}", x)) : x;
+    if (std::isfinite(x) && digits < 10 && std::abs(x - shown) > 1e-12 * std::abs(x) &&
+        fmt::format("{:.{}g}", x, digits) == fmt::format("{:.{}g}", shown, digits))
+        digits = 10;
     return digits > 0 ? fmt::format("{:.{}g}", x == 0 ? 0.0 : x, digits) : fmt::format("{}", x == 0 ? 0.0 : x);
 }
 

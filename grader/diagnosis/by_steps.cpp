@@ -83,7 +83,7 @@ std::optional<Relation> relation_of_steps(const Calls& calls, const Ask& right, 
             bool right_otherwise = false;
             auto found = relation_of(all, finish, false, right_otherwise);
             if (!found || found->explains != Relation::Explains::all) continue;
-            found->cost += base.cost;
+            found->cost += base.cost, found->other_numbers = base.cost > 0;
             if (best && best->cost <= found->cost) continue;
             if (!steps.formula.empty()) found->words += fmt::format(", in `{}`", steps.formula);
             best = std::move(found);

@@ -260,7 +260,7 @@ private:
             for (const std::size_t i : group) names += (names.empty() ? "`" : ", `") + name(i) + "`";
             for (const VectorFunction& f : vector_functions) {
                 if (f.cost > 1.3) continue;
-                add(fmt::format("{} in place of each of {}", filled(f.words, "v"), names), f.cost + 0.3,
+                add(fmt::format("{} in place of each of {}", filled(f.words, "itself"), names), f.cost + 0.3,
                     [group, f](Row& row, const Layout& l) {
                         for (const std::size_t i : group)
                             put(row, l.parts[i].at, f.value(vector_at(row, l.parts[i].at)));

@@ -222,6 +222,7 @@ Region tell_where(Finding& finding, const Calls& all, std::size_t wrong, std::si
 std::optional<Relation> simpler(std::optional<Relation> of_arguments, std::optional<Relation> of_steps) {
     if (!of_steps) return of_arguments;
     if (!of_arguments || of_arguments->explains != Relation::Explains::all) return of_steps;
+    if (of_steps->other_numbers) return of_arguments;
     constexpr double clearly = 0.5, as_cheap = 0.5;
     const bool is_change = of_steps->words.starts_with(as_changed), everywhere = of_steps->everywhere;
     if (is_change && everywhere && !of_arguments->everywhere) return of_steps;

@@ -115,7 +115,7 @@ private:
             }
             if (!first) continue;
             first->words = fmt::format("where `{}` is {}, {}", parts[i].name, kinds, first->words);
-            if (!is_all) first->words += "; elsewhere something else is wrong";
+            if (!is_all) first->words += "; other calls are wrong as well";
             first->everywhere = false;
             return first;
         }

@@ -19,6 +19,7 @@ struct Relation {
     /// What is explained: all, some of the calls or parts of the answer, or nothing beyond which parts are wrong.
     enum class Explains { all, some, nothing };
     Explains explains = Explains::all;
+    bool other_numbers = false;  // the answers are the right fragment's for other random numbers
 };
 
 /// The simplest one; none: none was found.

@@ -63,8 +63,10 @@ public:
                 for (std::size_t c = 0; c < size_of(parts[i].kind); ++c)
                     if (i != j && matters(i) && matters(j) && parts[i].kind == parts[j].kind &&
                         parts[i].kind != Kind::vector &&
-                        all([&](const Row& row, const auto& p) { return row[p[i].at + c] < row[p[j].at + c]; }))
-                        less_.push_back({i, j, c});
+                        all([&](const Row& row, const auto& p) { return row[p[i].at + c] <= row[p[j].at + c]; }))
+                        ordered_.push_back({i, j, c, all([&](const Row& row, const auto& p) {
+                                                return row[p[i].at + c] < row[p[j].at + c];
+                                            })});
     }
 
     /// With what must be the same made so.
@@ -86,8 +88,10 @@ public:
         }
         for (const auto& [i, j, sign] : sides_)
             if (!(sign * rt::dot(at(row, parts[i]), at(row, parts[j])) > 0)) return false;
-        return std::ranges::all_of(
-            less_, [&](const Less& l) { return row[parts[l.a].at + l.component] < row[parts[l.b].at + l.component]; });
+        return std::ranges::all_of(ordered_, [&](const Ordered& o) {
+            const double a = row[parts[o.a].at + o.component], b = row[parts[o.b].at + o.component];
+            return o.strictly ? a < b : a <= b;
+        });
     }
 
 private:
@@ -95,8 +99,9 @@ private:
         std::size_t part, component;
         double low, high;
     };
-    struct Less {
+    struct Ordered {
         std::size_t a, b, component;
+        bool strictly;  // a < b, else a <= b
     };
     struct Side {
         std::size_t a, b;
@@ -107,7 +112,7 @@ private:
     std::vector<Side> sides_;
     std::vector<std::size_t> unit_, not_zero_;
     std::vector<std::pair<std::size_t, std::size_t>> right_angles_, same_;
-    std::vector<Less> less_;
+    std::vector<Ordered> ordered_;
 };
 
 /// The simpler the earlier; those that are no simpler than what stands there are left out.

@@ -6,7 +6,7 @@ namespace rt {
 ///
 ///     d = x right + y up - back, y = h (1 - 2 film_y / size_y), x = h (2 film_x - size_x) / size_y, h = tan_half_fov
 ///
-/// camera   see scene.h: right, up and back are unit vectors at right angles; the camera looks along -back
+/// camera   see parts.h: right, up and back are unit vectors at right angles; the camera looks along -back
 /// film     a point of the film [pixel]: x to the right, y down, (0, 0) the top left corner of the image and
 ///          (size.x, size.y) the bottom right one, so that (0.5, 0.5) is the centre of the first pixel
 /// returns  the ray from the eye, direction of unit length [world], near 0, far inf

@@ -123,7 +123,9 @@ Statistic property(const Property& p) {
                 .exact = true,
                 .hint =
                     [says = p.says](double value, double) {
-                        return std::isfinite(value) ? fmt::format("{} (off by {:.3g})", says, value) : says;
+                        // 1: yes, without an amount
+                        return std::isfinite(value) && value != 1 ? fmt::format("{} (off by {:.3g})", says, value)
+                                                                  : says;
                     },
                 .hint_is_fact = true};
     if (!p.mistakes.empty())

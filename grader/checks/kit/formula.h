@@ -43,17 +43,19 @@ struct Instead {
     Instead(F f) : outputs(from(f)) {}
 
 private:
+    template <class F, class Arguments>
+    struct Takes;
+    template <class F, class... A>
+    struct Takes<F, std::tuple<A...>> : std::is_invocable<F, const A&...> {};
+
     template <class F>
     static auto from(F f) {
         return [f](const Row& inputs, const Row& right) {
-            return std::apply(
-                [&](const auto&... arguments) {
-                    if constexpr (std::is_invocable_v<F, decltype(arguments)...>)
-                        return row(f(arguments...));
-                    else
-                        return row(of_call<fragment>(f)(inputs, right));
-                },
-                Signature<decltype(fragment)>::arguments(inputs));
+            const auto arguments = Signature<decltype(fragment)>::arguments(inputs);
+            if constexpr (Takes<F, std::remove_const_t<decltype(arguments)>>::value)
+                return row(std::apply(f, arguments));
+            else
+                return row(of_call<fragment>(f)(inputs, right));
         };
     }
 };
