@@ -311,7 +311,7 @@ std::string arguments_in_words(const Signature& signature, const Row& row, const
     }
     for (const Field& formula : layout.formulas)
         tell(formula.name + "(x)",
-             formula_in_words(row, formula.at, [&](double x) { return number_in_words(x, digits); }));
+             formula_in_words(row, formula.at, [&](double x) { return number_in_words(x, printing.digits); }));
     for (const List& list : layout.lists) {
         constexpr std::size_t most = 6;
         std::string values;
