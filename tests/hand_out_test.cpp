@@ -102,7 +102,7 @@ TEST_CASE("students get a kit, and nothing of what they must write is in it") {
                          entry.path().string().find("/glm/") == std::string::npos));
         }
     }
-    CHECK(bytes < 26'000'000);
+    CHECK(bytes < 25'000'000);
 
     for (const auto& [fragment, of_build] : built.solution_objects)
         check_traces(machine / "reference" / (fragment + ".o"), built.symbols.at(fragment));

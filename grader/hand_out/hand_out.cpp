@@ -32,11 +32,12 @@ constexpr const char* archive_library = "libarchive.so.";
 /// Boost's asks for nothing beside a compiled program.
 constexpr std::array header_packages = {"libglm-dev", "libcli11-dev", "nlohmann-json3-dev"};
 
-/// Hidden files, what builds leave behind, and what needs the solution stay here.
+/// Hidden files, what builds leave behind, what needs the solution, and the largest mesh, which only the README shows,
+/// stay here.
 bool is_left_out(const fs::path& path) {
     const std::string name = path.filename().string();
     return name.starts_with(".") || name.starts_with("build") || name.starts_with("__") || name == "render_pictures" ||
-           name == "take_screenshot";
+           name == "take_screenshot" || path.stem() == "knot" || name == "make_knot.py";
 }
 
 void copy_folder(const fs::path& from, const fs::path& to) {
