@@ -95,8 +95,8 @@ TEST_CASE("with any sampler, the error that is estimated is the error, and the m
     const Image truth = render(scene, {.samples = 1 << 12, .sampler = Sampler::sobol, .estimate_error = false}).image;
     for (const Sampler sampler : {Sampler::random, Sampler::stratified, Sampler::sobol, Sampler::orthogonal}) {
         Sum squares, estimates, bias;
-        constexpr int pictures = 12;
-        constexpr Real target = 0.06;
+        constexpr int pictures = 20;
+        constexpr Real target = 0.04;
         for (int k = 0; k < pictures; ++k) {
             const Rendering r =
                 render(scene, {.seed = std::uint64_t(100 + k), .sampler = sampler, .target_error = target});
