@@ -18,8 +18,8 @@ struct Reader {
 /// of one thing are left out.
 std::string table(const Record& record, const Reader& reader);
 
-/// Its middle: a row for each fragment, with what to open; below it what is wrong, the call, what to read, and last what
-/// the compiler warns of.
+/// Its middle: a row for each fragment, with what to open; below it what is wrong, the call, what to read, and last
+/// what the compiler warns of.
 std::string fragment_rows(const Record& record, const Reader& reader);
 
 /// "17 passed, 3 failed, 12 not started"
