@@ -181,7 +181,7 @@ Finding Grading::explain(const FragmentRecord& fragment) {
                check.verdict == Verdict::crashed;
     };
     const auto first = std::ranges::find_if(fragment.checks, is_wrong);
-    if (first == fragment.checks.end() || !programs_.has(fragment.name)) return {};
+    if (!settings_.explains || first == fragment.checks.end() || !programs_.has(fragment.name)) return {};
     const std::vector<Check>& checks = checks_.get();
     const auto check = std::ranges::find_if(checks, [&](const Check& c) { return c.fragment == fragment.name; });
     if (check == checks.end()) return {};
