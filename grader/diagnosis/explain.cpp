@@ -197,21 +197,31 @@ Calls only_nan(Calls calls) {
 
 std::string which(const Region& region) { return (region.is_exact ? "those " : "") + region.words; }
 
-/// What sets wrong calls apart, in arguments or in steps of the formula.
-Region region_of(const Calls& calls) {
+/// What sets wrong calls apart, in arguments or in steps of the formula; in these rather than in the right answers.
+Region region_of(const Calls& calls, bool is_known) {
     Region region = where_wrong(calls);
-    return region.is_exact ? region : where_wrong_in_steps(calls, region);
+    const bool is_of_answers = region.words.starts_with("where the right ");
+    return is_known || (region.is_exact && !is_of_answers) ? region : where_wrong_in_steps(calls, region);
+}
+
+/// What code takes for granted that is wrong only where it does not hold.
+std::string assumption(const Region& region) {
+    const std::string head = "where `|", tail = "|` is not 1";
+    if (!region.is_exact || !region.words.starts_with(head) || !region.words.ends_with(tail)) return {};
+    const std::size_t length = region.words.size() - head.size() - tail.size();
+    return fmt::format("the length of `{}` is taken to be 1: it may have any",
+                       region.words.substr(head.size(), length));
 }
 
 /// Which calls are wrong, or which are no number.
-Region tell_where(Finding& finding, const Calls& all, std::size_t wrong, std::size_t not_numbers) {
+Region tell_where(Finding& finding, const Calls& all, std::size_t wrong, std::size_t not_numbers, bool is_known) {
     if (not_numbers > 0)
-        if (Region region = region_of(only_nan(all)); !region.words.empty()) {
+        if (Region region = region_of(only_nan(all), false); !region.words.empty()) {
             finding.where = fmt::format("{} of {} calls are nan, {}", not_numbers, all.size(), which(region));
             return region;
         }
     if (wrong == all.size()) return {};
-    Region region = region_of(all);
+    Region region = region_of(all, is_known);
     finding.where = fmt::format("{} of {} calls are wrong", wrong, all.size());
     if (not_numbers > 0) finding.where += fmt::format(", {} of them nan", not_numbers);
     if (!region.words.empty()) finding.where += ", " + which(region);
@@ -221,14 +231,25 @@ Region tell_where(Finding& finding, const Calls& all, std::size_t wrong, std::si
 /// A relation of the arguments, or of the steps of the formula; of both, where nothing tells them apart.
 std::optional<Relation> simpler(std::optional<Relation> of_arguments, std::optional<Relation> of_steps) {
     if (!of_steps) return of_arguments;
-    if (!of_arguments || of_arguments->explains != Relation::Explains::all) return of_steps;
+    if (!of_arguments) return of_steps;
+    if (of_steps->explains != Relation::Explains::all)
+        return of_arguments->explains == Relation::Explains::all || of_arguments->share >= of_steps->share
+                   ? of_arguments
+                   : of_steps;
+    if (of_arguments->explains != Relation::Explains::all) return of_steps;
     if (of_steps->other_numbers) return of_arguments;
-    constexpr double clearly = 0.5, as_cheap = 0.5;
-    const bool is_change = of_steps->words.starts_with(as_changed), everywhere = of_steps->everywhere;
+    constexpr double clearly = 0.25, as_cheap = 0.5;
+    const bool is_change = of_steps->words.find(as_changed) != std::string::npos, everywhere = of_steps->everywhere;
     if (is_change && everywhere && !of_arguments->everywhere) return of_steps;
     if (is_change && of_steps->cost < of_arguments->cost - clearly) return of_steps;
-    if (is_change && of_arguments->words.starts_with(as_changed) && of_steps->cost <= of_arguments->cost + as_cheap)
-        of_arguments->words += ", or with " + of_steps->words.substr(as_changed.size());
+    if (!of_steps->words.starts_with(as_changed) || !of_arguments->words.starts_with(as_changed) ||
+        of_steps->cost > of_arguments->cost + as_cheap)
+        return of_arguments;
+    // a mistake with a name, which no change of an argument has
+    if (of_steps->words[as_changed.size()] != '`') return of_steps;
+    if (of_steps->words.starts_with(of_arguments->words + ",")) return of_steps;
+    if (of_steps->cost < of_arguments->cost) std::swap(of_steps, of_arguments);
+    of_arguments->words += ", or with " + of_steps->words.substr(as_changed.size());
     return of_arguments;
 }
 
@@ -346,7 +367,9 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_min
     const auto broken = is_nothing ? broken_bound(all, right) : std::nullopt;
     std::size_t not_numbers = 0;
     for (std::size_t k = 0; k < all.size(); ++k) not_numbers += is_nan(all.mine[k], all.right[k]);
-    if (finding.how.empty() && !is_known)
+    constexpr double most = 0.9;
+    const bool is_mostly_known = is_known || (relation && !is_nothing && relation->share >= most);
+    if (finding.how.empty() && (not_numbers > 0 ? !is_known : !is_mostly_known))
         finding.how = not_numbers > 0 ? of_numbers(picked(many_calls, most_compared), right, sampled)
                       : !sampled      ? wrong_shares(all, mine, right)
                       : broken        ? ""
@@ -362,7 +385,9 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_min
     if (sampled && finding.how.empty()) finding.how = spread_of(only_wrong(all), all, mine, right).value_or("");
 
     const Region region =
-        is_comparable ? tell_where(finding, with_parts_that_matter(all, mine, right), wrong, not_numbers) : Region{};
+        is_comparable ? tell_where(finding, with_parts_that_matter(all, mine, right), wrong, not_numbers, is_known)
+                      : Region{};
+    if (const std::string words = assumption(region); !words.empty() && !is_known) finding.how = words;
     const bool is_exact = relation && !is_nothing && (is_known || relation->everywhere);
     add_example(finding, all, region, !sampled || is_exact || not_numbers > 0, ask_mine, ask_right);
     return finding;

@@ -36,7 +36,8 @@ Ask asking(const std::string& fragment, const fs::path& program, const Sandbox& 
 
 /// Calls that the fragment's checks make, as many of each, with the parameters of several seeds: from all of its rows,
 /// which may be of several kinds.
-Rows calls_of(const std::string& fragment, const std::vector<Check>& checks, std::uint64_t seed) {
+Rows calls_of(const std::string& fragment, const std::vector<Check>& checks, std::uint64_t seed,
+              std::size_t most_calls) {
     std::vector<Check> own;
     for (const Check& check : checks)
         if (check.fragment == fragment) own.push_back(check);
@@ -53,18 +54,44 @@ Rows calls_of(const std::string& fragment, const std::vector<Check>& checks, std
     return all;
 }
 
+/// Whether the answers to calls are wrong; none where there are not as many.
+std::vector<bool> are_wrong(const Signature& signature, const Rows& calls, const Ask& mine, const Ask& right) {
+    const Rows own = mine(calls), due = right(calls);
+    std::vector<bool> wrong;
+    if (own.size() != calls.size() || due.size() != calls.size()) return wrong;
+    for (std::size_t k = 0; k < calls.size(); ++k)
+        wrong.push_back(own[k].size() != due[k].size() || !is_equal(signature.of_result(due[k]), own[k], due[k]));
+    return wrong;
+}
+
+/// Calls; where few of them are wrong, those of more that are, too: a rule needs some.
+Rows telling_calls(const std::string& fragment, const std::vector<Check>& checks, std::uint64_t seed,
+                   const Signature& signature, const Ask& mine, const Ask& right) {
+    constexpr std::ptrdiff_t few = 12, enough = 32;
+    constexpr std::size_t more_times = 8;
+    Rows calls = calls_of(fragment, checks, seed, most_calls);
+    std::ptrdiff_t count = std::ranges::count(are_wrong(signature, calls, mine, right), true);
+    if (count == 0 || count >= few) return calls;
+    Rows more = calls_of(fragment, checks, seed + seeds, more_times * most_calls);
+    const std::vector<bool> wrong = are_wrong(signature, more, mine, right);
+    for (std::size_t k = 0; k < wrong.size() && count < enough; ++k)
+        if (wrong[k]) calls.push_back(std::move(more[k])), ++count;
+    return calls;
+}
+
 }  // namespace
 
 Finding find_cause(Programs& programs, const Toolchain& chain, const std::string& fragment,
                    const std::vector<Check>& checks, std::uint64_t seed) {
     const auto header = read_text(chain.includes.front() / "rt/fragments.h");
     const auto signature = signature_of(fragment, header.value_or(""));
-    const Rows calls = calls_of(fragment, checks, seed);
-    if (!signature || calls.empty()) return {};
+    if (!signature) return {};
     const fs::path meshes = chain.source / "scenes";
     const fs::path own = programs.copy_for(fragment + ".calls", programs.with({fragment}).program);
-    return explain(*signature, calls, asking(fragment, own, programs.sandbox(), meshes),
-                   asking(fragment, programs.with({}).program, programs.sandbox(), meshes));
+    const Ask mine = asking(fragment, own, programs.sandbox(), meshes),
+              right = asking(fragment, programs.with({}).program, programs.sandbox(), meshes);
+    const Rows calls = telling_calls(fragment, checks, seed, *signature, mine, right);
+    return calls.empty() ? Finding{} : explain(*signature, calls, mine, right);
 }
 
 }  // namespace grade
