@@ -229,7 +229,7 @@ Region tell_where(Finding& finding, const Calls& all, std::size_t wrong, std::si
 }
 
 /// A relation of the arguments, or of the steps of the formula; of both, where nothing tells them apart.
-std::optional<Relation> simpler(std::optional<Relation> of_arguments, std::optional<Relation> of_steps) {
+std::optional<Relation> simpler_one(std::optional<Relation> of_arguments, std::optional<Relation> of_steps) {
     if (!of_steps) return of_arguments;
     if (!of_arguments) return of_steps;
     if (of_steps->explains != Relation::Explains::all)
@@ -251,6 +251,13 @@ std::optional<Relation> simpler(std::optional<Relation> of_arguments, std::optio
     if (of_steps->cost < of_arguments->cost) std::swap(of_steps, of_arguments);
     of_arguments->words += ", or with " + of_steps->words.substr(as_changed.size());
     return of_arguments;
+}
+
+std::optional<Relation> simpler(const std::optional<Relation>& of_arguments, const std::optional<Relation>& of_steps) {
+    const auto is_exact = [](const auto& found) { return found && found->explains == Relation::Explains::all; };
+    auto one = simpler_one(of_arguments, of_steps);
+    if (one) one->by_arguments = is_exact(of_arguments), one->by_steps = is_exact(of_steps);
+    return one;
 }
 
 /// What is wrong with samples that are not the solution's call by call: what no right one does, or how they are spread.
@@ -279,7 +286,7 @@ std::string of_own_numbers(const Calls& all, const Ask& mine, const Ask& right) 
     for (std::size_t k = 0; k < own->size(); ++k) wrong += differs(k);
     bool right_otherwise = false;
     auto found = wrong > 0 ? relation_of(*own, right, false, right_otherwise) : std::nullopt;
-    if (wrong > 0) found = simpler(std::move(found), relation_of_steps(*own, right, false));
+    if (wrong > 0) found = simpler(found, relation_of_steps(*own, right, false));
     if (found && found->explains == Relation::Explains::all) return found->words + found->usually;
     if (wrong > 0) return {};
     const auto place = std::ranges::find_if(own->result.parts, is_place),
@@ -295,7 +302,7 @@ std::string of_numbers(const Calls& calls, const Ask& right, bool sampled) {
     const Calls some = those_of(calls, [&](std::size_t k) { return !is_nan(calls.mine[k], calls.right[k]); });
     bool right_otherwise = false;
     auto found = some.size() > 0 ? relation_of(some, right, sampled, right_otherwise) : std::nullopt;
-    if (some.size() > 0) found = simpler(std::move(found), relation_of_steps(some, right, sampled));
+    if (some.size() > 0) found = simpler(found, relation_of_steps(some, right, sampled));
     const std::string words = "some answers are nan where the right one is a number";
     if (!found || found->explains != Relation::Explains::all) return words;
     return fmt::format("{}; where it is a number, {}", words, found->words + found->usually);
@@ -307,7 +314,7 @@ std::optional<Relation> sure_relation(const Calls& calls, const Ask& right, cons
     const auto found = [&](bool others, const Ask& ask, std::size_t most = most_compared) {
         const Calls some = picked(calls, most, others);
         auto relation = relation_of(some, ask, sampled, right_otherwise);
-        return right_otherwise ? std::nullopt : simpler(std::move(relation), relation_of_steps(some, ask, sampled));
+        return right_otherwise ? std::nullopt : simpler(relation, relation_of_steps(some, ask, sampled));
     };
     auto relation = found(false, right);
     if (!relation || relation->explains != Relation::Explains::all) return relation;
@@ -363,6 +370,7 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_min
     finding.sampled = sampled;
     if (relation) relation->words += relation->usually;
     const bool is_known = relation && relation->explains == Relation::Explains::all;
+    if (is_known) finding.by_arguments = relation->by_arguments, finding.by_steps = relation->by_steps;
     const bool is_nothing = !relation || relation->explains == Relation::Explains::nothing;
     const auto broken = is_nothing ? broken_bound(all, right) : std::nullopt;
     std::size_t not_numbers = 0;

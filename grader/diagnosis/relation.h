@@ -22,8 +22,9 @@ struct Relation {
     /// What is explained: all, some of the calls or parts of the answer, or nothing beyond which parts are wrong.
     enum class Explains { all, some, nothing };
     Explains explains = Explains::all;
-    bool other_numbers = false;  // the answers are the right fragment's for other random numbers
-    double share = 1;            // of what is wrong that is explained
+    bool other_numbers = false;                   // the answers are the right fragment's for other random numbers
+    double share = 1;                             // of what is wrong that is explained
+    bool by_arguments = false, by_steps = false;  // explained exactly by a change of these
 };
 
 /// The simplest one; none: none was found.

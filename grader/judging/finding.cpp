@@ -1,5 +1,7 @@
 #include "judging/finding.h"
 
+#include <time.h>
+
 #include <algorithm>
 #include <memory>
 
@@ -15,19 +17,27 @@ constexpr std::size_t most_calls = 256;
 constexpr std::uint64_t seeds = 4;  // whose parameters differ
 constexpr double patience = 5;      // CPU seconds for one answer; on a busy machine it waits longer
 
+double thread_seconds() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+}
+
 /// The program answers until it breaks down; then another one, a few times.
-Ask asking(const std::string& fragment, const fs::path& program, const Sandbox& sandbox, const fs::path& meshes) {
+Ask asking(const std::string& fragment, const fs::path& program, const Sandbox& sandbox, const fs::path& meshes,
+           double& seconds) {
     struct State {
         std::unique_ptr<Runner> runner;
         int starts = 0;
     };
-    return [=, &sandbox, state = std::make_shared<State>()](const Rows& rows) -> Rows {
+    return [=, &sandbox, &seconds, state = std::make_shared<State>()](const Rows& rows) -> Rows {
         constexpr int most_starts = 4;
         if (!state->runner) {
             if (++state->starts > most_starts) return {};
             state->runner = std::make_unique<Runner>(program, sandbox, meshes, patience);
         }
         auto outcome = state->runner->probe(fragment, rows);
+        seconds += state->runner->seconds();
         if (Rows* answers = std::get_if<Rows>(&outcome)) return std::move(*answers);
         state->runner.reset();
         return {};
@@ -88,10 +98,14 @@ Finding find_cause(Programs& programs, const Toolchain& chain, const std::string
     if (!signature) return {};
     const fs::path meshes = chain.source / "scenes";
     const fs::path own = programs.copy_for(fragment + ".calls", programs.with({fragment}).program);
-    const Ask mine = asking(fragment, own, programs.sandbox(), meshes),
-              right = asking(fragment, programs.with({}).program, programs.sandbox(), meshes);
+    double seconds = 0;
+    const double before = thread_seconds();
+    const Ask mine = asking(fragment, own, programs.sandbox(), meshes, seconds),
+              right = asking(fragment, programs.with({}).program, programs.sandbox(), meshes, seconds);
     const Rows calls = telling_calls(fragment, checks, seed, *signature, mine, right);
-    return calls.empty() ? Finding{} : explain(*signature, calls, mine, right);
+    Finding finding = calls.empty() ? Finding{} : explain(*signature, calls, mine, right);
+    finding.cpu_seconds = seconds + thread_seconds() - before;
+    return finding;
 }
 
 }  // namespace grade
