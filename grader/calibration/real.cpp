@@ -35,7 +35,8 @@ bool has_suspect(const FragmentRecord& fragment) {
 }
 
 RealVerdict verdict_on(const FragmentRecord& fragment) {
-    RealVerdict verdict{fragment.name, fragment.verdict, first_message(fragment), fragment.cpu_seconds};
+    RealVerdict verdict{fragment.name, fragment.verdict, first_message(fragment), fragment.points,
+                        fragment.cpu_seconds};
     if (!is_found(fragment.verdict)) return verdict;
     const Finding& finding = fragment.finding;
     verdict.by_arguments = finding.by_arguments, verdict.by_steps = finding.by_steps;
@@ -77,7 +78,7 @@ std::map<std::string, std::string> changed_texts(const Bundle& bundle, const Wor
 
 std::vector<RealGrading> grade_changed(const Workshop& workshop, const std::map<std::string, std::string>& changed,
                                        const std::vector<std::uint64_t>& seeds, const std::set<std::string>& only,
-                                       int jobs) {
+                                       int jobs, std::size_t explained) {
     Submission submission{.name = "calibration"};
     for (const std::string& name : workshop.assignment().names())
         submission.texts[name] = changed.contains(name) ? changed.at(name) : workshop.solution_text(name);
@@ -91,6 +92,7 @@ std::vector<RealGrading> grade_changed(const Workshop& workshop, const std::map<
     std::vector<RealGrading> gradings;
     for (const std::uint64_t seed : seeds) {
         settings.seed = seed;
+        settings.explains = gradings.size() < explained;
         const auto& checks = workshop.checks(seed);
         settings.statistics = noisy_statistics(checks);
         const Record record =
@@ -110,6 +112,7 @@ void write_grading(const fs::path& path, const RealGrading& grading) {
         json["fragments"].push_back({{"name", f.fragment},
                                      {"verdict", name(f.verdict)},
                                      {"message", f.message},
+                                     {"points", f.points},
                                      {"cpu_seconds", f.cpu_seconds},
                                      {"by_arguments", f.by_arguments},
                                      {"by_steps", f.by_steps},
@@ -127,10 +130,10 @@ std::optional<RealGrading> read_grading(const fs::path& path) {
     RealGrading grading{{}, json.at("record")};
     // of a fragment that an earlier grader has graded, nothing is known of its diagnosis
     for (const auto& f : json.at("fragments"))
-        grading.fragments.push_back({f.at("name"), verdict_named(f.at("verdict")), f.at("message"), f.at("cpu_seconds"),
-                                     f.value("by_arguments", false), f.value("by_steps", false),
-                                     f.value("by_suspect", false), f.value("is_bare", false),
-                                     f.value("diagnosis_seconds", 0.0)});
+        grading.fragments.push_back({f.at("name"), verdict_named(f.at("verdict")), f.at("message"),
+                                     f.value("points", 0.0), f.at("cpu_seconds"), f.value("by_arguments", false),
+                                     f.value("by_steps", false), f.value("by_suspect", false),
+                                     f.value("is_bare", false), f.value("diagnosis_seconds", 0.0)});
     return grading;
 }
 

@@ -247,7 +247,10 @@ std::optional<Relation> simpler_one(std::optional<Relation> of_arguments, std::o
         return of_arguments;
     // a mistake with a name, which no change of an argument has
     if (of_steps->words[as_changed.size()] != '`') return of_steps;
-    if (of_steps->words.starts_with(of_arguments->words + ",")) return of_steps;
+    if (of_steps->words.starts_with(of_arguments->words + ",")) {
+        of_steps->usually = of_arguments->usually;
+        return of_steps;
+    }
     if (of_steps->cost < of_arguments->cost) std::swap(of_steps, of_arguments);
     of_arguments->words += ", or with " + of_steps->words.substr(as_changed.size());
     return of_arguments;

@@ -84,7 +84,7 @@ public:
             region_.clear();
         }
         if (!best_) one_of_several();
-        if (best_) return best_;
+        if (best_ || !calls_.changeable.empty()) return best_;
         return by_parts();
     }
 
@@ -381,7 +381,6 @@ private:
 
     /// Each part by itself; what is found of some.
     std::optional<Relation> by_parts() const {
-        const bool of_steps = !calls_.changeable.empty();
         std::string words;
         std::size_t explained = 0;
         for (const Field* part : parts_) {
@@ -414,7 +413,6 @@ private:
             some.share = double(explained) / double(2 * parts_.size());
             return some;
         }
-        if (of_steps) return std::nullopt;
         // where a direction is right, the random numbers are used as the solution does, and what is wrong is wrong; the
         // other way round, another direction may be as good
         if (parts_.size() == calls_.result.parts.size() ||

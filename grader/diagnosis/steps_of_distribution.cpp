@@ -119,14 +119,19 @@ std::vector<Steps> of_light() {
         steps(
             "point = center + at.x * u + at.y * v with at = 2 * u - 1 of a quad, center + radius * (at.x * x + at.y * "
             "y) with at = uniform_disk(u).point of a disc",
-            "vec2 at; Real radius; bool the disc along the axes of the world, not turned to its normal",
+            "vec2 at; Real radius; bool the disc along the axes of the world, not turned to its normal; bool u in "
+            "place of 2 * u - 1, which covers a quarter of the quad from its centre; bool u - 0.5 in place of 2 * u - "
+            "1: "
+            "u and v are half edges, so a quarter of the quad is covered",
             +[](const Emitter& light, const vec3&, const vec2& u) {
-                return row(on_light(light, u), light.kind == Emitter::Kind::disc ? light.disc.radius : 1, false);
+                return row(on_light(light, u), light.kind == Emitter::Kind::disc ? light.disc.radius : 1, false, false,
+                           false);
             },
             +[](const double* s, const Emitter& light, const vec3& p, const vec2& u) {
                 if (light.kind == Emitter::Kind::sphere) return sphere_light(light, p, u);
                 const bool is_disc = light.kind == Emitter::Kind::disc;
-                const vec2 at = (is_disc ? s[2] / light.disc.radius : 1) * vec2(s[0], s[1]);
+                const vec2 on_quad = s[4] != 0 ? u : s[5] != 0 ? u - vec2(0.5) : vec2(s[0], s[1]);
+                const vec2 at = is_disc ? s[2] / light.disc.radius * vec2(s[0], s[1]) : on_quad;
                 const vec3 to =
                     (is_disc && s[3] != 0 ? light.disc.center + light.disc.radius * vec3(at, 0) : point_of(light, at)) -
                     p;
