@@ -42,6 +42,7 @@ private:
 
     void first_wave(const std::vector<PixelWork>& pixels, Pattern pattern, int from);
     void follow(Batch& batch, Pattern pattern, int wave);
+    void add_found(const Batch& batch, bool in_order);
 };
 
 }  // namespace rt

@@ -11,13 +11,18 @@ namespace rt {
 
 /// The samples of some pixels, in the order of their slots.
 struct CameraWork {
-    const Extent* extents;  // of the pixel of each lane
-    const Bits* keys;       // of the pixel of each lane
-    const int* samples;     // index of each lane's sample
-    int slot;               // of lane 0
-    int count;              // lanes
+    const Real *x, *y;   // of the top left corner of the pixel of each lane [pixel]
+    const Bits* keys;    // of the pixel of each lane
+    const int* samples;  // index of each lane's sample
+    int slot;            // of lane 0
+    int count;           // lanes
     Pattern pattern;
+
+    Extent pixel(int i) const { return {{x[i], y[i]}, {x[i] + 1, y[i] + 1}}; }
 };
+
+/// What all first rays have in common, and no stage changes: written once, for batch after batch.
+void begin_camera(const World& world, Batch& batch);
 
 /// Fills a batch with the first rays, and the samples' weights.
 void camera_stage(const World& world, const CameraWork& work, Batch& batch, Chunk& chunk);
