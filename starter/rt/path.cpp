@@ -15,6 +15,13 @@ bool is_finite(Color c) { return std::isfinite(c.x + c.y + c.z); }
 
 }  // namespace
 
+Pattern Worker::pattern_for(Sampler sampler, int n) {
+    sampler = pattern_of(sampler, n);
+    if (sampler != Sampler::orthogonal) return {sampler, n};
+    if (n != digits_for) digits = digits_of_lanes(n), digits_for = n;
+    return {sampler, n, digits.data()};
+}
+
 void Worker::first_wave(const std::vector<PixelWork>& pixels, Pattern pattern, int from) {
     const int n = pattern.n;
     Real x[lanes]{}, y[lanes]{};
@@ -65,7 +72,7 @@ void Worker::follow(Batch& batch, Pattern pattern, int wave) {
 }
 
 void Worker::render(const std::vector<PixelWork>& pixels, int n, Sampler sampler, Color* means, int from) {
-    const Pattern pattern{pattern_of(sampler, n), n};
+    const Pattern pattern = pattern_for(sampler, n);
     const std::size_t all = pixels.size() * std::size_t(n);
     chunk.radiance.resize(all);
     chunk.weight.resize(all);

@@ -69,7 +69,8 @@ void begin_camera(const World& world, Batch& batch) {
 
 void camera_stage(const World& world, const CameraWork& work, Batch& batch, Chunk& chunk) {
     Real* weights = chunk.weight.data() + work.slot;
-    const auto [sampler, n] = work.pattern;
+    const Sampler sampler = work.pattern.sampler;
+    const int n = work.pattern.n;
     CameraNumbers u;
     if (world.plan.pixel) draw_film(world, work, u.film);
     if (world.plan.lens)

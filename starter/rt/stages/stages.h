@@ -31,6 +31,10 @@ void camera_stage(const World& world, const CameraWork& work, Batch& batch, Chun
 void draw_2d(Pattern pattern, Dimension dimension, const Bits* keys, const int* samples, int count, Numbers& numbers);
 void draw_1d(Pattern pattern, Dimension dimension, const Bits* keys, const int* samples, int count, Numbers& numbers);
 
+/// The digits of an orthogonal array of n samples, with which draws take a third of the time for lanes that have the
+/// samples of a pixel in order, as the camera's do.
+std::vector<LaneDigits> digits_of_lanes(int n);
+
 /// Finds the nearest shape along each ray: its number and distance. Rays with far <= near meet nothing.
 void nearest_stage(const World& world, Batch& batch);
 

@@ -5,7 +5,8 @@ namespace rt {
 
 void trace_camera(const World& world, const CameraWork& work, const Batch& batch, Trace& trace) {
     const RenderPlan& plan = world.plan;
-    const auto [sampler, n] = work.pattern;
+    const Sampler sampler = work.pattern.sampler;
+    const int n = work.pattern.n;
     const bool in_cells = sampler == Sampler::stratified || sampler == Sampler::uniform;
     Pattern film = work.pattern;
     if (sampler == Sampler::stratified) film.sampler = Sampler::random;
