@@ -22,15 +22,16 @@ struct Shaft {
 // Several lanes in one number, an extension of GCC and Clang: no compiler vectorises a minimum by itself.
 using Reals __attribute__((vector_size(8 * sizeof(Real)))) = Real;
 
-inline Reals least(Reals a, Reals b) { return a < b ? a : b; }
-inline Reals most(Reals a, Reals b) { return a > b ? a : b; }
+inline void lower(Reals& least, const Reals& x) { least = x < least ? x : least; }
+inline void raise(Reals& most, const Reals& x) { most = x > most ? x : most; }
 
-/// What f leaves of all eight numbers.
+/// The least or the greatest of the eight.
 template <class F>
-Real folded(Reals x, F f) {
-    x = f(x, __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3));
-    x = f(x, __builtin_shufflevector(x, x, 2, 3, 0, 1, 6, 7, 4, 5));
-    return f(x, __builtin_shufflevector(x, x, 1, 0, 3, 2, 5, 4, 7, 6))[0];
+Real folded(Reals& x, F lower_or_raise) {
+    lower_or_raise(x, __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3));
+    lower_or_raise(x, __builtin_shufflevector(x, x, 2, 3, 0, 1, 6, 7, 4, 5));
+    lower_or_raise(x, __builtin_shufflevector(x, x, 1, 0, 3, 2, 5, 4, 7, 6));
+    return x[0];
 }
 
 /// all  whether near < far everywhere
@@ -47,14 +48,14 @@ Shaft shaft_about(const Batch& b) {
         const auto on = x < far;
         for (int a = 0; a < 7; ++a) {
             std::memcpy(&x, from[a] + i, sizeof x);
-            low[a] = least(all ? x : on ? x : none, low[a]);
-            high[a] = most(all ? x : on ? x : -none, high[a]);
+            lower(low[a], all ? x : on ? x : none);
+            raise(high[a], all ? x : on ? x : -none);
         }
     }
-    const auto corner = [](const Reals* x, auto f) { return vec3(folded(x[0], f), folded(x[1], f), folded(x[2], f)); };
-    return {{corner(low, least), corner(high, most)},
-            {corner(low + 3, least), corner(high + 3, most)},
-            folded(low[6], least)};
+    const auto corner = [](Reals* x, auto f) { return vec3(folded(x[0], f), folded(x[1], f), folded(x[2], f)); };
+    return {{corner(low, lower), corner(high, raise)},
+            {corner(low + 3, lower), corner(high + 3, raise)},
+            folded(low[6], lower)};
 }
 
 /// The shaft of all rays with near < far; empty where there is none.
