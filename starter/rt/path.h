@@ -38,10 +38,14 @@ private:
     Queue now, next;
     Batch first, shadow;
     Surfaces surfaces;
+    std::vector<LaneDigits> digits;  // of the pattern of `digits_for` samples
+    int digits_for = 0;
     Colors found;  // what each lane of a batch adds to its sample
 
+    Pattern pattern_for(Sampler sampler, int n);
     void first_wave(const std::vector<PixelWork>& pixels, Pattern pattern, int from);
     void follow(Batch& batch, Pattern pattern, int wave);
+    void add_found(const Batch& batch, bool in_order);
 };
 
 }  // namespace rt
