@@ -391,7 +391,7 @@ private:
             if (std::ranges::count_if(wrong_, is_wrong) < std::ptrdiff_t(2 * enough)) continue;
             double best = best_cost;
             std::string found;
-            if (const auto form = form_of(calls_, *part, calls_.right, all_, false); form && !sampled_ && !of_steps)
+            if (const auto form = form_of(calls_, *part, calls_.right, all_, false); form && !sampled_)
                 best = form->cost, found = fmt::format("{} {}", named(*part), form->words);
             for (const Change& change : changes_) {
                 if (change.cost >= best || calls_.result.parts.size() < 2) break;
