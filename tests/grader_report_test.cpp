@@ -60,7 +60,7 @@ TEST_CASE("a terminal tells what is wrong, the call, what to read, and last what
     wrong.finding.arguments = "time = -1", wrong.finding.answer = "1", wrong.finding.right = "2";
     wrong.finding.command = "./grade call moved 'time = -1'";
     // one fragment has no sums
-    const std::string row = "  moved                   failed              1 of 3   fragments/moved.cpp\n";
+    const std::string row = "  moved                   failed              1 of 3    fragments/moved.cpp\n";
     const std::string below = "      For time = -1 the answer is 1, must be 2\n";
     const std::string last = "      read: handout.md, \"moved\"\n      fragments/moved.cpp:9:5: warning: unused\n";
     CHECK(table(record, {}) == row + below + last);
@@ -70,8 +70,8 @@ TEST_CASE("a terminal tells what is wrong, the call, what to read, and last what
     blank.name = "phong", blank.part = "one", blank.max_points = 3, blank.verdict = Verdict::not_started;
     blank.message = "fill in fragments/phong.cpp";
     record.fragments.push_back(blank);
-    const std::string second = "  phong                   not started         0 of 3   fill in fragments/phong.cpp\n";
-    const std::string total = "Total                                         1 of 6   1 failed, 1 not started\n";
+    const std::string second = "  phong                   not started         0 of 3    fill in fragments/phong.cpp\n";
+    const std::string total = "Total                                         1 of 6    1 failed, 1 not started\n";
     CHECK(table(record, {}) == row + below + last + second + total);
     record.parts.push_back({"two", "Part two"});
     record.fragments[1].part = "two";

@@ -16,7 +16,7 @@ namespace grade {
 
 namespace {
 
-constexpr std::size_t line_width = 100, row_width = 55;  // row_width: of a row's name, verdict and points
+constexpr std::size_t line_width = 100, row_width = 56;  // row_width: of a row's name, verdict and points
 constexpr const char *below_row = "      ", *bold = "\033[1m", *no_color = "\033[0m";
 
 const char* color_of_verdict(Verdict verdict) {
@@ -63,7 +63,7 @@ std::string what_to_open(const FragmentRecord& fragment) {
 /// A line with the points in a column, and more in another.
 std::string line_of(const std::string& first, double points, double most, const std::string& more) {
     const std::string column = fmt::format("{:>6g} of {:g}", points, most);
-    return more.empty() ? first + column : fmt::format("{}{:<14}{}", first, column, more);
+    return more.empty() ? first + column : fmt::format("{}{:<15}{}", first, column, more);
 }
 
 std::string line_of(const FragmentRecord& fragment, const std::string& more, bool color) {
