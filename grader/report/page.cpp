@@ -7,6 +7,7 @@
 
 #include "diagnosis/diagnosis.h"
 #include "report/escape.h"
+#include "report/folder.h"
 #include "report/page_parts.h"
 #include "report/picture.h"
 #include "report/terminal.h"
@@ -263,8 +264,8 @@ std::string page(const Record& record, const std::string& handout) {
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
         "content=\"width=device-width\">"
         "<title>{:g} of {:g}: {}</title><style>{}</style></head><body><a class=\"skip\" href=\"#overview\">to the "
-        "verdicts</a><main>\n",
-        record.score(), record.max_score(), html(record.submission), page_style);
+        "verdicts</a><main>\n{}",
+        record.score(), record.max_score(), html(record.submission), page_style, page_links);
     text += fmt::format(
         "<header><div><h1>{}</h1><p>{}</p>{}<p class=\"soft\">seed {}</p></div><div class=\"score\"><b>{:g}</b> "
         "<span>of {:g}</span>"
