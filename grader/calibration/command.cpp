@@ -4,10 +4,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <cstdio>
 
-#include "calibration/real.h"
+#include "calibration/fast.h"
 #include "calibration/report.h"
 #include "files/files.h"
 #include "report/folder.h"
@@ -29,42 +28,6 @@ std::pair<int, int> shard_of(const std::string& text) {
     return {which - 1, all};
 }
 
-/// Words without line breaks, cut where they are long.
-std::string one_line(std::string words) {
-    std::ranges::replace(words, '\n', ' ');
-    return words.substr(0, 150);
-}
-
-/// The first wrong variant of each fragment, or all that were asked for by name, and all right ones; only fragments
-/// that are changed are graded.
-bool fast(const Workshop& workshop, bool by_name, int jobs) {
-    auto wrong = workshop.variants(Variant::Kind::wrong);
-    if (!by_name) {
-        std::set<std::string> seen;
-        std::erase_if(wrong, [&](const Variant* v) { return !seen.insert(v->fragment).second; });
-    }
-    int rows = 0, off = 0, named = 0, asked = 0;
-    for (const auto& [list, is_wrong] :
-         {std::pair(wrong, true), std::pair(workshop.variants(Variant::Kind::right), false)})
-        for (const Bundle& bundle : bundles(list, "", false)) {
-            std::set<std::string> only;
-            for (const Variant* variant : bundle.variants) only.insert(variant->fragment);
-            const auto gradings = grade_changed(workshop, changed_texts(bundle, workshop), {1}, only, jobs);
-            for (const RealVerdict& verdict : gradings.at(0).fragments) {
-                const Variant& variant = **std::ranges::find(bundle.variants, verdict.fragment, &Variant::fragment);
-                const bool good = is_wrong ? is_found(verdict.verdict) : verdict.verdict == Verdict::passed;
-                const bool says = variant.says.empty() || !is_wrong || says_one_of(verdict.message, variant.says);
-                asked += is_wrong && !variant.says.empty(), named += is_wrong && !variant.says.empty() && says;
-                ++rows, off += !good;
-                fmt::print("{} {:<46} {:<22} {:<12} {}{}\n", good ? "ok " : "OFF", variant.name, verdict.fragment,
-                           name(verdict.verdict), says ? "" : "[cause not named] ", one_line(verdict.message));
-                std::fflush(stdout);
-            }
-        }
-    fmt::print("{} gradings of variants, {} off; cause named in {} of {}\n", rows, off, named, asked);
-    return off == 0;
-}
-
 }  // namespace
 
 CLI::App* add_calibrate_command(CLI::App& app, CalibrateArguments& arguments) {
@@ -72,6 +35,8 @@ CLI::App* add_calibrate_command(CLI::App& app, CalibrateArguments& arguments) {
     trust->add_option("NAME", arguments.names, "only variants or fragments with such a name");
     trust->add_flag("--fast", arguments.fast,
                     "one wrong variant of each fragment and all right ones, once; exit with 1 where one is off");
+    trust->add_option("--seeds", arguments.seeds, "with --fast: under so many seeds; says where they differ")
+        ->check(CLI::Range(1, 10000));
     trust->add_flag("--report", arguments.report, "run nothing: report on what is there");
     trust->add_option("--shard", arguments.shard, "do the second of four parts of the work: 2/4")
         ->type_name("PART/PARTS");
@@ -101,7 +66,7 @@ bool calibrate(const CalibrateArguments& arguments, const std::string& toolchain
         throw rt::InputError("calibrate needs the folder solution/, which is not here");
     if (workshop.variants().empty())
         throw rt::InputError("no variant and no fragment has such a name; tests/variants holds them");
-    if (arguments.fast) return fast(workshop, !arguments.names.empty(), arguments.jobs);
+    if (arguments.fast) return grade_fast(workshop, !arguments.names.empty(), arguments.seeds, arguments.jobs);
 
     ProgressLine line;
     const auto show = [&](int done, int all, const std::string& doing) { line.show(done, all, doing); };

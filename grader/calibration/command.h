@@ -16,6 +16,7 @@ struct CalibrateArguments {
     std::string out;      // folder of the report; empty: that of the results
     std::string shard = "1/1";
     bool fast = false, report = false;
+    int seeds = 1;  // of fast
     Amount amount;
     int jobs = 0;
     std::vector<std::string> names;  // of variants or fragments; empty: all

@@ -18,7 +18,8 @@ Pool collect(const Check& check, std::uint64_t seed, int replicates, const fs::p
              const fs::path& solution_program, const Sandbox& sandbox, const fs::path& meshes) {
     Pool pool;
     pool.statistics = int(check.statistics.size());
-    Reference reference(check, seed, solution_program, sandbox, meshes);
+    SolutionRunners solutions(solution_program, sandbox, meshes);
+    Reference reference(check, seed, solutions);
     std::unique_ptr<Runner> runner;
     const auto next = [&](int replicate) -> std::optional<Observation> {
         if (!runner) runner = std::make_unique<Runner>(program, sandbox, meshes, patience_with_replicate);

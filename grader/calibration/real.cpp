@@ -57,7 +57,7 @@ std::map<std::string, std::string> changed_texts(const Bundle& bundle, const Wor
 
 std::vector<RealGrading> grade_changed(const Workshop& workshop, const std::map<std::string, std::string>& changed,
                                        const std::vector<std::uint64_t>& seeds, const std::set<std::string>& only,
-                                       int jobs) {
+                                       int jobs, std::size_t explained) {
     Submission submission{.name = "calibration"};
     for (const std::string& name : workshop.assignment().names())
         submission.texts[name] = changed.contains(name) ? changed.at(name) : workshop.solution_text(name);
@@ -71,6 +71,7 @@ std::vector<RealGrading> grade_changed(const Workshop& workshop, const std::map<
     std::vector<RealGrading> gradings;
     for (const std::uint64_t seed : seeds) {
         settings.seed = seed;
+        settings.explains = gradings.size() < explained;
         const auto& checks = workshop.checks(seed);
         settings.statistics = noisy_statistics(checks);
         const Record record =
@@ -78,7 +79,7 @@ std::vector<RealGrading> grade_changed(const Workshop& workshop, const std::map<
         RealGrading grading;
         for (const FragmentRecord& fragment : record.fragments)
             grading.fragments.push_back(
-                {fragment.name, fragment.verdict, first_message(fragment), fragment.cpu_seconds});
+                {fragment.name, fragment.verdict, first_message(fragment), fragment.points, fragment.cpu_seconds});
         grading.record = timeless_hash(record);
         gradings.push_back(std::move(grading));
     }
@@ -92,6 +93,7 @@ void write_grading(const fs::path& path, const RealGrading& grading) {
         json["fragments"].push_back({{"name", f.fragment},
                                      {"verdict", name(f.verdict)},
                                      {"message", f.message},
+                                     {"points", f.points},
                                      {"cpu_seconds", f.cpu_seconds}});
     fs::create_directories(path.parent_path());
     write_text(path, json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
@@ -103,8 +105,8 @@ std::optional<RealGrading> read_grading(const fs::path& path) {
     const auto json = nlohmann::json::parse(*text);
     RealGrading grading{{}, json.at("record")};
     for (const auto& f : json.at("fragments"))
-        grading.fragments.push_back(
-            {f.at("name"), verdict_named(f.at("verdict")), f.at("message"), f.at("cpu_seconds")});
+        grading.fragments.push_back({f.at("name"), verdict_named(f.at("verdict")), f.at("message"),
+                                     f.value("points", 0.0), f.at("cpu_seconds")});
     return grading;
 }
 

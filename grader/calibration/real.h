@@ -28,7 +28,7 @@ struct RealVerdict {
     std::string fragment;
     Verdict verdict = Verdict::inconclusive;
     std::string message;
-    double cpu_seconds = 0;
+    double points = 0, cpu_seconds = 0;
 };
 
 struct RealGrading {
@@ -38,10 +38,11 @@ struct RealGrading {
 
 /// Grades the solution with these changes, once for each seed: compiled once.
 ///
-/// only  fragments to grade; empty: all
+/// only       fragments to grade; empty: all
+/// explained  for so many of the seeds a cause is looked for
 std::vector<RealGrading> grade_changed(const Workshop& workshop, const std::map<std::string, std::string>& changed,
                                        const std::vector<std::uint64_t>& seeds, const std::set<std::string>& only,
-                                       int jobs);
+                                       int jobs, std::size_t explained = std::size_t(-1));
 
 std::map<std::string, std::string> changed_texts(const Bundle& bundle, const Workshop& workshop);
 

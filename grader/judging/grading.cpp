@@ -25,6 +25,27 @@ struct Task {
     CheckRecord* record;
 };
 
+/// Checks of one fragment that one program answers, one after the other; another where it has broken down. Which they
+/// are does not depend on the number of jobs: a fragment that keeps state gives the same answers on every machine.
+struct Lane {
+    std::vector<Task> tasks;
+    std::unique_ptr<Runner> runner;
+};
+
+/// Two for each fragment, so that a single one is graded on two processors.
+std::vector<Lane> lanes_of(const std::vector<Task>& tasks) {
+    std::vector<Lane> lanes;
+    std::map<const FragmentRecord*, std::vector<std::size_t>> own;
+    std::map<const FragmentRecord*, std::size_t> seen;
+    for (const Task& task : tasks) {
+        std::vector<std::size_t>& two = own[task.fragment];
+        const std::size_t which = seen[task.fragment]++ % 2;
+        if (two.size() == which) two.push_back(lanes.size()), lanes.emplace_back();
+        lanes[two[which]].tasks.push_back(task);
+    }
+    return lanes;
+}
+
 /// Everything that one grading shares. The steps are below, in their order.
 class Grading {
 public:
@@ -39,7 +60,8 @@ private:
     std::vector<Task> recall();
     void link(std::vector<Task>& open);
     void judge_all(const std::vector<Task>& open);
-    CheckRecord judge(const Task& task);
+    void judge_next(const Task& task, Lane& lane, SolutionRunners& solutions);
+    CheckRecord judge(const Task& task, Lane& lane, SolutionRunners& solutions);
     Finding explain(const FragmentRecord& fragment);
     std::string made_from(const Task& task) const;
     void finish(FragmentRecord& fragment);
@@ -54,6 +76,8 @@ private:
     CheckSettings check_settings_;
     int links_expected_ = 0, checks_expected_ = 0;
     std::map<std::string, Budget> budgets_;  // by fragment
+    std::map<std::string, int> left_;        // checks
+    std::set<std::string> out_of_time_;      // fragments
     std::mutex lock_;
 };
 
@@ -68,6 +92,11 @@ void leave_out(CheckRecord& record) {
 }
 
 bool is_timed_out(const CheckRecord& record) { return record.verdict == Verdict::timed_out; }
+
+bool is_measured(const CheckRecord& record) {
+    return record.verdict == Verdict::passed || record.verdict == Verdict::failed ||
+           record.verdict == Verdict::inconclusive;
+}
 
 Grading::Grading(Programs& programs, const Assignment& assignment, const Toolchain& chain, const FutureChecks& checks,
                  const GradingSettings& settings, Progress& progress)
@@ -152,7 +181,7 @@ Finding Grading::explain(const FragmentRecord& fragment) {
                check.verdict == Verdict::crashed;
     };
     const auto first = std::ranges::find_if(fragment.checks, is_wrong);
-    if (first == fragment.checks.end() || !programs_.has(fragment.name)) return {};
+    if (!settings_.explains || first == fragment.checks.end() || !programs_.has(fragment.name)) return {};
     const std::vector<Check>& checks = checks_.get();
     const auto check = std::ranges::find_if(checks, [&](const Check& c) { return c.fragment == fragment.name; });
     if (check == checks.end()) return {};
@@ -201,18 +230,22 @@ void Grading::link(std::vector<Task>& open) {
     std::erase_if(open, [&](const Task& task) { return !programs_.has(task.check->fragment); });
 }
 
-CheckRecord Grading::judge(const Task& task) {
+CheckRecord Grading::judge(const Task& task, Lane& lane, SolutionRunners& solutions) {
     const std::string key = key_of(*task.check);
     const fs::path meshes = chain_.source / "scenes";
     CheckSettings settings = check_settings_;
     settings.budget = &budgets_[task.check->fragment];
     for (bool again = false;; again = true) try {
-            Reference reference(*task.check, settings_.seed, programs_.with({}).program, programs_.sandbox(), meshes);
-            Runner runner(programs_.with({task.check->fragment}).program, programs_.sandbox(), meshes,
-                          settings_.time_limit);
-            CheckRecord record = judge_check(*task.check, runner, reference, settings);
-            // who never answered may not even have started
-            if (record.verdict == Verdict::crashed && runner.seconds_in_all() == 0 && !again) continue;
+            Reference reference(*task.check, settings_.seed, solutions);
+            const bool is_used = lane.runner != nullptr;
+            auto runner = is_used ? std::move(lane.runner)
+                                  : std::make_unique<Runner>(programs_.with({task.check->fragment}).program,
+                                                             programs_.sandbox(), meshes, settings_.time_limit);
+            CheckRecord record = judge_check(*task.check, *runner, reference, settings);
+            // who never answered may not even have started, and an earlier check may have broken what it left
+            const bool is_doubtful = is_used || runner->seconds_in_all() == 0;
+            if (record.verdict == Verdict::crashed && is_doubtful && !again) continue;
+            if (is_measured(record)) lane.runner = std::move(runner);
             settings_.build.kept.keep_check(key, made_from(task), record);
             return record;
         } catch (const Interrupted&) {
@@ -227,42 +260,50 @@ CheckRecord Grading::judge(const Task& task) {
 }
 
 void Grading::judge_all(const std::vector<Task>& open) {
-    std::map<std::string, int> left;
-    std::set<std::string> out_of_time;
-    for (const Task& task : open) ++left[task.check->fragment], budgets_[task.check->fragment];
+    for (const Task& task : open) ++left_[task.check->fragment], budgets_[task.check->fragment];
     for (FragmentRecord& fragment : record_.fragments)
-        if (left[fragment.name] == 0) fragment.finding = explain(fragment), finish(fragment);
+        if (left_[fragment.name] == 0) fragment.finding = explain(fragment), finish(fragment);
     if (settings_.partial) settings_.partial(record_);
     progress_.expect(Work::check, int(open.size()) - checks_expected_);
-    in_parallel(int(open.size()), settings_.build.jobs, [&](int i) {
-        const Task& task = open[std::size_t(i)];
-        const std::string& fragment = task.check->fragment;
-        progress_.tell(key_of(*task.check));
-        CheckRecord record = blank_record(*task.check);
-        bool is_late = false, is_last = false;
-        {
-            const std::scoped_lock lock(lock_);
-            is_late = out_of_time.contains(fragment);
-        }
-        if (is_late)
-            leave_out(record);
-        else
-            record = judge(task);
-        {
-            const std::scoped_lock lock(lock_);
-            *task.record = std::move(record);
-            if (is_timed_out(*task.record)) out_of_time.insert(fragment);
-            is_last = --left[fragment] == 0;
-        }
-        // nobody else writes to this fragment any more
-        const Finding finding = is_last ? explain(*task.fragment) : Finding{};
-        {
-            const std::scoped_lock lock(lock_);
-            if (is_last) task.fragment->finding = finding, finish(*task.fragment);
-            if (settings_.partial) settings_.partial(record_);
-        }
-        progress_.done(Work::check);
+    if (open.empty()) return;
+    SolutionRunners solutions(programs_.with({}).program, programs_.sandbox(), chain_.source / "scenes");
+    std::vector<Lane> lanes = lanes_of(open);
+    in_parallel(int(lanes.size()), settings_.build.jobs, [&](int i) {
+        Lane& lane = lanes[std::size_t(i)];
+        for (const Task& task : lane.tasks) judge_next(task, lane, solutions);
+        lane.runner.reset();
     });
+}
+
+/// One check, and after a fragment's last one what its calls show.
+void Grading::judge_next(const Task& task, Lane& lane, SolutionRunners& solutions) {
+    check_interrupt();
+    const std::string& fragment = task.check->fragment;
+    progress_.tell(key_of(*task.check));
+    CheckRecord record = blank_record(*task.check);
+    bool is_late = false, is_last = false;
+    {
+        const std::scoped_lock lock(lock_);
+        is_late = out_of_time_.contains(fragment);
+    }
+    if (is_late)
+        leave_out(record);
+    else
+        record = judge(task, lane, solutions);
+    {
+        const std::scoped_lock lock(lock_);
+        *task.record = std::move(record);
+        if (is_timed_out(*task.record)) out_of_time_.insert(fragment);
+        is_last = --left_[fragment] == 0;
+    }
+    // nobody else writes to this fragment any more
+    const Finding finding = is_last ? explain(*task.fragment) : Finding{};
+    {
+        const std::scoped_lock lock(lock_);
+        if (is_last) task.fragment->finding = finding, finish(*task.fragment);
+        if (settings_.partial) settings_.partial(record_);
+    }
+    progress_.done(Work::check);
 }
 
 void Grading::compile() {

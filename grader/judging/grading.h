@@ -17,6 +17,7 @@ struct GradingSettings {
     std::uint64_t seed = 1;
     double time_limit = 5;  // CPU time of one answer [s]
     bool pictures = false;  // for the page
+    bool explains = true;   // looks for the cause where calls are wrong
     int replicates = 256;   // of a statistic, after which it is inconclusive
     int statistics = 0;     // that share alpha; 0: those of these checks
     std::string command;    // that it was asked for with

@@ -135,7 +135,9 @@ public:
           reference_(reference),
           settings_(settings),
           judge_(check, settings.statistics),
-          record_(blank_record(check)) {}
+          record_(blank_record(check)) {
+        runner.begin_count();
+    }
 
     CheckRecord run() {
         if (const auto fault = begin()) return broken(*fault);

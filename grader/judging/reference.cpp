@@ -17,16 +17,31 @@ std::vector<double> all_measured(const Check& check, const Observation& observat
 
 }  // namespace
 
-Reference::Reference(const Check& check, std::uint64_t seed, const fs::path& program, const Sandbox& sandbox,
-                     const fs::path& meshes)
-    : check_(check), seed_(seed), program_(program), sandbox_(sandbox), meshes_(meshes) {}
+std::unique_ptr<Runner> SolutionRunners::take() {
+    constexpr double patience = 120;  // s
+    {
+        const std::scoped_lock lock(lock_);
+        if (auto& own = free_[std::this_thread::get_id()]) return std::move(own);
+    }
+    return std::make_unique<Runner>(program_, sandbox_, meshes_, patience);
+}
+
+void SolutionRunners::give_back(std::unique_ptr<Runner> runner) {
+    const std::scoped_lock lock(lock_);
+    free_[std::this_thread::get_id()] = std::move(runner);
+}
+
+Reference::~Reference() {
+    if (runner_) runners_.give_back(std::move(runner_));
+}
 
 Observation Reference::run(std::uint64_t with_seed) {
-    constexpr double patience = 120;  // s
-    if (!runner_) runner_ = std::make_unique<Runner>(program_, sandbox_, meshes_, patience);
+    if (!runner_) runner_ = runners_.take();
     auto outcome = observe(*runner_, check_, with_seed);
-    if (const Fault* fault = std::get_if<Fault>(&outcome))
+    if (const Fault* fault = std::get_if<Fault>(&outcome)) {
+        runner_.reset();
         throw std::runtime_error(fmt::format("check {}: the solution itself: {}", check_.name, fault->message));
+    }
     cpu_seconds_ = std::min(cpu_seconds_, runner_->seconds());
     return std::move(std::get<Observation>(outcome));
 }

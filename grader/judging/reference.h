@@ -1,19 +1,43 @@
 #pragma once
 
 #include <limits>
+#include <map>
 #include <memory>
+#include <mutex>
+#include <thread>
 #include <vector>
 
 #include "judging/experiment.h"
 
 namespace grade {
 
+/// Children with the solution's fragments, which keep nothing between checks. A process ends with the thread that
+/// started it, so each thread has its own.
+class SolutionRunners {
+public:
+    SolutionRunners(const fs::path& program, const Sandbox& sandbox, const fs::path& meshes)
+        : program_(program), sandbox_(sandbox), meshes_(meshes) {}
+
+    /// That of this thread, else a new one. From any thread.
+    std::unique_ptr<Runner> take();
+    void give_back(std::unique_ptr<Runner> runner);
+
+private:
+    fs::path program_;
+    const Sandbox& sandbox_;
+    fs::path meshes_;
+    std::mutex lock_;
+    std::map<std::thread::id, std::unique_ptr<Runner>> free_;
+};
+
 /// What the solution gives for one check: run as far as it is asked for.
 class Reference {
 public:
-    /// program  a child with the solution's fragments; it is started at the first question
-    Reference(const Check& check, std::uint64_t seed, const fs::path& program, const Sandbox& sandbox,
-              const fs::path& meshes);
+    Reference(const Check& check, std::uint64_t seed, SolutionRunners& runners)
+        : check_(check), seed_(seed), runners_(runners) {}
+    ~Reference();
+    Reference(const Reference&) = delete;
+    Reference& operator=(const Reference&) = delete;
 
     /// Of every statistic, in the submission's first replicate.
     std::vector<double> exact();
@@ -39,10 +63,8 @@ private:
 
     const Check& check_;
     std::uint64_t seed_;
-    fs::path program_;
-    const Sandbox& sandbox_;
-    fs::path meshes_;
-    std::unique_ptr<Runner> runner_;
+    SolutionRunners& runners_;
+    std::unique_ptr<Runner> runner_;                                // from the first question on
     std::vector<Observation> own_;                                  // of the submission's seeds
     double cpu_seconds_ = std::numeric_limits<double>::infinity();  // of the fastest run
 };

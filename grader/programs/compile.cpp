@@ -196,13 +196,12 @@ Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const 
         if (std::ranges::count(object.defined, symbol->second) == 0)
             return {false, {}, wrong_signature(chain, sandbox, object, fragment, shown, work), {}};
         // groups of sections that other objects hold as well must go before their symbols become private
-        step = run(
-            sandbox,
-            tool({"/usr/bin/ld", "-r", "--force-group-allocation", compiled.string(), "-o", merged.string()}, work));
-        if (step.good())
-            step = run(sandbox, tool({"/usr/bin/objcopy", "--remove-section=.linker-options",
-                                      "--keep-global-symbol=" + symbol->second, merged.string(), own.string()},
-                                     work));
+        step = run(sandbox, tool({"/bin/sh", "-c",
+                                  "/usr/bin/ld -r --force-group-allocation \"$1\" -o \"$2\" && "
+                                  "/usr/bin/objcopy --remove-section=.linker-options \"$4\" \"$2\" \"$3\"",
+                                  "sh", compiled.string(), merged.string(), own.string(),
+                                  "--keep-global-symbol=" + symbol->second},
+                                 work));
         if (step.good())
             return object_at(own), Compiled{true, own, {}, first_warnings(compiler.err, source.string(), shown)};
     } catch (const BadObject& error) {
@@ -220,18 +219,21 @@ Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const 
 std::string link_child(const Toolchain& chain, const Sandbox& sandbox, const std::vector<fs::path>& objects,
                        const fs::path& program) {
     const fs::path folder = program.parent_path();
-    // copies, since the step can read no other object of the solution, nor change these
-    const fs::path given = folder / "objects";
-    fs::create_directory(given);
+    const fs::path made = folder / "objects";
+    fs::create_directory(made);
     std::vector<fs::path> readable;
     std::vector<std::string> command{chain.compiler.string()};
     command.insert(command.end(), chain.link.begin(), chain.link.end());
     command.insert(command.end(),
                    {"-fno-lto", "-fno-use-linker-plugin"});  // no compiler runs on what a fragment may hold
     for (const fs::path& object : objects) {
-        const fs::path copy = given / object.filename();
-        fs::copy_file(object, copy, fs::copy_options::overwrite_existing);
-        command.push_back(copy.string());
+        if (chain.is_given(object)) {  // the step can read no other object of the solution, nor change these
+            readable.push_back(object), command.push_back(object.string());
+        } else {  // it may lie where only this user can read
+            const fs::path copy = made / object.filename();
+            fs::copy_file(object, copy, fs::copy_options::overwrite_existing);
+            command.push_back(copy.string());
+        }
     }
     for (const fs::path& archive : chain.archives) command.push_back(archive.string()), readable.push_back(archive);
     for (const std::string& library : chain.libraries)
@@ -240,7 +242,7 @@ std::string link_child(const Toolchain& chain, const Sandbox& sandbox, const std
     command.insert(command.end(), {"-o", program.string()});
 
     const Ending linker = run(sandbox, tool(command, folder, readable));
-    fs::remove_all(given);
+    fs::remove_all(made);
     if (linker.good()) return {};
     require_room(folder, most_object_bytes);
     if (const std::string cut = cut_off(linker, "the linker"); !cut.empty()) return cut;

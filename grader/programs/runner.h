@@ -48,10 +48,13 @@ public:
     /// CPU time of the last answer, by the child's own account.
     double seconds() const { return last_seconds_; }
 
-    /// Wall time of all answers, by the grader's clock; without what the program waited for a processor.
+    /// Wall time of all answers since the count began, by the grader's clock; without what the program waited for a
+    /// processor.
     double seconds_in_all() const {
-        return answers_seconds_ < 1 ? answers_seconds_ : std::max(0.0, answers_seconds_ - process_->times().delayed);
+        if (answers_seconds_ < 1) return answers_seconds_;
+        return std::max(0.0, answers_seconds_ - (process_->times().delayed - delayed_before_));
     }
+    void begin_count() { answers_seconds_ = 0, delayed_before_ = process_->times().delayed; }
 
     /// Rays of all kinds in the last picture, likewise.
     double rays() const { return std::accumulate(last_rays_.begin(), last_rays_.end(), 0.0); }
@@ -72,7 +75,7 @@ private:
     std::unique_ptr<Process> process_;
     std::string scene_, fragment_;  // what the child was told last
     rt::ivec2 size_{0};             // of that scene's image
-    double last_seconds_ = 0, answers_seconds_ = 0;
+    double last_seconds_ = 0, answers_seconds_ = 0, delayed_before_ = 0;
     std::vector<double> last_rays_;
 };
 

@@ -126,6 +126,11 @@ void refuse_other_arithmetic(const Toolchain& chain) {
 
 }  // namespace
 
+bool Toolchain::is_given(const fs::path& object) const {
+    const auto is_it = [&](const auto& entry) { return entry.second == object; };
+    return std::ranges::any_of(solution_objects, is_it) || std::ranges::any_of(blank_objects, is_it);
+}
+
 Toolchain with_sanitizers(const Toolchain& chain) {
     Toolchain checked = chain;
     checked.checked = true;

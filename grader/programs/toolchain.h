@@ -31,6 +31,9 @@ struct Toolchain {
     std::map<std::string, fs::path> solution_objects;  // by fragment
     std::map<std::string, std::string> symbols;        // by fragment: its name for the linker
     bool checked = false;                              // by sanitizers
+
+    /// Whether an object came with the grader, and is of no submission.
+    bool is_given(const fs::path& object) const;
 };
 
 /// The same compiler, with sanitizers that end a program at the first undefined behaviour and say where it is.
