@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <set>
 
 #include "diagnosis/diagnosis.h"
 #include "report/escape.h"
@@ -94,8 +95,9 @@ std::string statistics(const CheckRecord& check) {
             number_in_table(s.truth), s.tolerance, bar(s), s.replicates, badge(s.verdict));
     }
     text += "</table></div>\n";
+    std::set<std::string> told;
     for (const StatisticRecord& s : check.statistics)
-        if (!s.hint.empty())
+        if (!s.hint.empty() && told.insert(s.hint).second)
             text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(s.verdict), html_with_code(s.hint));
     return text;
 }
