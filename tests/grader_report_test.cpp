@@ -1,11 +1,17 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
 #include "diagnosis/diagnosis.h"
+#include "files/files.h"
 #include "programs/process.h"
 #include "protocol/rows.h"
 #include "report/escape.h"
+#include "report/folder.h"
 #include "report/json.h"
+#include "report/markdown.h"
 #include "report/page.h"
 #include "report/page_parts.h"
 #include "report/picture.h"
@@ -318,4 +324,34 @@ TEST_CASE("a program's end, output and limits are told") {
     CHECK(shell("sleep 100 & echo done").out == "done\n");
     CHECK(shell("env").out.find("HOME") == std::string::npos);
     CHECK(run({"/no/such/program"}, {}, "/").how == Ending::How::not_run);
+}
+
+TEST_CASE("a report in Markdown becomes sections of a page, and what it quotes is harmless") {
+    const std::string text = html_of_markdown(
+        "# title\n\nfirst **words**\nand `code` <script>\n\n## A | B\n\n![alt \" x](a.svg)\n| a | b |\n|---|---|\n"
+        "| 1 | **2** |\n\n* one\n* two ** alone\n");
+    CHECK(text.find("title") == std::string::npos);
+    CHECK(text.find("<p>first <b>words</b>\nand <code>code</code> &lt;script&gt;\n</p>") != std::string::npos);
+    CHECK(text.find("<h2>A | B</h2>") != std::string::npos);
+    CHECK(text.find("<img src=\"a.svg\" alt=\"alt &quot; x\">") != std::string::npos);
+    CHECK(text.find("<tr><th> a </th><th> b </th></tr>\n<tr><td> 1 </td><td> <b>2</b> </td></tr>") !=
+          std::string::npos);
+    CHECK(text.find("<ul><li>one</li>\n<li>two ** alone</li>\n</ul>") != std::string::npos);
+}
+
+TEST_CASE("pages of one folder lead to each other, whichever was written first") {
+    const fs::path folder = fs::temp_directory_path() / fmt::format("penumbra-pages-{}", getpid());
+    write_page(folder, "stress.html", plain_page("Stress", "mine", "<p>s</p>"));
+    const std::string alone = read_text(folder / "stress.html").value();
+    CHECK(alone.find("<b aria-current=\"page\">extreme cases</b>") != std::string::npos);
+    CHECK(alone.find("lesson.html") == std::string::npos);
+    CHECK(alone.find("<code>./grade lesson SUBMISSION --out DIR</code>") != std::string::npos);
+
+    write_page(folder, "lesson.html", plain_page("Lesson", "mine", "<p>l</p>"));
+    const std::string both = read_text(folder / "stress.html").value();
+    CHECK(both.find("<a href=\"lesson.html\"") != std::string::npos);
+    CHECK(both.find("<p>s</p>") != std::string::npos);
+    CHECK(both.find("./grade lesson") == std::string::npos);
+    CHECK(read_text(folder / "lesson.html").value().find("<a href=\"stress.html\"") != std::string::npos);
+    fs::remove_all(folder);
 }

@@ -17,6 +17,7 @@
 #include "judging/provenance.h"
 #include "programs/cache.h"
 #include "programs/process.h"
+#include "report/folder.h"
 #include "report/json.h"
 #include "report/page.h"
 #include "report/terminal.h"
@@ -117,7 +118,7 @@ public:
                 record.own_picture_fault = error.what();
             }
         const fs::path handout = fs::relative(handout_in(chain_.source), html_);
-        write_text(html_ / "index.html", page(record, handout.generic_string()));
+        grade::write_page(html_, "index.html", page(record, handout.generic_string()));
         line.clear();
         fmt::print("page: {}\n", (html_ / "index.html").string());
     }
