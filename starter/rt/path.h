@@ -15,11 +15,6 @@ struct PixelWork {
     Bits key;  // of its random numbers
 };
 
-/// The key of a pixel: no two pixels of an image have the same, and it does not depend on the crop.
-inline Bits pixel_key(const Camera& camera, Bits seed, int x, int y) {
-    return combine(seed, Bits(y) * Bits(camera.size.x) + Bits(x));
-}
-
 struct Trace;
 
 /// What one thread needs to follow paths: the stages' batches, kept from chunk to chunk.

@@ -84,6 +84,44 @@ inline std::uint32_t pascal(std::uint32_t x) {
     return {x * 0x1p-32, y * 0x1p-32};
 }
 
+/// The bits of x and y in turn: pixels that are close have numbers that are close.
+///
+/// Source: Morton, "A Computer Oriented Geodetic Data Base", IBM, 1966.
+inline Bits interleaved(std::uint32_t x, std::uint32_t y) {
+    Bits z = x | Bits(y) << 32;
+    for (const int k : {8, 4, 2, 1}) {
+        const Bits kept = k == 8   ? 0x00ff00ff00ff00ffu
+                          : k == 4 ? 0x0f0f0f0f0f0f0f0fu
+                          : k == 2 ? 0x3333333333333333u
+                                   : 0x5555555555555555u;
+        z = (z | z << k) & kept;
+    }
+    return (z & 0xffffffffu) | z >> 31;
+}
+
+/// The key of a pixel. Blue noise has one sequence for the picture: its key is the upper half, the lower one says which
+/// samples of it are the pixel's.
+inline Bits pixel_key(Bits seed, int width, int x, int y, Sampler sampler) {
+    if (sampler == Sampler::blue_noise)
+        return (combine(seed, 0) >> 32 << 32) | interleaved(std::uint32_t(x), std::uint32_t(y));
+    return combine(seed, Bits(y) * Bits(width) + Bits(x));
+}
+
+/// The key of a path that leaves another one: of the same pixel, with numbers of its own.
+inline Bits branch_key(Bits key, Sampler sampler) {
+    if (sampler == Sampler::blue_noise) return (combine(key >> 32, 1) >> 32 << 32) | (key & 0xffffffffu);
+    return combine(key, 1);
+}
+
+/// Sample i of n of a pixel, where all pixels have a part of one Sobol' sequence, in Morton's order: blocks of 2 x 2, 4 x
+/// 4, ... pixels share the points of a net, so that their errors cancel, and what is left is fine-grained noise.
+///
+/// Source: Ahmed and Wonka, "Screen-Space Blue-Noise Diffusion of Monte Carlo Sampling Error via Hierarchical Ordering of
+/// Pixels", ACM TOG 39(6), 2020.
+[[gnu::always_inline]] inline vec2 blue_noise_2d(Bits key, int i, int n, Bits dimension) {
+    return sobol_2d(key >> 32, std::uint32_t(key) * std::bit_ceil(std::uint32_t(n)) + std::uint32_t(i), dimension);
+}
+
 /// A 2D dimension of a sampling pattern.
 struct Dimension {
     Bits number;        // of its random numbers
@@ -199,6 +237,7 @@ inline int permuted(int i, int n, Bits key) {
 ///     stratified  a random point in each cell
 ///     sobol       Owen-scrambled (0,2)-sequence
 ///     orthogonal  scrambled orthogonal array: even between dimensions too; sobol where n is no power of two
+///     blue_noise  one (0,2)-sequence for all pixels: neighbours err in opposite directions
 ///
 /// Cells are dealt out in another random order in each dimension: dimensions must not go together.
 template <Sampler sampler>
@@ -206,6 +245,7 @@ template <Sampler sampler>
     if constexpr (sampler == Sampler::random) return random_2d(key, Bits(i), dimension.number);
     if constexpr (sampler == Sampler::sobol) return sobol_2d(key, std::uint32_t(i), dimension.number);
     if constexpr (sampler == Sampler::orthogonal) return orthogonal_2d(key, i, n, dimension);
+    if constexpr (sampler == Sampler::blue_noise) return blue_noise_2d(key, i, n, dimension.number);
     if constexpr (sampler == Sampler::stratified)
         return stratified_2d(permuted(i, n, combine(~key, dimension.number)), n,
                              random_2d(key, Bits(i), dimension.number));
@@ -217,6 +257,7 @@ template <Sampler sampler>
     if constexpr (sampler == Sampler::random) return random_1d(key, Bits(i), dimension.number);
     if constexpr (sampler == Sampler::sobol) return sobol_2d(key, std::uint32_t(i), dimension.number).x;
     if constexpr (sampler == Sampler::orthogonal) return orthogonal_2d(key, i, n, dimension).x;
+    if constexpr (sampler == Sampler::blue_noise) return blue_noise_2d(key, i, n, dimension.number).x;
     if constexpr (sampler == Sampler::stratified)
         return std::min(
             (permuted(i, n, combine(~key, dimension.number)) + random_1d(key, Bits(i), dimension.number)) / n,

@@ -15,6 +15,8 @@ auto with_sampler(Sampler sampler, F f) {
             return f(std::integral_constant<Sampler, Sampler::random>{});
         case Sampler::stratified:
             return f(std::integral_constant<Sampler, Sampler::stratified>{});
+        case Sampler::blue_noise:
+            return f(std::integral_constant<Sampler, Sampler::blue_noise>{});
         case Sampler::orthogonal:
             return f(std::integral_constant<Sampler, Sampler::orthogonal>{});
         default:

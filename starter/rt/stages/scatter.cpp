@@ -190,8 +190,8 @@ void bring_back(const Crossing& c, int count, Sent& sent) {
 /// Adds the new rays to a batch, with what stays with their paths, but for those that carry nothing or have nowhere to
 /// go.
 template <WayOn way>
-void append(const World& world, const Batch& b, const Surfaces& s, const Sent& sent, const Index* from, int count,
-            Batch& to) {
+void append(const World& world, Sampler sampler, const Batch& b, const Surfaces& s, const Sent& sent, const Index* from,
+            int count, Batch& to) {
     constexpr bool bounces = way == WayOn::bounce, enters = leads_inside(way);
     constexpr Event event = bounces ? Event::diffuse : is_sharp(way) ? Event::specular : Event::lobe;
     const bool media = world.plan.medium, through = world.plan.through;
@@ -200,7 +200,7 @@ void append(const World& world, const Batch& b, const Surfaces& s, const Sent& s
         to.set_ray(j, {sent.origin.at(k), sent.direction.at(k), 0, inf});
         to.weight.set(j, sent.weight.at(k));
         // Mirror and glass may both be followed: their random numbers must not be the same.
-        to.key[j] = enters ? combine(b.key[i], 1) : b.key[i];
+        to.key[j] = enters ? branch_key(b.key[i], sampler) : b.key[i];
         to.sample[j] = b.sample[i];
         to.time[j] = b.time[i];
         to.slot[j] = b.slot[i];
@@ -239,7 +239,7 @@ template <WayOn way>
         send<way>(u, crossing, count, sent);
         if (way == WayOn::glossy && world.plan.weigh) note_densities(crossing, count, sent);
         if (way != WayOn::bounce && world.plan.smooth) bring_back<way>(crossing, taken, sent);
-        append<way>(world, b, s, sent, leaving.lane + k, taken, to);
+        append<way>(world, pattern.sampler, b, s, sent, leaving.lane + k, taken, to);
         chunk.rays[int(kind)] += std::uint64_t(to.count - before);
         k += taken;
     }
