@@ -9,6 +9,8 @@
 #include "calibration/fast.h"
 #include "calibration/report.h"
 #include "files/files.h"
+#include "report/folder.h"
+#include "report/markdown.h"
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
 #include "studies/studies.h"
@@ -80,6 +82,7 @@ bool calibrate(const CalibrateArguments& arguments, const std::string& toolchain
     fs::create_directories(out);
     const std::string text = calibration_report(summary, command, "calibration.svg");
     write_text(out / "calibration.md", text);
+    write_page(out, "calibration.html", plain_page("How far verdicts can be trusted", command, html_of_markdown(text)));
     write_text(out / "calibration.svg", log_log(budget_plot(summary, int(workshop.assignment().fragments.size()))));
     fmt::print("{}\n{}\n", text.substr(0, text.find("\n## Sizes of a bias")), (out / "calibration.md").string());
     return true;

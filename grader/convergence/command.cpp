@@ -12,6 +12,8 @@
 #include "files/stamp.h"
 #include "programs/cache.h"
 #include "programs/programs.h"
+#include "report/folder.h"
+#include "report/markdown.h"
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
 #include "studies/studies.h"
@@ -99,7 +101,9 @@ void write_reports(const ConvergenceRecord& record, const ConvergeArguments& arg
     for (const SceneRecord& scene : record.scenes)
         for (const Against against : {Against::seconds, Against::rays})
             if (!scene.curves.empty()) write_text(out / plot_file(scene, against), log_log(error_plot(scene, against)));
-    write_text(out / "converge.md", report(record));
+    const std::string text = report(record);
+    write_text(out / "converge.md", text);
+    write_page(out, "converge.html", plain_page("Error against run time", record.submission, html_of_markdown(text)));
 }
 
 }  // namespace
@@ -188,7 +192,7 @@ int converge(const ConvergeArguments& arguments, const std::string& toolchain, c
     line.clear();
     write_reports(record, arguments);
     fmt::print("{}", table(record, isatty(STDOUT_FILENO)));
-    if (!arguments.out.empty()) fmt::print("report: {}\n", (fs::path(arguments.out) / "converge.md").string());
+    if (!arguments.out.empty()) fmt::print("report: {}\n", (fs::path(arguments.out) / "converge.html").string());
     const bool broken = std::ranges::any_of(record.scenes, [](const SceneRecord& s) { return !s.fault.empty(); });
     return arguments.require && (broken || record.is_biased()) ? 1 : 0;
 }

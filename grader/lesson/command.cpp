@@ -8,9 +8,34 @@
 #include "lesson/lesson.h"
 #include "programs/programs.h"
 #include "programs/runner.h"
+#include "report/folder.h"
+#include "report/markdown.h"
 #include "studies/studies.h"
 
 namespace grade::lesson {
+
+namespace {
+
+constexpr const char* lesson_words =
+    "A fragment of part 1 adds up samples of a function whose integral is known. Each line is the error of its sums, "
+    "by "
+    "the way\nthe points are chosen: the steeper it falls, the fewer points a picture needs.\n\n";
+
+/// What a page says of one integral, in Markdown.
+std::string section_of(const LessonIntegrand& integrand, const std::vector<LessonCurve>& curves,
+                       const std::string& plot) {
+    std::string text = fmt::format(
+        "## {0}\n\n![relative error of {0} against the number of points]({1})\n\n"
+        "| points | fragment | error falls as |\n|---|---|---|\n",
+        integrand.title, plot);
+    for (const LessonCurve& curve : curves)
+        text += fmt::format("| {} | `{}` | {} |\n", method_names[std::size_t(curve.method)],
+                            method_fragments[std::size_t(curve.method)],
+                            curve.slope ? fmt::format("N^{:.2f}", *curve.slope) : "exact but for rounding");
+    return text + "\n";
+}
+
+}  // namespace
 
 CLI::App* add_lesson_command(CLI::App& app, LessonArguments& arguments) {
     CLI::App* lesson = app.add_subcommand("lesson", purpose_of("lesson"));
@@ -40,6 +65,7 @@ void run_lesson(const LessonArguments& arguments, const std::string& toolchain) 
                   chain.source / "scenes", time_limit);
 
     if (!arguments.out.empty()) fs::create_directories(arguments.out);
+    std::string sections;
     for (const LessonIntegrand& integrand : lesson_integrands()) {
         std::vector<LessonCurve> curves;
         for (const Method method : {Method::uniform, Method::random, Method::stratified, Method::importance})
@@ -55,9 +81,15 @@ void run_lesson(const LessonArguments& arguments, const std::string& toolchain) 
         }
         if (arguments.out.empty()) continue;
         const fs::path file = fs::path(arguments.out) / fmt::format("lesson_{}.svg", integrand.name);
+        sections += section_of(integrand, curves, file.filename().string());
         write_text(file, log_log(lesson_plot(integrand, curves)));
         fmt::print("  {}\n", file.string());
     }
+    if (sections.empty()) return;
+    write_page(arguments.out, "lesson.html",
+               plain_page("Integrals: how the error falls with the number of points", submission.name,
+                          html_of_markdown(lesson_words + sections)));
+    fmt::print("page: {}\n", (fs::path(arguments.out) / "lesson.html").string());
 }
 
 }  // namespace grade::lesson

@@ -4,9 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <set>
 
 #include "diagnosis/diagnosis.h"
 #include "report/escape.h"
+#include "report/folder.h"
 #include "report/page_parts.h"
 #include "report/picture.h"
 #include "report/terminal.h"
@@ -93,8 +95,9 @@ std::string statistics(const CheckRecord& check) {
             number_in_table(s.truth), s.tolerance, bar(s), s.replicates, badge(s.verdict));
     }
     text += "</table></div>\n";
+    std::set<std::string> told;
     for (const StatisticRecord& s : check.statistics)
-        if (!s.hint.empty())
+        if (!s.hint.empty() && told.insert(s.hint).second)
             text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(s.verdict), html_with_code(s.hint));
     return text;
 }
@@ -263,8 +266,8 @@ std::string page(const Record& record, const std::string& handout) {
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
         "content=\"width=device-width\">"
         "<title>{:g} of {:g}: {}</title><style>{}</style></head><body><a class=\"skip\" href=\"#overview\">to the "
-        "verdicts</a><main>\n",
-        record.score(), record.max_score(), html(record.submission), page_style);
+        "verdicts</a><main>\n{}",
+        record.score(), record.max_score(), html(record.submission), page_style, page_links);
     text += fmt::format(
         "<header><div><h1>{}</h1><p>{}</p>{}<p class=\"soft\">seed {}</p></div><div class=\"score\"><b>{:g}</b> "
         "<span>of {:g}</span>"

@@ -8,6 +8,7 @@
 
 #include "assignment/assignment.h"
 #include "files/files.h"
+#include "report/folder.h"
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
 #include "stress/report.h"
@@ -81,8 +82,7 @@ int run_stress(const StressArguments& arguments, const std::string& toolchain, c
 
     if (!arguments.json.empty()) write_text(arguments.json, to_json(record));
     if (!arguments.html.empty()) {
-        fs::create_directories(arguments.html);
-        write_text(fs::path(arguments.html) / "stress.html", page(record, assignment.title));
+        write_page(arguments.html, "stress.html", page(record, assignment.title));
     }
     fmt::print("{}{}\n", table(record, isatty(STDOUT_FILENO)), record.sandbox);
     if (!arguments.html.empty()) fmt::print("page: {}\n", (fs::path(arguments.html) / "stress.html").string());

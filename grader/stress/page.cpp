@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "report/escape.h"
+#include "report/folder.h"
 #include "report/page_parts.h"
 
 namespace grade::stress {
@@ -92,8 +93,8 @@ std::string page(const StressRecord& record, const std::string& title) {
     std::string text = fmt::format(
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
         "content=\"width=device-width\">"
-        "<title>{} of {}: {}</title><style>{}{}</style></head><body><main>\n",
-        record.scored(), record.most_scored(), html(record.submission), page_style, stress_style);
+        "<title>{} of {}: {}</title><style>{}{}</style></head><body><main>\n{}",
+        record.scored(), record.most_scored(), html(record.submission), page_style, stress_style, page_links);
     text += fmt::format(
         "<header><div><h1>{}: stiff and extreme cases</h1><p>{}</p></div><div "
         "class=\"score\"><b>{}</b> <span>of {} families</span>"

@@ -47,6 +47,7 @@ def make_pages(grade, folder):
     (example / "fragments/uniform_disk.cpp").unlink()  # does not end, and would be part of the picture
     run(example, *FRAGMENTS, "--seed", "1", "--html", folder / "grade")
     run("stress", "solution", "--only", "phong", "--html", folder / "stress")
+    run("lesson", "solution", "--out", folder / "stress")
     for student in ("anna", "ben"):  # twins, and alike in what is wrong
         (folder / f"export/hw1-{student}").mkdir(parents=True)
         for name in ("phong", "whitted"):
@@ -59,7 +60,7 @@ def make_pages(grade, folder):
 def check_widths(browser, page_file, keep):
     for scheme in ("light", "dark"):
         for width in WIDTHS:
-            name = f"{page_file.parent.name} at {width}, {scheme}"
+            name = f"{page_file.stem} of {page_file.parent.name} at {width}, {scheme}"
             page = browser.new_page(viewport={"width": width, "height": 900}, color_scheme=scheme)
             asked = []
             page.on("request", lambda request: asked.append(request.url))
@@ -76,8 +77,24 @@ def check_widths(browser, page_file, keep):
                     expect(False, f"{name}: {violation['id']}, {len(violation['nodes'])} times: {node['html'][:120]} "
                                   f"{node['failureSummary'].splitlines()[-1]}")
             if keep:
-                page.screenshot(path=keep / f"{page_file.parent.name}_{scheme}_{width}.png", full_page=True)
+                page.screenshot(path=keep / f"{page_file.parent.name}_{page_file.stem}_{scheme}_{width}.png", full_page=True)
             page.close()
+
+
+def check_links(browser, folder):
+    """The page that was written first leads to the one that followed, and back; both name what is not there."""
+    page = browser.new_page()
+    page.goto((folder / "stress.html").as_uri())
+    page.get_by_role("link", name="integrals").click()
+    expect(page.url.endswith("lesson.html"), f"pages of one folder: stress leads to {page.url}")
+    expect(page.locator("nav.pages [aria-current]").inner_text() == "integrals", "pages of one folder: which one this is")
+    shown = page.evaluate("[...document.images].every(image => image.naturalWidth > 0)")
+    expect(shown and page.locator("img").count() == 3, "the lesson's plots")
+    page.locator("nav.pages summary").click()
+    expect("./grade converge" in page.locator("nav.pages ul").inner_text(), "pages of one folder: how to make the others")
+    page.get_by_role("link", name="extreme cases").click()
+    expect(page.url.endswith("stress.html"), f"pages of one folder: the lesson leads to {page.url}")
+    page.close()
 
 
 def check_without_script(browser, page_file):
@@ -134,10 +151,11 @@ def main():
         words.keep.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
         pages = make_pages(words.grade, pathlib.Path(folder))
-        expect(len(pages) == 3, f"three pages are written, not {len(pages)}")
+        expect(len(pages) == 4, f"four pages are written, not {len(pages)}")
         browser = playwright.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
         for page_file in pages:
             check_widths(browser, page_file, words.keep)
+        check_links(browser, pathlib.Path(folder) / "stress")
         graded = pathlib.Path(folder) / "grade/index.html"
         for check in (check_without_script, check_comforts, check_print):
             check(browser, graded)

@@ -1,0 +1,104 @@
+#include "report/markdown.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "report/escape.h"
+
+namespace grade {
+
+namespace {
+
+std::vector<std::string_view> lines_of(std::string_view text) {
+    std::vector<std::string_view> lines;
+    while (!text.empty()) {
+        const auto end = std::min(text.find('\n'), text.size());
+        lines.push_back(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
+}
+
+/// Words within a line.
+std::string inline_html(std::string_view words) {
+    std::string safe = html_with_code(words);
+    bool open = false;
+    for (std::size_t at = 0; (at = safe.find("**", at)) != safe.npos; open = !open) {
+        if (!open && safe.find("**", at + 2) == safe.npos) break;
+        safe.replace(at, 2, open ? "</b>" : "<b>");
+    }
+    return safe;
+}
+
+/// "| a | b |"
+std::string row_of(std::string_view line, const char* cell) {
+    std::string text = "<tr>";
+    line.remove_prefix(1);
+    while (!line.empty()) {
+        const auto end = std::min(line.find('|'), line.size());
+        if (end == line.size() && line.find_first_not_of(' ') == line.npos) break;
+        text += fmt::format("<{0}>{1}</{0}>", cell, inline_html(line.substr(0, end)));
+        line.remove_prefix(std::min(end + 1, line.size()));
+    }
+    return text + "</tr>\n";
+}
+
+std::string table_of(const std::vector<std::string_view>& rows) {
+    std::string text = "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"table\"><table>\n";
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (!rows[i].starts_with("|--")) text += row_of(rows[i], i == 0 ? "th" : "td");
+    return text + "</table></div>\n";
+}
+
+/// "![what it shows](file)"
+std::string picture_of(std::string_view line) {
+    const auto middle = line.find("]("), end = line.find(')', middle);
+    if (middle == line.npos || end == line.npos) return fmt::format("<p>{}</p>\n", inline_html(line));
+    const std::string alt = html(line.substr(2, middle - 2));
+    return fmt::format("<figure class=\"plot\"><img src=\"{}\" alt=\"{}\"></figure>\n",
+                       html(line.substr(middle + 2, end - middle - 2)), alt);
+}
+
+/// Consecutive lines that begin like the first: a table, a list, a paragraph.
+std::string block_of(const std::vector<std::string_view>& lines) {
+    if (lines.front().starts_with("|")) return table_of(lines);
+    const bool list = lines.front().starts_with("* ");
+    std::string text = list ? "<ul>" : "<p>";
+    for (const std::string_view line : lines)
+        text += list ? fmt::format("<li>{}</li>\n", inline_html(line.substr(2))) : inline_html(line) + "\n";
+    return text + (list ? "</ul>\n" : "</p>\n");
+}
+
+bool stands_alone(std::string_view line) { return line.empty() || line.starts_with("#") || line.starts_with("!["); }
+
+bool of_one_kind(std::string_view a, std::string_view b) {
+    return a.starts_with("|") == b.starts_with("|") && a.starts_with("* ") == b.starts_with("* ");
+}
+
+}  // namespace
+
+std::string html_of_markdown(std::string_view text) {
+    const auto lines = lines_of(text);
+    std::string page = "<section class=\"card\">\n";
+    for (std::size_t i = 0; i < lines.size();) {
+        const std::string_view line = lines[i];
+        if (stands_alone(line)) {
+            if (line.starts_with("## "))
+                page += fmt::format("</section>\n<h2>{}</h2>\n<section class=\"card\">\n", inline_html(line.substr(3)));
+            else if (line.starts_with("### "))
+                page += fmt::format("<h3>{}</h3>\n", inline_html(line.substr(4)));
+            else if (line.starts_with("!["))
+                page += picture_of(line);
+            ++i;
+            continue;
+        }
+        std::vector<std::string_view> block;
+        while (i < lines.size() && !stands_alone(lines[i]) && of_one_kind(line, lines[i])) block.push_back(lines[i++]);
+        page += block_of(block);
+    }
+    return page + "</section>\n";
+}
+
+}  // namespace grade
