@@ -194,6 +194,12 @@ struct Lobe {
     vec3 direction() const { return lobe_about(axis, n, u).first; }
     Real theta() const { return dot(direction(), outward); }
     Real power() const { return std::pow(lobe_about(axis, n, u).second, n); }
+    /// With a weight of its own over cos(theta), and all directions on the side that counts.
+    Row mirrored(Real weight) const {
+        if (axis == vec3(0)) return scattered(0);
+        const Real below = std::min(theta(), 0.0);
+        return row(Scattered{direction() - 2 * below * outward, Color(weight * std::abs(theta()))});
+    }
     Row scattered(Real weight) const {
         return axis == vec3(0) ? row(Scattered{d, Color(0)}) : row(Scattered{direction(), Color(weight)});
     }
@@ -206,38 +212,49 @@ Lobe lobe_of(vec3 d, vec3 n, Real from, Real to, Real exponent, vec2 u) {
 
 template <class... Arguments>
 std::vector<Steps> of_lobe(const char* formula_of_axis) {
-    return {steps<Arguments...>(
-                "weight = (n + 2) / (n + 1) * cos(theta) for cos(theta) > 0",
-                "Real cos(theta); Real cos(alpha); Real n + 2; Real n + 1; Real the factor cos(theta)",
-                +[](const Arguments&... arguments) {
-                    const Lobe l = lobe_of(arguments...);
-                    return row(l.theta(), lobe_about(l.axis, l.n, l.u).second, l.n + 2, l.n + 1, l.theta());
-                },
-                +[](const double* s, const Arguments&... arguments) {
-                    const Lobe l = lobe_of(arguments...);
-                    return l.scattered(s[0] > 0 ? s[2] / s[3] * (s[0] != l.theta() ? s[0] : s[4]) : 0);
-                }),
-            steps<Arguments...>(
-                "weight = brdf * cos(theta) / density for cos(theta) > 0, brdf = (n + 2) / (2 * pi) * cos(alpha)^n, "
-                "density = (n + 1) / (2 * pi) * cos(alpha)^n",
-                "Real brdf; Real density; Real cos(theta); Real cos(alpha)^n",
-                +[](const Arguments&... arguments) {
-                    const Lobe l = lobe_of(arguments...);
-                    const Real power = l.power() / (2 * pi);
-                    return row((l.n + 2) * power, (l.n + 1) * power, l.theta(), l.power());
-                },
-                +[](const double* s, const Arguments&... arguments) {
-                    const Lobe l = lobe_of(arguments...);
-                    return l.scattered(l.theta() > 0 ? s[0] * s[2] / s[1] : 0);
-                }),
-            steps<Arguments...>(
-                formula_of_axis, "vec3 the axis",
-                +[](const Arguments&... arguments) { return row(lobe_of(arguments...).axis); },
-                +[](const double* s, const Arguments&... arguments) {
-                    Lobe l = lobe_of(arguments...);
-                    l.axis = vec3(s[0], s[1], s[2]);
-                    return l.scattered(l.theta() > 0 ? (l.n + 2) / (l.n + 1) * l.theta() : 0);
-                })};
+    return {
+        steps<Arguments...>(
+            "weight = (n + 2) / (n + 1) * cos(theta) for cos(theta) > 0",
+            "Real cos(theta); Real cos(alpha); Real n + 2; Real n + 1; Real the factor cos(theta); Real the exponent n "
+            "of the lobe; bool a ray on the wrong side mirrored at the surface and counted; bool a ray on the wrong "
+            "side of the surface, below it, counted with abs(cos(theta))",
+            +[](const Arguments&... arguments) {
+                const Lobe l = lobe_of(arguments...);
+                return row(l.theta(), lobe_about(l.axis, l.n, l.u).second, l.n + 2, l.n + 1, l.theta(), l.n, false,
+                           false);
+            },
+            +[](const double* s, const Arguments&... arguments) {
+                Lobe l = lobe_of(arguments...);
+                const Real weight = s[2] / s[3];
+                if (s[5] != l.n) {
+                    l.n = s[5];
+                    return l.scattered(l.theta() > 0 ? weight * l.theta() : 0);
+                }
+                if (s[7] != 0) return l.scattered(weight * std::abs(l.theta()));
+                if (s[6] != 0) return l.mirrored(weight);
+                return l.scattered(s[0] > 0 ? s[2] / s[3] * (s[0] != l.theta() ? s[0] : s[4]) : 0);
+            }),
+        steps<Arguments...>(
+            "weight = brdf * cos(theta) / density for cos(theta) > 0, brdf = (n + 2) / (2 * pi) * cos(alpha)^n, "
+            "density = (n + 1) / (2 * pi) * cos(alpha)^n",
+            "Real brdf; Real density; Real cos(theta); Real cos(alpha)^n",
+            +[](const Arguments&... arguments) {
+                const Lobe l = lobe_of(arguments...);
+                const Real power = l.power() / (2 * pi);
+                return row((l.n + 2) * power, (l.n + 1) * power, l.theta(), l.power());
+            },
+            +[](const double* s, const Arguments&... arguments) {
+                const Lobe l = lobe_of(arguments...);
+                return l.scattered(l.theta() > 0 ? s[0] * s[2] / s[1] : 0);
+            }),
+        steps<Arguments...>(
+            formula_of_axis, "vec3 the axis",
+            +[](const Arguments&... arguments) { return row(lobe_of(arguments...).axis); },
+            +[](const double* s, const Arguments&... arguments) {
+                Lobe l = lobe_of(arguments...);
+                l.axis = vec3(s[0], s[1], s[2]);
+                return l.scattered(l.theta() > 0 ? (l.n + 2) / (l.n + 1) * l.theta() : 0);
+            })};
 }
 
 std::vector<Steps> of_glossy() {
