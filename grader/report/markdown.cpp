@@ -46,7 +46,7 @@ std::string row_of(std::string_view line, const char* cell) {
 }
 
 std::string table_of(const std::vector<std::string_view>& rows) {
-    std::string text = "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"table\"><table>\n";
+    std::string text = "<div class=\"scroll plain\" role=\"region\" tabindex=\"0\" aria-label=\"table\"><table>\n";
     for (std::size_t i = 0; i < rows.size(); ++i)
         if (!rows[i].starts_with("|--")) text += row_of(rows[i], i == 0 ? "th" : "td");
     return text + "</table></div>\n";
