@@ -248,7 +248,7 @@ build_release() {
         configure "${@:2}"
     fi
 
-    local at=0 total=0 began=$SECONDS skip=""
+    local at=0 total=0 began=$SECONDS skip="" aside=""
     if [ ! -e "$build/.ninja_log" ]; then
         total=$(ninja -C "$build" -t commands "${targets[@]}" 2>/dev/null | wc -l) || total=0
         say "Building, the first time: $total steps, $(in_words $((total / processors)))."
@@ -262,12 +262,14 @@ build_release() {
 build_line() {
     if [[ ${1-} =~ ^\[([0-9]+)/([0-9]+)\]\ (Re-)? ]]; then
         [ -z "${BASH_REMATCH[3]}" ] || return 0
-        at=${BASH_REMATCH[1]} total=${BASH_REMATCH[2]}
+        at=${BASH_REMATCH[1]} total=${BASH_REMATCH[2]} aside=""
     elif [ $# -gt 0 ]; then
         output+=$1$'\n'
         case $1 in
-            "-- "* | "ninja: no work to do." | "ninja: build stopped:"*) ;;
-            *) [ -n "$skip" ] || say "$1" ;;
+            "-- "*) aside=1 ;;  # a message that may go on in the next lines
+            "ninja: no work to do." | "ninja: build stopped:"*) ;;
+            "CMake "*) aside="" ;;&
+            *) [ -n "$skip$aside" ] || say "$1" ;;
         esac
         [[ $1 == FAILED:* ]] && skip=1 || skip=""
         return 0

@@ -63,6 +63,38 @@ TEST_CASE("pictures of checks find lamps as fragments do: all, by light_sample o
             }
 }
 
+TEST_CASE("a scene of a file has a value in place of each name in braces, and tables in braces stay") {
+    const SceneKeys values = {{"at", rt::vec3(1, 2.5, 0)}, {"n_1", 3}};
+    CHECK(filled_in("a = {at}\nb = [{n_1}, {n_1}] # {at}\nm = { g = 0.5 }\ne = {}", "f.toml", values) ==
+          "a = [1, 2.5, 0]\nb = [3, 3] # [1, 2.5, 0]\nm = { g = 0.5 }\ne = {}");
+    const auto complaint = [&](const std::string& text, const SceneKeys& given) {
+        return complaint_of([&] { filled_in(text, "f.toml", given); });
+    };
+    CHECK(complaint("a = {at}\nb = {n_2}", values) ==
+          "f.toml:2:5: the check gives no value for {n_2}; expected {n_1}?");
+    CHECK(complaint("{other}", {}) ==
+          "f.toml:1:1: the check gives no value for {other}; expected {\"other\", ...} in its scene_from");
+    CHECK(complaint("a = {at}\nbc", values) ==
+          "f.toml:2:3: the check gives a value for n_1, which stands nowhere; expected {n_1} in this file");
+    CHECK(complaint_of([] { scene_from("hollow_spere.toml", {}); }) ==
+          "grader/checks/hollow_spere.toml:1:1: there is no such file; expected hollow_sphere.toml?");
+    // what is no scene is told where it stands in the file
+    const auto hollow = [](const SceneValue& radius) {
+        return complaint_of([&] {
+            scene_from("hollow_sphere.toml", {{"bounces", 3},
+                                              {"eye", rt::vec3(0)},
+                                              {"target", rt::vec3(0, 0, -1)},
+                                              {"up", rt::vec3(0, 1, 0)},
+                                              {"albedo", 0.5},
+                                              {"center", rt::vec3(0)},
+                                              {"intensity", 1},
+                                              {"radius", radius}});
+        });
+    };
+    CHECK(hollow(1) == "");
+    CHECK(hollow(-1).starts_with("grader/checks/hollow_sphere.toml:24:"));
+}
+
 TEST_CASE("one seed gives one set of checks") {
     const auto a = all_checks(7), b = all_checks(7);
     REQUIRE(a.size() == b.size());

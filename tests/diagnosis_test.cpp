@@ -195,6 +195,20 @@ TEST_CASE("a mistake in the middle of a formula is named, in the words of its do
         return all;
     };
     CHECK_THAT(found("integrate_stratified", strata, never_reset).how, ContainsSubstring("not set back to 0"));
+    const Ask first_alone = [](const Rows& rows) {
+        Rows all = answers("integrate_stratified")(rows);
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            double total = 0;
+            for (std::size_t at = 5; at < rows[k].size(); at += 6) {
+                const double low = rows[k][at], width = rows[k][at + 1] - low;
+                total += width * (rows[k][2] + rows[k][3] * (low + rows[k][at + 3] * width));
+            }
+            all[k][0] = total;
+        }
+        return all;
+    };
+    CHECK_THAT(found("integrate_stratified", strata, first_alone).how,
+               ContainsSubstring("the first u of each stratum alone"));
     const Ask negated = answers("refracted_direction", {}, {});
     const Rows rays = calls([](Generator& random) {
         const rt::vec3 n = direction(random);
@@ -210,6 +224,44 @@ TEST_CASE("a mistake in the middle of a formula is named, in the words of its do
         return all;
     };
     CHECK_THAT(found("refracted_direction", rays, sign).how, ContainsSubstring("`-e * c` in place of `e * c`"));
+    const Ask normalised = [sign](const Rows& asked) {
+        Rows all = sign(asked);
+        for (Row& one : all) {
+            const rt::vec3 v = rt::unit({one[0], one[1], one[2]});
+            one = row(v);
+        }
+        return all;
+    };
+    CHECK_THAT(found("refracted_direction", rays, normalised).how,
+               ContainsSubstring("`-e * c` in place of `e * c`") && ContainsSubstring("in `unit("));
+}
+
+TEST_CASE("what calls that go wrong have in common is told in steps of the formula, or as what is taken for granted") {
+    const Rows rays = calls([](Generator& random) {
+        const rt::vec3 n = direction(random);
+        return row(-tilted(random, n, between(random, 0, 1.5)), n, between(random, 1, 2), between(random, 1, 2));
+    });
+    const Ask no_test = answers("refracted_direction", {}, [](Row& out) {
+        if (out[0] == 0 && out[1] == 0 && out[2] == 0) out[0] = out[1] = out[2] = std::nan("");
+    });
+    CHECK_THAT(found("refracted_direction", rays, no_test).where,
+               ContainsSubstring("are nan, those where `1 - e^2 * (1 - c^2) < 0`"));
+    const Rows spheres = calls([](Generator& random) {
+        const rt::Sphere sphere{box(random, -1, 1), between(random, 0.5, 1)};
+        const rt::vec3 origin = sphere.center + between(random, 2, 5) * direction(random);
+        const double length = chance(random, 0.5) ? 1 : between(random, 0.2, 3);
+        return row(sphere, rt::Ray{origin, length * rt::unit(sphere.center - origin)});
+    });
+    const Ask length_lost = [](const Rows& rows) {
+        Rows all = answers("hit_sphere")(rows);
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            const double length = glm::length(rt::vec3(rows[k][7], rows[k][8], rows[k][9]));
+            all[k][0] += 0.3 * std::sin(7 * (length - 1));
+        }
+        return all;
+    };
+    CHECK_THAT(found("hit_sphere", spheres, length_lost).how,
+               ContainsSubstring("the length of `ray.direction` is taken to be 1"));
 }
 
 namespace {

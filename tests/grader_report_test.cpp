@@ -52,10 +52,37 @@ TEST_CASE("nothing that a submission says gets into the page or the terminal as 
     CHECK(text.find("onload='x'") == std::string::npos);
     CHECK(text.find('\033') == std::string::npos);
     CHECK(text.find('\xff') == std::string::npos);
-    const std::string terminal = table(record, false);
+    const std::string terminal = table(record, {});
     CHECK(terminal.find('\033') == std::string::npos);
     CHECK(terminal.find("\xe2\x80\xae") == std::string::npos);
     CHECK(nlohmann::json::accept(to_json(record)));
+}
+
+TEST_CASE("a terminal tells what is wrong, the call, what to read, and last what the compiler warns of") {
+    Record record = record_with("is it squared?");
+    FragmentRecord& wrong = record.fragments[0];
+    wrong.message.clear(), wrong.checks[0].message.clear(), wrong.checks[1].statistics.clear();
+    wrong.file = "fragments/moved.cpp", wrong.warnings = "fragments/moved.cpp:9:5: warning: unused";
+    wrong.finding.arguments = "time = -1", wrong.finding.answer = "1", wrong.finding.right = "2";
+    wrong.finding.command = "./grade call moved 'time = -1'";
+    // one fragment has no sums
+    const std::string row = "  moved                   failed              1 of 3    fragments/moved.cpp\n";
+    const std::string below = "      For time = -1 the answer is 1, must be 2\n";
+    const std::string last = "      read: handout.md, \"moved\"\n      fragments/moved.cpp:9:5: warning: unused\n";
+    CHECK(table(record, {}) == row + below + last);
+    CHECK(table(record, {.own = true}) == row + below + "      again: ./grade call moved 'time = -1'\n" + last);
+    // of several, those of parts where there are several
+    FragmentRecord blank;
+    blank.name = "phong", blank.part = "one", blank.max_points = 3, blank.verdict = Verdict::not_started;
+    blank.message = "fill in fragments/phong.cpp";
+    record.fragments.push_back(blank);
+    const std::string second = "  phong                   not started         0 of 3    fill in fragments/phong.cpp\n";
+    const std::string total = "Total                                         1 of 6    1 failed, 1 not started\n";
+    CHECK(table(record, {}) == row + below + last + second + total);
+    record.parts.push_back({"two", "Part two"});
+    record.fragments[1].part = "two";
+    CHECK(table(record, {}).starts_with("Part one                                      1 of 3\n" + row));
+    CHECK(table(record, {}).ends_with("3\n" + second + "\n" + total));
 }
 
 TEST_CASE("reports show what a picture costs and how noisy it is, beside the solution's") {
@@ -71,7 +98,7 @@ TEST_CASE("reports show what a picture costs and how noisy it is, beside the sol
     CHECK_FALSE(record.efficiency_ratio().has_value());
     CHECK(page(record).find("One picture: RMSE 0.02 in 0.5 s of CPU time. The") != std::string::npos);
     CHECK(page(record).find("the solution's in the median") == std::string::npos);
-    CHECK(table(record, false).find("Efficiency") == std::string::npos);
+    CHECK(table(record, {}).find("Efficiency") == std::string::npos);
     record.fragments[0].verdict = Verdict::passed;
     CHECK(record.efficiency_ratio().value() == Approx(0.125));
     const auto json = nlohmann::json::parse(to_json(record));
@@ -80,7 +107,7 @@ TEST_CASE("reports show what a picture costs and how noisy it is, beside the sol
     const std::string text = page(record);
     CHECK(text.find("One picture: RMSE 0.02 in 0.5 s of CPU time, efficiency 5e+03") != std::string::npos);
     CHECK(text.find("error against run time</text>") != std::string::npos);
-    CHECK(table(record, false).find("0.12 times the solution's") != std::string::npos);
+    CHECK(table(record, {}).find("0.12 times the solution's") != std::string::npos);
 
     // without an error there is no efficiency
     check.cost->mse = 0;
@@ -182,7 +209,7 @@ TEST_CASE("a diagnosis says where to read, in the record, in the table and as a 
     CHECK(nlohmann::json::parse(to_json(record))["fragments"][0]["read"] == "handout.md, \"lens_ray\"");
     CHECK(nlohmann::json::parse(to_json(record))["fragments"][0]["checks"][0]["statistics"][0]["read"] ==
           "handout.md, \"lens_ray\"");
-    CHECK(table(record, false).find("handout.md, \"lens_ray\"") != std::string::npos);
+    CHECK(table(record, {}).find("handout.md, \"lens_ray\"") != std::string::npos);
     CHECK(page(record, "../handout.md").find("href=\"../handout.md#lens_ray\"") != std::string::npos);
     record.fragments = {fragment_with(Verdict::passed, "", {})};
     CHECK(!nlohmann::json::parse(to_json(record))["fragments"][0].contains("read"));
@@ -194,7 +221,7 @@ TEST_CASE("the compiler's warnings are in the table, on the page and in the reco
     record.fragments = {fragment_with(Verdict::passed, "", {})};
     record.fragments[0].part = "one";
     record.fragments[0].warnings = "phong.cpp:4:9: warning: unused <b>variable</b> [-Wunused-variable]\x1b[31m\n";
-    const std::string rows = table(record, false), text = page(record, "../handout.md");
+    const std::string rows = table(record, {}), text = page(record, "../handout.md");
     CHECK(rows.find("phong.cpp:4:9: warning: unused <b>variable</b>") != std::string::npos);
     CHECK(rows.find('\x1b') == std::string::npos);
     CHECK(text.find("&lt;b&gt;variable") != std::string::npos);
@@ -216,7 +243,7 @@ TEST_CASE("the simplest call that goes wrong is on the page and in the record as
     const auto call = nlohmann::json::parse(to_json(record))["fragments"][0]["finding"];
     CHECK(call["command"] == finding.command);
     CHECK(call["right"] == "1");
-    CHECK(table(record, false).find("./grade call") == std::string::npos);
+    CHECK(table(record, {}).find("./grade call") == std::string::npos);
 }
 
 TEST_CASE("what stands between backquotes is code, and as harmless as the rest") {

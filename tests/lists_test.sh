@@ -27,6 +27,12 @@ expect 0 "Generating done" "${configure[@]}"
 solutions=(solution/*.cpp)
 expect 0 "${#solutions[@]}" grep -c 'visit("\(.*\)", rt::\1);' "$functions"
 
+# scenes beside the checks, as texts
+expect 0 '{"hollow_sphere.toml", R"toml(# color_bleeding' cat "$work/build/grader/checks/scene_texts.cpp"
+printf '[camera]\neye = {eye}\nup = [0, 0, 1]  # a; b\n' >"$work/grader/checks/fog.toml"
+expect 0 "Generating done" "${configure[@]}"
+expect 0 $'{"fog.toml", R"toml([camera]\neye = {eye}\nup = [0, 0, 1]  # a; b\n)toml"},' cat "$work/build/grader/checks/scene_texts.cpp"
+
 # a new fragment: a declaration, a line of the assignment, a file of checks
 declare_one() { sed -i 's|^// 3 sampling|Real fog(Real extinction, Real way);\n&|' "$work/starter/rt/fragments.h"; }
 assign_one() { sed -i 's|.*name = "whitted", points.*|&\n  { points = 2, name = "fog" }, # { name = "mist" }|' "$work/assignment.toml"; }

@@ -1,4 +1,6 @@
+#include <array>
 #include <cmath>
+#include <set>
 #include <vector>
 
 #include "catch.h"
@@ -120,4 +122,58 @@ TEST_CASE("an orthogonal array takes a power of two, and others are Sobol's poin
     CHECK(pattern_of(Sampler::stratified, 48) == Sampler::stratified);
     for (std::size_t i = 0; i < sampler_names.size(); ++i) CHECK(sampler_named(sampler_names[i]) == Sampler(i));
     CHECK(!sampler_named("halton"));
+}
+
+namespace {
+
+/// How many times smaller the squared error of an image of means is, once blocks of 2 x 2 and of 4 x 4 pixels are
+/// averaged.
+template <Sampler sampler>
+std::array<Real, 2> gain_of_blocks(int n) {
+    constexpr int width = 64;
+    std::array<Real, 3> squares{};
+    for (Bits seed = 0; seed < 8; ++seed)
+        for (int level = 0; level < 3; ++level) {
+            const int block = 1 << level;
+            for (int y = 0; y < width; y += block)
+                for (int x = 0; x < width; x += block) {
+                    Real error = 0;
+                    for (int k = 0; k < block * block; ++k) {
+                        const Bits key = pixel_key(seed, width, x + k % block, y + k / block, sampler);
+                        for (int i = 0; i < n; ++i) {
+                            const vec2 p = pattern_2d<sampler>(key, i, n, Dimension(3));
+                            error += (p.x * p.y + std::cos(2 * p.x) - 0.25 - std::sin(2.) / 2) / n / block / block;
+                        }
+                    }
+                    squares[std::size_t(level)] += sqr(error) * block * block;
+                }
+        }
+    return {squares[0] / squares[1], squares[1] / squares[2]};
+}
+
+}  // namespace
+
+TEST_CASE("blue noise: the errors of neighbours cancel, those of other patterns are independent") {
+    for (const int n : {1, 4, 16}) {
+        const auto blue = gain_of_blocks<Sampler::blue_noise>(n), sobol = gain_of_blocks<Sampler::sobol>(n);
+        CAPTURE(n, blue[0], blue[1], sobol[0], sobol[1]);
+        for (const Real gain : blue) CHECK(gain > 8);
+        for (const Real gain : sobol) CHECK(std::abs(gain - 4) < 0.6);
+    }
+}
+
+TEST_CASE("blue noise: each pixel's samples are a net, of its own, and a branch has other numbers") {
+    const int n = 16;
+    std::set<std::pair<Real, Real>> seen;
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x)
+            for (const bool branch : {false, true}) {
+                const Bits pixel = pixel_key(5, 8, x, y, Sampler::blue_noise);
+                const Bits key = branch ? branch_key(pixel, Sampler::blue_noise) : pixel;
+                std::vector<vec2> all;
+                for (int i = 0; i < n; ++i) all.push_back(pattern_2d<Sampler::blue_noise>(key, i, n, Dimension(2)));
+                for (const vec2 p : all) seen.emplace(p.x, p.y);
+                CHECK(one_in_each_cell(coordinate(all, 0), coordinate(all, 1), 4, 4));
+            }
+    CHECK(seen.size() == 8u * 8 * 2 * 16);
 }

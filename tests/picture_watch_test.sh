@@ -26,6 +26,8 @@ expect 0 "phong: passed, was not started (+3 points)" ./grade phong moved
 sed -i 's|cosine / pi|cosine|' starter/fragments/phong.cpp
 expect 0 "phong: failed, was passed (-3 points)" ./grade
 expect 0 "phong: failed, was passed" cat build/report/index.html
+# of one's own it is always the same: neither a seed nor what walls there are
+expect 1 "" grep -q "^seed" <(./grade phong)
 expect 0 "1/pi is missing" ./grade phong
 expect 1 "" grep -q "Since the last run" <(./grade phong)
 
@@ -33,6 +35,8 @@ expect 1 "" grep -q "Since the last run" <(./grade phong)
 expect 0 "of the pixels differ" ./grade picture scenes/phong.toml --mine phong -o "$work/a.png" --size 60x40
 for file in a.png a_mine.exr a_right.exr a_difference.exr; do expect 0 "$file" ls "$work/$file"; done
 expect 0 "the same, bit by bit" ./grade picture scenes/mirror.toml --mine phong -o "$work/b.png" --size 60x40
+expect 0 "pictures/phong.png: yours" ./grade picture scenes/phong.toml --mine phong --size 60x40
+expect 0 "/pictures/" grep pictures .gitignore
 expect 2 "moved: not started" ./grade picture scenes/phong.toml --mine moved -o "$work/c.png"
 expect 2 "expected phong?" ./grade picture scenes/phong.toml --mine phon -o "$work/c.png"
 expect 2 "none.toml" ./grade picture scenes/none.toml

@@ -154,12 +154,13 @@ expect 0 "configuring: 1" in_it ./grade
 # warnings and errors, whole and without the commands; exit code 3; the next call goes on
 begin
 cat >"$stub/build" <<'END'
+printf -- '-- A target\n  of two lines\n\n'
 echo "[1/2] Building CXX object a.o"
 printf '/a/a.cpp:3:1: warning: unused\n    3 | int a\n\n      | ^\n'
 printf 'FAILED: b.o \n/usr/bin/c++ -DMANY_WORDS -c b.cpp\nb.cpp:1:1: error: no\n-- noise\nninja: build stopped: subcommand failed.\n'
 exit 1
 END
-expect 3 $'/a/a.cpp:3:1: warning: unused\n    3 | int a\n\n      | ^\nFAILED: b.o \nb.cpp:1:1: error: no\nThe build failed (above).' in_it ./grade
+expect 3 $'about 2 minutes.\n/a/a.cpp:3:1: warning: unused\n    3 | int a\n\n      | ^\nFAILED: b.o \nb.cpp:1:1: error: no\nThe build failed (above).' in_it ./grade
 expect 3 $'warning: unused' on_terminal "" ./grade
 steps 3
 expect 0 "graded" in_it ./grade

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <ranges>
 #include <regex>
 
 #include "assignment/strip.h"
@@ -32,13 +33,9 @@ const std::map<std::string, std::string>& draws() {
     return all;
 }
 
-bool is_struct(const std::string& type) {
-    constexpr std::array known = {
-        "Ray",        "Hit",         "Sphere",     "Triangle",        "Quad",      "Disc",
-        "Camera",     "Shutter",     "Extent",     "PointLight",      "Emitter",   "Material",
-        "DiskSample", "LightSample", "FilmSample", "DirectionSample", "Scattered", "Outgoing"};
-    return std::ranges::count(known, type) > 0;
-}
+constexpr std::array structs = {"Ray",        "Hit",         "Sphere",     "Triangle",        "Quad",      "Disc",
+                                "Camera",     "Shutter",     "Extent",     "PointLight",      "Emitter",   "Material",
+                                "DiskSample", "LightSample", "FilmSample", "DirectionSample", "Scattered", "Outgoing"};
 
 std::string draw_of(const std::string& type) {
     const auto found = draws().find(type);
@@ -107,11 +104,11 @@ void require_known_types(const Declaration& fragment) {
     std::vector<std::string> types{signature.result};
     for (const Signature::Argument& argument : signature.arguments) types.push_back(argument.type);
     for (const std::string& type : types)
-        if (!draws().contains(type) && !is_struct(type))
-            throw rt::InputError(
-                fmt::format("{}: no fragment has had the type {} yet; expected one that grader/protocol/rows.h writes "
-                            "and reads, or a new one there",
-                            fragment.line, type));
+        if (!draws().contains(type) && std::ranges::count(structs, type) == 0)
+            throw rt::InputError(fmt::format(
+                "{}: no fragment has had the type {} yet; expected {}, {}, or a new one, which grader/protocol/rows.h "
+                "must write and read",
+                fragment.line, type, fmt::join(std::views::keys(draws()), ", "), fmt::join(structs, ", ")));
 }
 
 std::string solution_skeleton(const fs::path& project, const Declaration& fragment, const std::string& like) {

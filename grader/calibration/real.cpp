@@ -26,6 +26,27 @@ std::string timeless_hash(const Record& record) {
     return fmt::format("{:016x}", std::hash<std::string>{}(timeless_json(record)));
 }
 
+/// Whether a statistic that fails knows its cause by itself.
+bool has_suspect(const FragmentRecord& fragment) {
+    for (const CheckRecord& check : fragment.checks)
+        for (const StatisticRecord& statistic : check.statistics)
+            if (statistic.verdict == Verdict::failed && statistic.worth == StatisticRecord::Worth::cause) return true;
+    return false;
+}
+
+RealVerdict verdict_on(const FragmentRecord& fragment) {
+    RealVerdict verdict{fragment.name, fragment.verdict, first_message(fragment), fragment.points,
+                        fragment.cpu_seconds};
+    if (!is_found(fragment.verdict)) return verdict;
+    const Finding& finding = fragment.finding;
+    verdict.by_arguments = finding.by_arguments, verdict.by_steps = finding.by_steps;
+    verdict.by_suspect = has_suspect(fragment);
+    verdict.is_bare = finding.how.empty() && finding.where.find(", ") == std::string::npos && finding.fault.empty() &&
+                      !finding.arguments.empty() && !verdict.by_suspect;
+    verdict.diagnosis_seconds = finding.cpu_seconds;
+    return verdict;
+}
+
 }  // namespace
 
 std::vector<Bundle> bundles(const std::vector<const Variant*>& variants, const std::string& name, bool alternate) {
@@ -77,9 +98,7 @@ std::vector<RealGrading> grade_changed(const Workshop& workshop, const std::map<
         const Record record =
             grade_programs(programs, workshop.assignment(), workshop.chain(), ready(checks), settings, silent);
         RealGrading grading;
-        for (const FragmentRecord& fragment : record.fragments)
-            grading.fragments.push_back(
-                {fragment.name, fragment.verdict, first_message(fragment), fragment.points, fragment.cpu_seconds});
+        for (const FragmentRecord& fragment : record.fragments) grading.fragments.push_back(verdict_on(fragment));
         grading.record = timeless_hash(record);
         gradings.push_back(std::move(grading));
     }
@@ -94,7 +113,12 @@ void write_grading(const fs::path& path, const RealGrading& grading) {
                                      {"verdict", name(f.verdict)},
                                      {"message", f.message},
                                      {"points", f.points},
-                                     {"cpu_seconds", f.cpu_seconds}});
+                                     {"cpu_seconds", f.cpu_seconds},
+                                     {"by_arguments", f.by_arguments},
+                                     {"by_steps", f.by_steps},
+                                     {"by_suspect", f.by_suspect},
+                                     {"is_bare", f.is_bare},
+                                     {"diagnosis_seconds", f.diagnosis_seconds}});
     fs::create_directories(path.parent_path());
     write_text(path, json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
@@ -104,9 +128,12 @@ std::optional<RealGrading> read_grading(const fs::path& path) {
     if (!text) return std::nullopt;
     const auto json = nlohmann::json::parse(*text);
     RealGrading grading{{}, json.at("record")};
+    // of a fragment that an earlier grader has graded, nothing is known of its diagnosis
     for (const auto& f : json.at("fragments"))
         grading.fragments.push_back({f.at("name"), verdict_named(f.at("verdict")), f.at("message"),
-                                     f.value("points", 0.0), f.at("cpu_seconds")});
+                                     f.value("points", 0.0), f.at("cpu_seconds"), f.value("by_arguments", false),
+                                     f.value("by_steps", false), f.value("by_suspect", false),
+                                     f.value("is_bare", false), f.value("diagnosis_seconds", 0.0)});
     return grading;
 }
 

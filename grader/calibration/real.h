@@ -28,7 +28,11 @@ struct RealVerdict {
     std::string fragment;
     Verdict verdict = Verdict::inconclusive;
     std::string message;
-    double points = 0, cpu_seconds = 0;
+    double points = 0, cpu_seconds = 0;  // cpu_seconds: of its checks
+
+    // of what fails: what explains it exactly, whether its hint says where or how, what looking for the cause took
+    bool by_arguments = false, by_steps = false, by_suspect = false, is_bare = false;
+    double diagnosis_seconds = 0;
 };
 
 struct RealGrading {

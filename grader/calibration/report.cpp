@@ -185,6 +185,48 @@ std::string nominal_table(const Summary& s) {
     return text;
 }
 
+/// How good hints are, over real gradings of wrong variants that were found.
+std::string hint_table(const Summary& s) {
+    long found = 0, bare = 0, by_arguments = 0, by_steps = 0, by_suspect = 0, together = 0;
+    double seconds = 0, most = 0;
+    std::string dearest = "none";
+    for (const VariantSummary& v : s.wrong)
+        for (const RealVerdict& hint : v.hints) {
+            ++found, bare += hint.is_bare;
+            by_arguments += hint.by_arguments, by_steps += hint.by_steps, by_suspect += hint.by_suspect;
+            together += hint.by_arguments || hint.by_steps || hint.by_suspect;
+            seconds += hint.diagnosis_seconds;
+            if (hint.diagnosis_seconds > most) most = hint.diagnosis_seconds, dearest = v.variant->name;
+        }
+    std::string text = "| measure | goal | measured |\n|---|---|---|\n";
+    const auto row = [&](const char* what, const char* goal, const std::string& measured) {
+        text += fmt::format("| {} | {} | {} |\n", what, goal, measured);
+    };
+    row("first hint holds a word that names the cause (variants that expect one)", "at least 95 %",
+        share(total(s.wrong, [](const auto& v) { return v.variant->says.empty() ? 0 : v.named; }),
+              total(s.wrong, [](const auto& v) { return v.variant->says.empty() ? 0 : v.found; })));
+    row("hints that say neither where nor how", "0", share(bare, found));
+    row("explained exactly by a change of arguments", "reported", share(by_arguments, found));
+    row("by a change of steps of the formula", "reported", share(by_steps, found));
+    row("by a suspect written by hand", "reported", share(by_suspect, found));
+    row("by any of these", "at least 95 %", share(together, found));
+    row("CPU seconds that the diagnosis of a fragment takes: mean; most", "at most 1",
+        found > 0 ? fmt::format("{:.2f}; {:.2f} ({})", seconds / double(found), most, dearest) : "not run");
+    text +=
+        "\nThe first hint of each beside what is wrong, for a reader to judge:\n\n| variant | what is wrong | hint "
+        "|\n|---|---|---|\n";
+    const auto in_cell = [](const std::string& words) {
+        std::string cell;
+        for (const char c : words) cell += c == '\n' ? "<br>" : c == '|' ? "\\|" : std::string(1, c);
+        return cell;
+    };
+    for (const VariantSummary& v : s.wrong)
+        if (!v.hints.empty())
+            text += fmt::format("| {} | {} | {} |\n", v.variant->name.substr(v.variant->name.find('/') + 1),
+                                in_cell(v.variant->what), in_cell(v.hints.front().message));
+    return text;
+}
+
 std::string median_ratio(const std::vector<VariantSummary>& rows) {
     std::vector<double> ratios;
     for (const VariantSummary& v : rows)
@@ -250,6 +292,7 @@ std::string calibration_report(const Summary& s, const std::string& command, con
         "own mean; below 0.5 costs power, above 2 costs false alarms. Those that are off,\n"
         "and those where the solution's mean is more than 4 standard errors beyond Δ0:\n\n" +
         nominal_table(s);
+    text += "\n## Hints\n\nReal gradings of wrong variants, each fragment among the solution's.\n\n" + hint_table(s);
     text += "\n## Wrong variants\n\n" + variant_table(s.wrong, true) + "\n## Right variants\n\n" +
             variant_table(s.right, false);
     return text;

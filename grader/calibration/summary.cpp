@@ -125,6 +125,7 @@ void read_real(const Workshop& workshop, const std::vector<Bundle>& bundles, con
                     row.found += found;
                     row.open += !found && !passed;
                     row.named += found && says_one_of(verdict.message, row.variant->says);
+                    if (found) row.hints.push_back(verdict);
                 }
                 failed = failed || found;
                 open = open || (!found && !passed);

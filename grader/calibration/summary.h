@@ -17,11 +17,12 @@ namespace grade::calibration {
 struct VariantSummary {
     const Variant* variant = nullptr;
     int gradings = 0, found = 0, open = 0,
-        named = 0;             // real ones: wrong verdict, inconclusive, cause in the first hint
-    Tally replayed;            // of its own fragment
-    double fixed_seconds = 0;  // what a fixed number of replicates of the same power would cost
-    int pictures = 0;          // that the rules of others were shown
-    PeerRules peers;           // true: they pass it
+        named = 0;                   // real ones: wrong verdict, inconclusive, cause in the first hint
+    std::vector<RealVerdict> hints;  // of the real ones that found it
+    Tally replayed;                  // of its own fragment
+    double fixed_seconds = 0;        // what a fixed number of replicates of the same power would cost
+    int pictures = 0;                // that the rules of others were shown
+    PeerRules peers;                 // true: they pass it
 };
 
 /// The verdicts with a given number of replicates: the most that may be spent on a statistic, or a fixed number.

@@ -133,11 +133,14 @@ Check hollow_sphere(Generator& random) {
     const double radius = between(random, 0.5, 2);
     const Color albedo = any_albedo(random);
     const int bounces = whole_between(random, 2, 4);
-    const View view{
-        place(radius * box(random, -0.3, 0.3)), place({0, 0, 2 * radius}), place.turned({0, 1, 0}), 40, {24, 24}};
-    const std::string scene =
-        scene_table("[render]", {{"bounces", bounces}}) + toml(view) + material("wall", {{"albedo", albedo}}) +
-        point_light(place({0, 0, 0}), rt::pi * radius * radius) + sphere("wall", place({0, 0, 0}), radius);
+    const std::string scene = scene_from("hollow_sphere.toml", {{"bounces", bounces},
+                                                                {"eye", place(radius * box(random, -0.3, 0.3))},
+                                                                {"target", place({0, 0, 2 * radius})},
+                                                                {"up", place.turned({0, 1, 0})},
+                                                                {"albedo", albedo},
+                                                                {"center", place({0, 0, 0})},
+                                                                {"intensity", rt::pi * radius * radius},
+                                                                {"radius", radius}});
     const auto after = [](double a, int k) { return a * furnace_radiance(1, a, k); };
     return render_check(
         "hollow_sphere", {scene, 16, "sobol"}, rgb([&](int c, const std::string& name) {

@@ -1,3 +1,7 @@
+#include <fmt/format.h>
+
+#include <array>
+
 #include "asked/emission_counts.h"
 #include "checks/kit/kit.h"
 #include "statistics/closed_forms.h"
@@ -7,6 +11,31 @@ namespace grade {
 namespace {
 
 using rt::Event, rt::vec3;
+
+/// Formulas of one comparison and `sampled`, each with what is wrong in it.
+std::vector<Suspect<rt::emission_counts>> other_formulas() {
+    constexpr std::array names = {"camera", "diffuse", "specular", "lobe", "medium"};
+    std::vector<Suspect<rt::emission_counts>> all;
+    for (const bool both : {true, false})
+        for (const bool equal : {false, true})
+            for (const bool sampled : {false, true})
+                for (const Event event : {Event::diffuse, Event::camera, Event::specular, Event::lobe, Event::medium}) {
+                    const auto f = [=](Event e, bool is_sampled) {
+                        const bool first = (e == event) == equal, second = is_sampled == sampled;
+                        return both ? first && second : first || second;
+                    };
+                    const std::string formula = fmt::format("the answers are those of `previous {} {} {} {}sampled`",
+                                                            equal ? "==" : "!=", names[std::size_t(event)],
+                                                            both ? "&&" : "||", sampled ? "" : "!");
+                    const bool is_operator = both && !equal && !sampled && event == Event::diffuse;
+                    all.push_back(
+                        {formula + (is_operator               ? ": is `||` meant in place of `&&`?"
+                                    : event != Event::diffuse ? ": it is the diffuse surface that sends shadow rays"
+                                                              : ": is a condition the wrong way round?"),
+                         f});
+                }
+    return all;
+}
 
 Check truth_table() {
     const auto inputs = [](Generator&) {
@@ -19,7 +48,7 @@ Check truth_table() {
     const auto but_after = [](Event kind) {
         return [kind](bool right, Event e, bool sampled) { return right && !(sampled && e == kind); };
     };
-    Statistic right = formula<rt::emission_counts>(
+    Formula<rt::emission_counts> all(
         {.id = "F1",
          .what = "wrong answers",
          .right = [](Event e, bool sampled) { return e != Event::diffuse || !sampled; },
@@ -44,6 +73,8 @@ Check truth_table() {
               but_after(Event::lobe)},
              {"a sampled emitter does not count inside a medium, which sends no shadow rays",
               but_after(Event::medium)}}});
+    for (auto& suspect : other_formulas()) all.suspects.push_back(std::move(suspect));
+    Statistic right = formula(all);
     right.hint = always("the answer is wrong for some kind of path");
     return probe_check("truth_table", inputs, {right});
 }

@@ -41,7 +41,7 @@ Statistic refracted(const std::string& id, const std::string& what, double toler
          .right = [](vec3 d, vec3 n, double from, double to) { return bent(d, n, from / to); },
          .suspects = {{"the ratio of the indices is inverted: e = ior_from / ior_to",
                        [](vec3 d, vec3 n, double from, double to) { return bent(d, n, to / from); }},
-                      {"the ray stays on its side of the surface",
+                      {"the ray stays on its side of the surface: is the root added, or n on the wrong side?",
                        [](vec3 d, vec3 n, double from, double to) { return bent(d, n, from / to, -1); }},
                       {"the ray is not bent", [](vec3 d, vec3, double, double) { return d; }},
                       {"total internal reflection gives nan: the square root's argument is negative there; expected "

@@ -67,13 +67,22 @@ Checks check_shadow_ray(Generator& random) {
             return height_of_start(r, hit) < -0.5 * hit.error ? 1.0 : 0.0;
         },
         0, "the ray starts on the wrong side, inside the surface: it must leave on the side to which it points");
-    const Statistic beyond = about_ray(
-        "end of the ray, beyond the light by [share of the distance]",
-        [](const Ray& r, const Hit& hit, vec3 to_light, double distance) {
-            if (std::isinf(distance)) return 0.0;
-            return std::clamp(along(r, r.far, hit, to_light) / distance - (1 - 1e-12), 0.0, 1.0);
-        },
-        0, "the ray is not bounded by the light: what is behind the light, or the light itself, casts a shadow");
+    // how far the ray's end is beyond the light, as a share of the distance
+    const auto over = [](const Ray& r, const Hit& hit, vec3 to_light, double distance) {
+        return std::isinf(distance) ? -1 : along(r, r.far, hit, to_light) / distance - 1;
+    };
+    const Statistic beyond = property(
+        {.id = "L4",
+         .what = "end of the ray, beyond the light by [share of the distance]",
+         .violation = of_call<rt::shadow_ray>([=](const Ray& r, const Hit& hit, vec3 to_light, double distance) {
+             return std::clamp(over(r, hit, to_light, distance) + 1e-12, 0.0, 1.0);
+         }),
+         .says = "the ray is not bounded by the light: what is behind the light, or the light itself, casts a shadow",
+         .mistakes = {
+             {"the ray ends at the light and can meet the light itself: its far end is distance * short_of_light",
+              of_call<rt::shadow_ray>([=](const Ray& r, const Hit& hit, vec3 to_light, double distance) {
+                  return over(r, hit, to_light, distance) < 1e-9 ? 0.0 : 1.0;
+              })}}});
     const Statistic before = about_ray(
         "end of the ray, short of the light by [share of the distance]",
         [](const Ray& r, const Hit& hit, vec3 to_light, double distance) {

@@ -137,7 +137,7 @@ int run_replay(const AgainArguments& arguments, const std::string& toolchain, co
             fmt::format("{}: is there already; expected a new file: no record is overwritten", out.string()));
     const Record after = grade_as(before, arguments, toolchain, command);
     write_text(out, to_json(after));
-    fmt::print("{}\n", table(after, isatty(STDOUT_FILENO)));
+    fmt::print("{}\n", table(after, {.color = bool(isatty(STDOUT_FILENO))}));
     tell_differences(before, after);
     fmt::print("{}{}\n", lines_of(changes_between(before, after)), out.string());
     return 0;

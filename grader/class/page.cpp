@@ -24,6 +24,7 @@ constexpr const char* class_style = R"css(
 .share i { display: block; height: 100%; } .share .ok { background: var(--good); } .share .no { background: var(--bad); }
 .columns { display: flex; align-items: flex-end; gap: 4px; height: 130px; } .columns div { flex: 1; display: flex; flex-direction: column; justify-content: flex-end; text-align: center; height: 100%; font-size: 12px; color: var(--soft); }
 .columns i { display: block; background: var(--good); border-radius: 3px 3px 0 0; } .class td { overflow-wrap: anywhere; } .class td.number { overflow-wrap: normal; }
+.class td[data-is="fragment"] { white-space: nowrap; }
 @media (max-width: 640px) {
     .wide table { min-width: 0; } .class, .class tbody, .class tr, .class td { display: block; } .class tr:has(th) { display: none; }
     .class tr { border-top: 1px solid var(--line); padding: 6px 0; } .class td, .class td.number { border: 0; padding: 1px 0; text-align: left; }

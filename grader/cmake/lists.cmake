@@ -15,6 +15,7 @@ endfunction()
 #
 #     checks/fragment_checks.h   the checks, in the order of the assignment; then those of fragments that it leaves out
 #     child/each_fragment.h      the fragments, as functions
+#     checks/scene_texts.cpp     the scenes beside the checks, as texts
 #     asked/NAME.h               the declaration of each, and that of its checks
 function(make_lists folder)
     set(header ${PROJECT_SOURCE_DIR}/starter/rt/fragments.h)
@@ -68,4 +69,14 @@ function(make_lists folder)
     endforeach()
     configure_file(checks/fragment_checks.h.in ${folder}/checks/fragment_checks.h @ONLY)
     configure_file(child/each_fragment.h.in ${folder}/child/each_fragment.h @ONLY)
+
+    file(GLOB scenes RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}/checks CONFIGURE_DEPENDS checks/*.toml)
+    list(LENGTH scenes count)
+    set(texts "")
+    foreach(scene IN LISTS scenes)
+        file(READ checks/${scene} text)
+        set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS checks/${scene})
+        string(APPEND texts "        {\"${scene}\", R\"toml(${text})toml\"},\n")
+    endforeach()
+    configure_file(checks/scene_texts.cpp.in ${folder}/checks/scene_texts.cpp @ONLY)
 endfunction()

@@ -94,7 +94,9 @@ public:
 
     /// The table; the exit code.
     int tell(const Record& record) const {
-        fmt::print("{}\nseed {}; {}\n", table(record, isatty(STDOUT_FILENO)), record.seed, record.sandbox);
+        fmt::print("{}", table(record, {bool(isatty(STDOUT_FILENO)), chosen_.own}));
+        // of one's own it is always the same
+        if (!chosen_.own || arguments_.seed) fmt::print("seed {}; {}\n", record.seed, record.sandbox);
         if (record.reused > 0)
             fmt::print("{} checks as before: nothing that they depend on has changed (--fresh runs them again)\n",
                        record.reused);
@@ -194,7 +196,7 @@ int run_grade(const GradeArguments& arguments, const std::string& toolchain, con
     Session session(arguments, toolchain, command);
     if (arguments.watch) {
         watch(
-            session.chosen().submission, session.assignment(), session.chosen().fragments,
+            session.chosen().submission, session.chosen().own, session.assignment(), session.chosen().fragments,
             [&] { return session.grade(); }, [&](const Record& record) { session.write_page(record); });
         return 0;
     }

@@ -3,12 +3,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "files/files.h"
 #include "report/terminal.h"
 
 namespace grade {
+
+namespace {
+
+/// "passed, was failed (+3 points)", "still failed, but 1.5 points more"
+std::string change_in_words(const std::string& was, const std::string& verdict, double gained) {
+    const std::string points = std::abs(gained) == 1 ? "point" : "points";
+    if (was == verdict)
+        return gained > 0 ? fmt::format("still {}, but {:g} {} more", verdict, gained, points)
+                          : fmt::format("{} as before, {:g} {} less", verdict, -gained, points);
+    return fmt::format("{}, was {}{}", verdict, was, gained != 0 ? fmt::format(" ({:+g} {})", gained, points) : "");
+}
+
+}  // namespace
 
 void compare_with_last(Record& record, const std::filesystem::path& file) {
     auto last = nlohmann::ordered_json::parse(read_text(file).value_or(""), nullptr, false);
@@ -23,8 +37,7 @@ void compare_with_last(Record& record, const std::filesystem::path& file) {
             const double gained = fragment.points - before.value("points", 0.0);
             const std::string was = before.value("verdict", "");
             if (gained != 0 || was != verdict)
-                changes.emplace_back(gained, fmt::format("{}: {}, was {}{}", fragment.name, verdict, was,
-                                                         gained != 0 ? fmt::format(" ({:+g} points)", gained) : ""));
+                changes.emplace_back(gained, fragment.name + ": " + change_in_words(was, verdict, gained));
             all_gained += gained;
         }
         before = {{"verdict", verdict}, {"points", fragment.points}};

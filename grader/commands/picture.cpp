@@ -53,6 +53,12 @@ void check_names(const std::vector<std::string>& mine, const Toolchain& chain, c
             throw rt::InputError(fmt::format("--mine {}: no fragment has this name", name));
 }
 
+/// Where nothing else lies: a kit's .gitignore names the folder.
+fs::path default_out(const std::string& scene) {
+    fs::create_directories("pictures");
+    return fs::path("pictures") / (fs::path(scene).stem().string() + ".png");
+}
+
 /// The program with the fragments that are asked for, and what stands in for the others.
 fs::path program_of(Programs& programs, const PictureArguments& arguments, const Assignment& assignment) {
     if (!arguments.mine.empty()) {
@@ -91,7 +97,7 @@ CLI::App* add_picture_command(CLI::App& app, PictureArguments& arguments) {
     picture
         ->add_option("-o,--out", arguments.out,
                      "all three side by side; with NAME_mine.exr, NAME_right.exr and NAME_difference.exr beside it; "
-                     "default: the scene's name")
+                     "default: the scene's name, in the folder pictures")
         ->type_name("NAME.png");
     picture->add_option("--with", arguments.with, "arguments of that fragment: \"exponent = 20\"")
         ->type_name("ARGUMENTS");
@@ -118,7 +124,7 @@ int run_picture(const PictureArguments& arguments, const std::string& toolchain)
     const bool is_warp = std::ranges::count(names, arguments.scene) > 0;
     const Rows calls = is_warp ? calls_of_warp(arguments.scene, arguments.with, chain) : Rows();
     if (!is_warp) rt::read_scene(arguments.scene);  // says what is wrong with it, before all the work
-    const fs::path out = arguments.out.empty() ? fs::path(arguments.scene).stem().string() + ".png" : arguments.out;
+    const fs::path out = arguments.out.empty() ? default_out(arguments.scene) : fs::path(arguments.out);
     require_folder_of(out.string(), "--out");
     if (out.extension() != ".png")
         throw rt::InputError(out.string() + ": unknown kind of image; expected --out NAME.png");

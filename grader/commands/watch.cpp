@@ -2,7 +2,6 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -46,26 +45,21 @@ std::size_t screen_lines() {
 }
 
 /// The lines that fit: what was edited first, then what does not pass, then the sum.
-std::string screen(const Record& record, const std::set<std::string>& edited, bool color) {
-    std::map<std::string, int> counts;
+std::string screen(const Record& record, const std::set<std::string>& edited, const Reader& reader) {
     Record shown = record;
     std::erase_if(shown.fragments, [&](const FragmentRecord& fragment) {
-        ++counts[in_words(fragment.verdict)];
         return !edited.contains(fragment.name) &&
                (fragment.verdict == Verdict::passed || fragment.verdict == Verdict::not_started);
     });
     std::ranges::stable_sort(shown.fragments, {}, [&](const FragmentRecord& f) { return !edited.contains(f.name); });
-    std::vector<std::string> sums;
-    for (const auto& [verdict, count] : counts) sums.push_back(fmt::format("{} {}", count, verdict));
-
     std::string tail;
     for (const std::string& change : record.changes) tail += "  " + change + "\n";
-    tail += fmt::format("{:g} of {:g} points: {}\n", record.score(), record.max_score(), fmt::join(sums, ", "));
+    tail += fmt::format("{:g} of {:g} points: {}\n", record.score(), record.max_score(), verdicts_in_words(record));
     const std::time_t now = std::time(nullptr);
     const std::string head = fmt::format("{:%H:%M:%S}  {}; save a fragment to grade it again, Ctrl-C ends\n\n",
                                          fmt::localtime(now), record.submission);
     const std::size_t used = 3 + std::size_t(std::ranges::count(tail, '\n')), all = screen_lines();
-    std::istringstream rows(fragment_rows(shown, color));
+    std::istringstream rows(fragment_rows(shown, reader));
     std::string text;
     std::size_t count = 0;
     for (std::string line; std::getline(rows, line); ++count) {
@@ -80,14 +74,14 @@ std::string screen(const Record& record, const std::set<std::string>& edited, bo
 
 }  // namespace
 
-void watch(const std::string& folder, const Assignment& assignment, const std::set<std::string>& only,
+void watch(const std::string& folder, bool own, const Assignment& assignment, const std::set<std::string>& only,
            const std::function<Record()>& grade, const std::function<void(const Record&)>& shown) try {
     const bool terminal = isatty(STDOUT_FILENO);
     std::set<std::string> edited = only;
     for (;;) {
         const Texts texts = texts_of(folder, assignment);
         const Record record = grade();
-        fmt::print("{}{}", terminal ? "\033[H\033[2J\033[3J" : "", screen(record, edited, terminal));
+        fmt::print("{}{}", terminal ? "\033[H\033[2J\033[3J" : "", screen(record, edited, {terminal, own}));
         if (!terminal) fmt::print("\n");
         std::fflush(stdout);
         shown(record);

@@ -143,11 +143,9 @@ void analyse(SceneRecord& scene) {
 }
 
 const std::vector<ExpectedOrder>& expected_orders() {
-    static const std::vector<ExpectedOrder> all{{"uniform", {}, {}},
-                                                {"random", -0.5, -0.5},
-                                                {"stratified", -0.75, -1},
-                                                {"sobol", -0.75, -1.5},
-                                                {"orthogonal", -0.75, -1.5}};
+    static const std::vector<ExpectedOrder> all{{"uniform", {}, {}},         {"random", -0.5, -0.5},
+                                                {"stratified", -0.75, -1},   {"sobol", -0.75, -1.5},
+                                                {"orthogonal", -0.75, -1.5}, {"blue_noise", -0.75, -1.5}};
     return all;
 }
 

@@ -20,7 +20,7 @@ namespace grade {
 
 std::string html_page(const Record& record) { return page(record, ""); }
 
-std::string terminal(const Record& record) { return table(record, false); }
+std::string terminal(const Record& record) { return table(record, {}); }
 
 CLI::App* add_convert_command(CLI::App& app, ConvertArguments& arguments) {
     std::vector<std::string> names;
@@ -41,7 +41,7 @@ void run_convert(const ConvertArguments& arguments) {
                         arguments.record));
     const auto format = std::ranges::find(formats, arguments.format, &Format::name);
     const std::string text = format->name == "terminal" && arguments.out.empty() && isatty(STDOUT_FILENO)
-                                 ? table(record, true)
+                                 ? table(record, {.color = true})
                                  : format->write(record);
     if (arguments.out.empty())
         fmt::print("{}", text);

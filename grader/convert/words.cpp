@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "diagnosis/diagnosis.h"
 #include "report/escape.h"
 #include "report/terminal.h"
 
@@ -22,8 +21,7 @@ std::string words_on(const FragmentRecord& fragment) {
     if (fragment.verdict == Verdict::passed) return text;
     const Diagnosis diagnosis = diagnose(fragment);
     if (!diagnosis.words.empty()) text += "\n" + printable(diagnosis.words);
-    const bool says_all = fragment.verdict == Verdict::did_not_build || fragment.verdict == Verdict::not_started;
-    if (!diagnosis.section.empty() && !says_all) text += "\n" + reading(diagnosis.section);
+    if (const std::string where = where_to_read(fragment.verdict, diagnosis); !where.empty()) text += "\n" + where;
     return text;
 }
 

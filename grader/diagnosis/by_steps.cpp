@@ -52,6 +52,12 @@ Calls with_steps(const Calls& calls, const Steps& steps) {
     return all;
 }
 
+/// Whether words speak of a step.
+bool mentions(const std::string& words, const Steps& steps) {
+    return std::ranges::any_of(steps.names,
+                               [&](const auto& name) { return words.find(name.name) != std::string::npos; });
+}
+
 /// The calls with other random numbers, and the right answers to these.
 Calls with_numbers(const Calls& calls, const Change& base, const Ask& right) {
     Calls all = calls;
@@ -67,8 +73,11 @@ Calls with_numbers(const Calls& calls, const Change& base, const Ask& right) {
 std::optional<Relation> relation_of_steps(const Calls& calls, const Ask& right, bool sampled) {
     constexpr double least = 0.9;  // of the calls, in which the formula must be the solution's
     const std::vector<Steps> cuts = steps_of(calls.signature.fragment);
-    std::optional<Relation> best;
-    if (cuts.empty() || calls.size() == 0) return best;
+    constexpr std::size_t enough = 5;  // wrong calls
+    std::optional<Relation> best, some;
+    std::size_t wrong = 0;
+    for (std::size_t k = 0; k < calls.size(); ++k) wrong += !is_equal(calls.result, calls.mine[k], calls.right[k]);
+    if (cuts.empty() || wrong < enough) return best;
     for (const Change& base : same_sampling(calls.layouts.front())) {
         if (base.cost > 0 && !sampled) break;
         const Calls numbered = with_numbers(calls, base, right);
@@ -82,15 +91,20 @@ std::optional<Relation> relation_of_steps(const Calls& calls, const Ask& right, 
             };
             bool right_otherwise = false;
             auto found = relation_of(all, finish, false, right_otherwise);
-            if (!found || found->explains != Relation::Explains::all) continue;
+            if (!found) continue;
+            if (!steps.formula.empty() && mentions(found->words, steps))
+                found->words.insert(std::min(found->words.find(other_mistakes), found->words.size()),
+                                    fmt::format(", in `{}`", steps.formula));
+            if (found->explains != Relation::Explains::all) {
+                if (base.cost == 0 && (!some || some->share < found->share)) some = std::move(found);
+                continue;
+            }
             found->cost += base.cost, found->other_numbers = base.cost > 0;
-            if (best && best->cost <= found->cost) continue;
-            if (!steps.formula.empty()) found->words += fmt::format(", in `{}`", steps.formula);
-            best = std::move(found);
+            if (!best || best->cost > found->cost) best = std::move(found);
         }
         if (best) break;
     }
-    return best;
+    return best ? best : some;
 }
 
 Region where_wrong_in_steps(const Calls& calls, Region otherwise) {
@@ -101,8 +115,8 @@ Region where_wrong_in_steps(const Calls& calls, Region otherwise) {
             all.rows[k] = behind(calls.rows[k], steps.take(calls.rows[k]));
             all.layouts[k] = all.signature.of_arguments(all.rows[k]);
         }
-        Region region = where_wrong(all);
-        if (!region.is_exact) continue;
+        Region region = where_wrong(all, false);
+        if (!region.is_exact || !mentions(region.words, steps)) continue;
         if (!steps.formula.empty()) region.words += fmt::format(", in `{}`", steps.formula);
         region.holds = [holds = region.holds, take = steps.take, signature = all.signature](
                            const Row& row, const Layout&, const Row& right) {

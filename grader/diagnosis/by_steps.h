@@ -5,8 +5,8 @@
 
 namespace grade {
 
-/// The simplest relation of the steps of a fragment's formula (steps.h): a mistake in its middle. None: it has no
-/// formula, or no relation explains every call, or every wrong one.
+/// The simplest relation of the steps of a fragment's formula (steps.h): a mistake in its middle. Where none explains
+/// every call, or every wrong one, that which explains most; none: it has no formula, or nothing is explained.
 std::optional<Relation> relation_of_steps(const Calls& calls, const Ask& right, bool sampled);
 
 /// What sets wrong calls apart in numbers of the formula, if these tell it exactly; else `otherwise`.

@@ -303,7 +303,9 @@ private:
                 if (layout_.parts[j].kind != Kind::pair) continue;
                 for (const Function& f : pair_functions) {
                     if (i != j && f.cost > 1.6) continue;
-                    add(in_place(filled(f.words, name(j)), name(i)), f.cost + (i != j ? 0.2 : 0),
+                    // what stands in the formula in their place says more
+                    const double unusual = of_arguments() && i == j && name(i) == "u" ? 0.5 : 0;
+                    add(in_place(filled(f.words, name(j)), name(i)), f.cost + unusual + (i != j ? 0.2 : 0),
                         [i, j, f](Row& row, const Layout& l) {
                             for (std::size_t c = 0; c < 2; ++c)
                                 row[l.parts[i].at + c] = f.value(row[l.parts[j].at + c]);

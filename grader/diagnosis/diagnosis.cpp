@@ -125,7 +125,9 @@ std::string in_order(const FragmentRecord& fragment, const FirstHint& hint) {
     if (hint.is_changing && !finding.fault.empty()) cause.clear();
     if (finding.how.empty() && !finding.arguments.empty() && hint.worth == StatisticRecord::Worth::guess) cause.clear();
     const std::size_t others = hint.is_nan ? finding.how.find("where it is a number, ") : std::string::npos;
-    const std::string beside = others != std::string::npos ? finding.how.substr(others) : "";
+    // of all answers, those that are no number as well
+    const bool is_of_all = hint.is_nan && finding.how.starts_with("the answers are exactly ");
+    const std::string beside = others != std::string::npos ? finding.how.substr(others) : is_of_all ? finding.how : "";
     // where no call shows it, what was measured does
     const bool is_shown = !finding.arguments.empty() || hint.worth != StatisticRecord::Worth::fact;
     std::string text;

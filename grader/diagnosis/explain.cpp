@@ -197,21 +197,31 @@ Calls only_nan(Calls calls) {
 
 std::string which(const Region& region) { return (region.is_exact ? "those " : "") + region.words; }
 
-/// What sets wrong calls apart, in arguments or in steps of the formula.
-Region region_of(const Calls& calls) {
+/// What sets wrong calls apart, in arguments or in steps of the formula; in these rather than in the right answers.
+Region region_of(const Calls& calls, bool is_known) {
     Region region = where_wrong(calls);
-    return region.is_exact ? region : where_wrong_in_steps(calls, region);
+    const bool is_of_answers = region.words.starts_with("where the right ");
+    return is_known || (region.is_exact && !is_of_answers) ? region : where_wrong_in_steps(calls, region);
+}
+
+/// What code takes for granted that is wrong only where it does not hold.
+std::string assumption(const Region& region) {
+    const std::string head = "where `|", tail = "|` is not 1";
+    if (!region.is_exact || !region.words.starts_with(head) || !region.words.ends_with(tail)) return {};
+    const std::size_t length = region.words.size() - head.size() - tail.size();
+    return fmt::format("the length of `{}` is taken to be 1: it may have any",
+                       region.words.substr(head.size(), length));
 }
 
 /// Which calls are wrong, or which are no number.
-Region tell_where(Finding& finding, const Calls& all, std::size_t wrong, std::size_t not_numbers) {
+Region tell_where(Finding& finding, const Calls& all, std::size_t wrong, std::size_t not_numbers, bool is_known) {
     if (not_numbers > 0)
-        if (Region region = region_of(only_nan(all)); !region.words.empty()) {
+        if (Region region = region_of(only_nan(all), false); !region.words.empty()) {
             finding.where = fmt::format("{} of {} calls are nan, {}", not_numbers, all.size(), which(region));
             return region;
         }
     if (wrong == all.size()) return {};
-    Region region = region_of(all);
+    Region region = region_of(all, is_known);
     finding.where = fmt::format("{} of {} calls are wrong", wrong, all.size());
     if (not_numbers > 0) finding.where += fmt::format(", {} of them nan", not_numbers);
     if (!region.words.empty()) finding.where += ", " + which(region);
@@ -219,17 +229,38 @@ Region tell_where(Finding& finding, const Calls& all, std::size_t wrong, std::si
 }
 
 /// A relation of the arguments, or of the steps of the formula; of both, where nothing tells them apart.
-std::optional<Relation> simpler(std::optional<Relation> of_arguments, std::optional<Relation> of_steps) {
+std::optional<Relation> simpler_one(std::optional<Relation> of_arguments, std::optional<Relation> of_steps) {
     if (!of_steps) return of_arguments;
-    if (!of_arguments || of_arguments->explains != Relation::Explains::all) return of_steps;
+    if (!of_arguments) return of_steps;
+    if (of_steps->explains != Relation::Explains::all)
+        return of_arguments->explains == Relation::Explains::all || of_arguments->share >= of_steps->share
+                   ? of_arguments
+                   : of_steps;
+    if (of_arguments->explains != Relation::Explains::all) return of_steps;
     if (of_steps->other_numbers) return of_arguments;
-    constexpr double clearly = 0.5, as_cheap = 0.5;
-    const bool is_change = of_steps->words.starts_with(as_changed), everywhere = of_steps->everywhere;
+    constexpr double clearly = 0.25, as_cheap = 0.5;
+    const bool is_change = of_steps->words.find(as_changed) != std::string::npos, everywhere = of_steps->everywhere;
     if (is_change && everywhere && !of_arguments->everywhere) return of_steps;
     if (is_change && of_steps->cost < of_arguments->cost - clearly) return of_steps;
-    if (is_change && of_arguments->words.starts_with(as_changed) && of_steps->cost <= of_arguments->cost + as_cheap)
-        of_arguments->words += ", or with " + of_steps->words.substr(as_changed.size());
+    if (!of_steps->words.starts_with(as_changed) || !of_arguments->words.starts_with(as_changed) ||
+        of_steps->cost > of_arguments->cost + as_cheap)
+        return of_arguments;
+    // a mistake with a name, which no change of an argument has
+    if (of_steps->words[as_changed.size()] != '`') return of_steps;
+    if (of_steps->words.starts_with(of_arguments->words + ",")) {
+        of_steps->usually = of_arguments->usually;
+        return of_steps;
+    }
+    if (of_steps->cost < of_arguments->cost) std::swap(of_steps, of_arguments);
+    of_arguments->words += ", or with " + of_steps->words.substr(as_changed.size());
     return of_arguments;
+}
+
+std::optional<Relation> simpler(const std::optional<Relation>& of_arguments, const std::optional<Relation>& of_steps) {
+    const auto is_exact = [](const auto& found) { return found && found->explains == Relation::Explains::all; };
+    auto one = simpler_one(of_arguments, of_steps);
+    if (one) one->by_arguments = is_exact(of_arguments), one->by_steps = is_exact(of_steps);
+    return one;
 }
 
 /// What is wrong with samples that are not the solution's call by call: what no right one does, or how they are spread.
@@ -258,7 +289,7 @@ std::string of_own_numbers(const Calls& all, const Ask& mine, const Ask& right) 
     for (std::size_t k = 0; k < own->size(); ++k) wrong += differs(k);
     bool right_otherwise = false;
     auto found = wrong > 0 ? relation_of(*own, right, false, right_otherwise) : std::nullopt;
-    if (wrong > 0) found = simpler(std::move(found), relation_of_steps(*own, right, false));
+    if (wrong > 0) found = simpler(found, relation_of_steps(*own, right, false));
     if (found && found->explains == Relation::Explains::all) return found->words + found->usually;
     if (wrong > 0) return {};
     const auto place = std::ranges::find_if(own->result.parts, is_place),
@@ -274,7 +305,7 @@ std::string of_numbers(const Calls& calls, const Ask& right, bool sampled) {
     const Calls some = those_of(calls, [&](std::size_t k) { return !is_nan(calls.mine[k], calls.right[k]); });
     bool right_otherwise = false;
     auto found = some.size() > 0 ? relation_of(some, right, sampled, right_otherwise) : std::nullopt;
-    if (some.size() > 0) found = simpler(std::move(found), relation_of_steps(some, right, sampled));
+    if (some.size() > 0) found = simpler(found, relation_of_steps(some, right, sampled));
     const std::string words = "some answers are nan where the right one is a number";
     if (!found || found->explains != Relation::Explains::all) return words;
     return fmt::format("{}; where it is a number, {}", words, found->words + found->usually);
@@ -286,7 +317,7 @@ std::optional<Relation> sure_relation(const Calls& calls, const Ask& right, cons
     const auto found = [&](bool others, const Ask& ask, std::size_t most = most_compared) {
         const Calls some = picked(calls, most, others);
         auto relation = relation_of(some, ask, sampled, right_otherwise);
-        return right_otherwise ? std::nullopt : simpler(std::move(relation), relation_of_steps(some, ask, sampled));
+        return right_otherwise ? std::nullopt : simpler(relation, relation_of_steps(some, ask, sampled));
     };
     auto relation = found(false, right);
     if (!relation || relation->explains != Relation::Explains::all) return relation;
@@ -342,11 +373,14 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_min
     finding.sampled = sampled;
     if (relation) relation->words += relation->usually;
     const bool is_known = relation && relation->explains == Relation::Explains::all;
+    if (is_known) finding.by_arguments = relation->by_arguments, finding.by_steps = relation->by_steps;
     const bool is_nothing = !relation || relation->explains == Relation::Explains::nothing;
     const auto broken = is_nothing ? broken_bound(all, right) : std::nullopt;
     std::size_t not_numbers = 0;
     for (std::size_t k = 0; k < all.size(); ++k) not_numbers += is_nan(all.mine[k], all.right[k]);
-    if (finding.how.empty() && !is_known)
+    constexpr double most = 0.9;
+    const bool is_mostly_known = is_known || (relation && !is_nothing && relation->share >= most);
+    if (finding.how.empty() && (not_numbers > 0 ? !is_known : !is_mostly_known))
         finding.how = not_numbers > 0 ? of_numbers(picked(many_calls, most_compared), right, sampled)
                       : !sampled      ? wrong_shares(all, mine, right)
                       : broken        ? ""
@@ -362,7 +396,9 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_min
     if (sampled && finding.how.empty()) finding.how = spread_of(only_wrong(all), all, mine, right).value_or("");
 
     const Region region =
-        is_comparable ? tell_where(finding, with_parts_that_matter(all, mine, right), wrong, not_numbers) : Region{};
+        is_comparable ? tell_where(finding, with_parts_that_matter(all, mine, right), wrong, not_numbers, is_known)
+                      : Region{};
+    if (const std::string words = assumption(region); !words.empty() && !is_known) finding.how = words;
     const bool is_exact = relation && !is_nothing && (is_known || relation->everywhere);
     add_example(finding, all, region, !sampled || is_exact || not_numbers > 0, ask_mine, ask_right);
     return finding;

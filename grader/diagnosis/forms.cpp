@@ -101,6 +101,26 @@ private:
 
     /// By which factor, where the right one has a length.
     Form another_length() const {
+        const auto is_long = [&](auto length) {
+            return std::ranges::all_of(scope_, [&](std::size_t k) {
+                return is_close(std::hypot(mine(k, 0), mine(k, 1), mine(k, 2)), length(k), 1);
+            });
+        };
+        const auto is_right_long = [&](std::size_t k) {
+            return is_close(std::hypot(right(k, 0), right(k, 1), right(k, 2)), 1, 1);
+        };
+        if (std::ranges::all_of(scope_, is_right_long)) {
+            const auto& parts = calls_.layouts.front().parts;
+            for (std::size_t i = 0; i < parts.size(); ++i)
+                if (parts[i].kind == Kind::number && is_long([&](std::size_t k) {
+                        const double x = calls_.rows[k][calls_.layouts[k].parts[i].at];
+                        return std::isfinite(x) ? x : std::hypot(mine(k, 0), mine(k, 1), mine(k, 2));
+                    }))
+                    return Form{
+                        fmt::format("points the right way, but is `{}` long: its length must be 1", parts[i].name),
+                        1.5};
+            return Form{"points the right way, but does not have length 1", 1.9};
+        }
         std::vector<std::size_t> some;
         for (const std::size_t k : scope_)
             if (right(k, 0) != 0 || right(k, 1) != 0 || right(k, 2) != 0) some.push_back(k);

@@ -20,6 +20,8 @@ struct Column {
     std::vector<double> log;
 };
 
+bool is_of_vectors(const Quantity& q) { return q.words.find_first_of("|('") != std::string::npos; }
+
 std::vector<Column> columns_of(const PartOfCalls& of) {
     std::vector<Column> list;
     const auto add = [&](const std::string& words, auto value) {
@@ -38,6 +40,12 @@ std::vector<Column> columns_of(const PartOfCalls& of) {
     for (const Quantity& q : quantities)
         if (q.words != "the answer's " + of.part.name && q.words != fmt::format("|the answer's {}|", of.part.name))
             add(q.words, [&](std::size_t k) { return std::log(std::abs(at(q, k))); });
+    const std::size_t numbers = std::size_t(std::ranges::find_if(quantities, is_of_vectors) - quantities.begin());
+    constexpr std::size_t few = 4;
+    for (std::size_t a = 0; a < numbers && numbers <= few; ++a)
+        for (std::size_t b = a + 1; b < numbers; ++b)
+            add(fmt::format("({} - {})", quantities[b].words, quantities[a].words),
+                [&](std::size_t k) { return std::log(std::abs(at(quantities[b], k) - at(quantities[a], k))); });
     for (const Quantity& q : quantities) {
         const bool is_plain = q.words.find('|') == q.words.npos && q.words.find('(') == q.words.npos &&
                               q.words.find('\'') == q.words.npos;

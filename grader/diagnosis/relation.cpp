@@ -77,14 +77,14 @@ public:
         if (!sampled_)
             if (auto there = where_it_is_not_nothing()) return there;
         two_changes(all_);
-        if (best_ || !calls_.changeable.empty()) return best_;
+        if (best_) return best_;
         if (there.is_exact) {
             region_ = there.words + ", ";
             two_changes(wrong_);
             region_.clear();
         }
         if (!best_) one_of_several();
-        if (best_) return best_;
+        if (best_ || !calls_.changeable.empty()) return best_;
         return by_parts();
     }
 
@@ -322,13 +322,17 @@ private:
                                   double(same) >= share_of_changed * double(changed);
             if (!explains || telling < least || same <= most) continue;
             most = same;
-            best_ = Relation{fmt::format("in {} of {} wrong calls the answers are exactly what the right fragment "
-                                         "answers with {}; in the others something else is wrong",
-                                         same, wrong_.size(), change.words),
-                             {},
-                             false,
-                             best_cost,
-                             Relation::Explains::some};
+            const bool are_all = same == wrong_.size();
+            best_ = Relation{
+                fmt::format("in {} wrong calls the answers are exactly what the right fragment answers "
+                            "with {}{}",
+                            are_all ? fmt::format("all {}", same) : fmt::format("{} of {}", same, wrong_.size()),
+                            change.words, are_all ? "" : other_mistakes),
+                {},
+                false,
+                best_cost,
+                Relation::Explains::some};
+            best_->share = double(same) / double(wrong_.size());
         }
     }
 
@@ -337,6 +341,14 @@ private:
         for (std::size_t i = 0; some && i < scope.size(); ++i)
             if (!is_equal(calls_.result, calls_.mine[scope[i]], (*some)[i])) return false;
         return some.has_value();
+    }
+
+    /// Whether two changes put something in place of the same: nobody makes both.
+    static bool are_of_one(const Change& first, const Change& second) {
+        constexpr std::string_view in_place = " in place of ";
+        const std::size_t at = first.words.rfind(in_place), other = second.words.rfind(in_place);
+        return at != std::string::npos && other != std::string::npos &&
+               std::string_view(first.words).substr(at) == std::string_view(second.words).substr(other);
     }
 
     void two_changes(const std::vector<std::size_t>& scope) {
@@ -358,7 +370,7 @@ private:
         for (std::size_t a = 0; a < list.size(); ++a)
             for (std::size_t b = 0; b < list.size(); ++b) {
                 const double cost = list[a]->cost + list[b]->cost + 1;
-                if (a == b || (best_ && cost >= best_->cost)) continue;
+                if (a == b || (best_ && cost >= best_->cost) || are_of_one(*list[a], *list[b])) continue;
                 if (of_steps && !is_same_in(*list[a], *list[b], {sample.front()})) continue;
                 if (!is_same_in(*list[a], *list[b], sample)) continue;
                 const auto right = answers(*list[a], list[b], scope);
@@ -370,6 +382,7 @@ private:
     /// Each part by itself; what is found of some.
     std::optional<Relation> by_parts() const {
         std::string words;
+        std::size_t explained = 0;
         for (const Field* part : parts_) {
             const auto is_wrong = [&](std::size_t k) {
                 return counts(calls_.result, *part, calls_.mine[k], calls_.right[k]) &&
@@ -392,9 +405,14 @@ private:
                     best = change.cost, found = fmt::format("{} is exactly what the right fragment answers with {}",
                                                             named(*part), change.words);
             }
-            if (!found.empty()) words += (words.empty() ? "" : "; ") + found;
+            if (found.empty()) continue;
+            words += (words.empty() ? "" : "; ") + found, ++explained;
         }
-        if (!words.empty()) return Relation{words, {}, true, best_cost, Relation::Explains::some};
+        if (!words.empty()) {
+            Relation some{words, {}, true, best_cost, Relation::Explains::some};
+            some.share = double(explained) / double(2 * parts_.size());
+            return some;
+        }
         // where a direction is right, the random numbers are used as the solution does, and what is wrong is wrong; the
         // other way round, another direction may be as good
         if (parts_.size() == calls_.result.parts.size() ||
@@ -410,7 +428,9 @@ private:
             {},
             true,
             best_cost,
-            Relation::Explains::nothing};
+            Relation::Explains::nothing,
+            false,
+            0};
     }
 
     const Calls& calls_;

@@ -9,6 +9,9 @@ namespace grade {
 /// How the words of a change begin.
 constexpr std::string_view as_changed = "the answers are exactly what the right fragment answers with ";
 
+/// How the words of a relation that does not explain all calls end.
+constexpr std::string_view other_mistakes = "; in the others something else is wrong";
+
 /// What wrong answers have to do with right ones, in every call that was looked at.
 struct Relation {
     std::string words;
@@ -19,7 +22,9 @@ struct Relation {
     /// What is explained: all, some of the calls or parts of the answer, or nothing beyond which parts are wrong.
     enum class Explains { all, some, nothing };
     Explains explains = Explains::all;
-    bool other_numbers = false;  // the answers are the right fragment's for other random numbers
+    bool other_numbers = false;                   // the answers are the right fragment's for other random numbers
+    double share = 1;                             // of what is wrong that is explained
+    bool by_arguments = false, by_steps = false;  // explained exactly by a change of these
 };
 
 /// The simplest one; none: none was found.

@@ -5,6 +5,7 @@
 
 #include "diagnosis/steps.h"
 #include "protocol/rows.h"
+#include "rt/math.h"
 
 namespace grade {
 
@@ -41,6 +42,19 @@ Steps steps(const char* formula, const char* numbers, Row (*take)(const Argument
                 return std::apply([&](const Arguments&... each) { return finish(&in[in.size() - count], each...); },
                                   arguments(in));
             }};
+}
+
+/// The same, its direction normalised, as careful code does.
+inline Steps normalised(Steps of) {
+    const std::size_t end = of.formula.find(", ");
+    if (of.formula.find(" = ") > end) of.formula = "unit(" + of.formula.substr(0, end) + ")" + of.formula.substr(end);
+    of.finish = [finish = std::move(of.finish)](const Row& in) {
+        Row answer = finish(in);
+        const rt::vec3 direction = rt::unit({answer[0], answer[1], answer[2]});
+        for (int c = 0; c < 3; ++c) answer[std::size_t(c)] = direction[c];
+        return answer;
+    };
+    return of;
 }
 
 std::vector<Steps> steps_of_integrals(const std::string& fragment);

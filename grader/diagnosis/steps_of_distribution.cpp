@@ -33,36 +33,48 @@ std::vector<Steps> of_mean() {
         "int the number of terms; int radiance.size(); bool weights left out; bool weights squared; bool 1 / weight[i] "
         "in place of weight[i]; bool the sum of the weights in place of the number of samples; bool a sum that starts "
         "at radiance[0], which is added again; bool the last sample alone; bool weight[0] for all; bool the first "
-        "sample left out",
+        "sample left out; bool the last sample left out; bool the first channel in all; bool the mean of the channels "
+        "in all; bool the mean of the radiance times the mean of the weights",
         +[](const Colors& all, const Weights&) {
             Row taken = row(int(all.size()), int(all.size()));
-            taken.resize(10);
+            taken.resize(14);
             return taken;
         },
         +[](const double* s, const Colors& all, const Weights& weights) {
-            Color sum = s[6] != 0 ? all.at(0) : Color(0);
+            Color sum = s[6] != 0 ? all.at(0) : Color(0), plain(0);
             Real of_weights = 0;
-            const std::size_t last = std::min(all.size(), std::size_t(std::max(s[0], 0.0)));
+            const std::size_t last = std::min(all.size() - (s[10] != 0), std::size_t(std::max(s[0], 0.0)));
             for (std::size_t i = s[7] != 0 ? all.size() - 1 : s[9] != 0; i < last; ++i) {
                 const Real w = weights.at(s[8] != 0 ? 0 : i);
                 sum += (s[2] != 0 ? 1 : s[3] != 0 ? w * w : s[4] != 0 ? 1 / w : w) * all[i];
-                of_weights += w;
+                of_weights += w, plain += all[i];
             }
+            if (s[13] != 0) return row(plain * of_weights / sqr(Real(all.size())));
+            if (s[11] != 0) sum = Color(sum.x);
+            if (s[12] != 0) sum = Color((sum.x + sum.y + sum.z) / 3);
             return row(sum / (s[5] != 0 ? of_weights : s[1]));
         })};
 }
 
-Row sphere_light(const Emitter& light, vec3 p, vec2 u) {
+Row sphere_light(const Emitter& light, vec3 p, vec2 u, Real sine, vec3 axis) {
     const vec3 to_center = light.sphere.center - p;
     const Real squared = dot(to_center, to_center), radius2 = sqr(light.sphere.radius);
-    const Real sine2 = radius2 / squared, m = sine2 / (1 + safe_sqrt(1 - sine2)), k = u.x * m;
+    const Real sine2 = sine * sine, m = sine2 / (1 + safe_sqrt(1 - sine2)), k = u.x * m;
     const vec2 beside = safe_sqrt(k * (2 - k)) * circle_of(u.y);
-    const vec3 direction = frame_about(unit(to_center)).to_world({beside.x, beside.y, 1 - k});
+    const vec3 direction = frame_about(axis).to_world({beside.x, beside.y, 1 - k});
     const Real along = dot(to_center, direction);
     const vec3 off = to_center - along * direction;
     return row(
         LightSample{direction, along - safe_sqrt(radius2 - dot(off, off)), squared > radius2 ? 1 / (2 * pi * m) : 0});
 }
+
+Real sine_of(const Emitter& light, vec3 p) { return light.sphere.radius / length(light.sphere.center - p); }
+
+Row sphere_light(const Emitter& light, vec3 p, vec2 u, Real sine) {
+    return sphere_light(light, p, u, sine, unit(light.sphere.center - p));
+}
+
+Row sphere_light(const Emitter& light, vec3 p, vec2 u) { return sphere_light(light, p, u, sine_of(light, p)); }
 
 /// In units of the half edges, or of the radius.
 vec2 on_light(const Emitter& light, vec2 u) {
@@ -76,6 +88,12 @@ vec3 point_of(const Emitter& light, vec2 at) {
 }
 
 Real cosine_at(const Emitter& light, vec3 to) { return -dot(unit(to), unit(normal(light))); }
+
+Row flat_light(const Emitter& light, vec3 p, vec2 u) {
+    const vec3 to = point_of(light, on_light(light, u)) - p;
+    const Real cosine = cosine_at(light, to);
+    return row(LightSample{unit(to), length(to), cosine > 0 ? dot(to, to) / (cosine * area(light)) : 0});
+}
 
 std::vector<Steps> of_light() {
     return {
@@ -101,12 +119,43 @@ std::vector<Steps> of_light() {
         steps(
             "point = center + at.x * u + at.y * v with at = 2 * u - 1 of a quad, center + radius * (at.x * x + at.y * "
             "y) with at = uniform_disk(u).point of a disc",
-            "vec2 at", +[](const Emitter& light, const vec3&, const vec2& u) { return row(on_light(light, u)); },
+            "vec2 at; Real radius; bool the disc along the axes of the world, not turned to its normal; bool u in "
+            "place of 2 * u - 1, which covers a quarter of the quad from its centre; bool u - 0.5 in place of 2 * u - "
+            "1: "
+            "u and v are half edges, so a quarter of the quad is covered",
+            +[](const Emitter& light, const vec3&, const vec2& u) {
+                return row(on_light(light, u), light.kind == Emitter::Kind::disc ? light.disc.radius : 1, false, false,
+                           false);
+            },
             +[](const double* s, const Emitter& light, const vec3& p, const vec2& u) {
                 if (light.kind == Emitter::Kind::sphere) return sphere_light(light, p, u);
-                const vec3 to = point_of(light, {s[0], s[1]}) - p;
+                const bool is_disc = light.kind == Emitter::Kind::disc;
+                const vec2 on_quad = s[4] != 0 ? u : s[5] != 0 ? u - vec2(0.5) : vec2(s[0], s[1]);
+                const vec2 at = is_disc ? s[2] / light.disc.radius * vec2(s[0], s[1]) : on_quad;
+                const vec3 to =
+                    (is_disc && s[3] != 0 ? light.disc.center + light.disc.radius * vec3(at, 0) : point_of(light, at)) -
+                    p;
                 const Real cosine = cosine_at(light, to);
                 return row(LightSample{unit(to), length(to), cosine > 0 ? dot(to, to) / (cosine * area(light)) : 0});
+            }),
+        steps(
+            "of a sphere, sine = radius / distance of its centre", "Real sine; Real radius / distance^2; Real distance",
+            +[](const Emitter& light, const vec3& p, const vec2&) {
+                const Real far = length(light.sphere.center - p);
+                return row(light.sphere.radius / far, light.sphere.radius / (far * far), far);
+            },
+            +[](const double* s, const Emitter& light, const vec3& p, const vec2& u) {
+                return light.kind == Emitter::Kind::sphere ? sphere_light(light, p, u, s[0]) : flat_light(light, p, u);
+            }),
+        steps(
+            "of a sphere, the axis of the cone is unit(center - p)", "vec3 the axis; vec3 center - p",
+            +[](const Emitter& light, const vec3& p, const vec2&) {
+                return row(unit(light.sphere.center - p), light.sphere.center - p);
+            },
+            +[](const double* s, const Emitter& light, const vec3& p, const vec2& u) {
+                const vec3 axis(s[0], s[1], s[2]);
+                return light.kind == Emitter::Kind::sphere ? sphere_light(light, p, u, sine_of(light, p), axis)
+                                                           : flat_light(light, p, u);
             }),
         steps(
             "of a sphere, distance = along - half, half = sqrt(radius^2 - beside^2) half of the ray's way through it",
@@ -118,13 +167,9 @@ std::vector<Steps> of_light() {
             },
             +[](const double* s, const Emitter& light, const vec3& p, const vec2& u) {
                 auto all = from_row<LightSample>(sphere_light(light, p, u));
-                if (light.kind == Emitter::Kind::sphere) {
-                    all.distance = s[1] - s[0];
-                    return row(all);
-                }
-                const vec3 to = point_of(light, on_light(light, u)) - p;
-                const Real cosine = cosine_at(light, to);
-                return row(LightSample{unit(to), length(to), cosine > 0 ? dot(to, to) / (cosine * area(light)) : 0});
+                if (light.kind != Emitter::Kind::sphere) return flat_light(light, p, u);
+                all.distance = s[1] - s[0];
+                return row(all);
             })};
 }
 
@@ -204,13 +249,42 @@ std::vector<Steps> of_translucency() {
         "the axis of the lobe is refracted_direction(d, n, ior_from, ior_to)");
 }
 
+/// A step for what is made of the random numbers and turned into the world, one for what comes out.
+std::vector<Steps> of_bleeding() {
+    return {steps(
+        "direction = frame_about(n).to_world(local), local = cosine_hemisphere(u).direction",
+        "vec3 local; vec3 direction; bool local.z * n + local.x * y + local.y * z: the axes of the frame in another "
+        "order",
+        +[](const vec3& n, const Color&, const vec2& u) {
+            const vec2 p = on_disk(u);
+            const vec3 local(p.x, p.y, safe_sqrt(1 - u.x));
+            return row(local, frame_about(n).to_world(local), false);
+        },
+        +[](const double* s, const vec3& n, const Color& albedo, const vec2& u) {
+            const vec2 p = on_disk(u);
+            const Frame frame = frame_about(n);
+            const vec3 usual(p.x, p.y, safe_sqrt(1 - u.x)), local(s[0], s[1], s[2]);
+            if (s[6] != 0) return row(Scattered{frame.to_world({local.z, local.x, local.y}), albedo});
+            return row(Scattered{local != usual ? frame.to_world(local) : vec3(s[3], s[4], s[5]), albedo});
+        })};
+}
+
+std::vector<Steps> of_shutter() {
+    return {steps(
+        "open + u * (close - open)", "Real open; Real u; Real close - open",
+        +[](const Shutter& shutter, const Real& u) { return row(shutter.open, u, shutter.close - shutter.open); },
+        +[](const double* s, const Shutter&, const Real&) { return row(s[0] + s[1] * s[2]); })};
+}
+
 std::vector<Steps> of_flight() {
     return {steps(
         "-log(1 - u) / extinction",
         "Real log(1 - u); bool log(1 + u) / extinction; bool -log(1 + u) / extinction; bool exp(-u / extinction); bool "
-        "exp(-u * extinction); bool extinction * exp(-extinction * u)",
-        +[](const Real&, const Real& u) { return row(std::log1p(-u), false, false, false, false, false); },
-        +[](const double* s, const Real& extinction, const Real& u) {
+        "exp(-u * extinction); bool extinction * exp(-extinction * u); bool a product with extinction in place of the "
+        "division",
+        +[](const Real&, const Real& u) { return row(std::log1p(-u), false, false, false, false, false, false); },
+        +[](const double* s, const Real& given, const Real& u) {
+            const Real extinction = s[6] != 0 ? 1 / given : given;
             if (s[1] != 0 || s[2] != 0) return row((s[1] != 0 ? 1 : -1) * std::log1p(u) / extinction);
             if (s[3] != 0) return row(std::exp(-u / extinction));
             if (s[5] != 0) return row(extinction * std::exp(-extinction * u));
@@ -239,6 +313,21 @@ std::vector<Steps> of_lens() {
                     const Real t = s[1] != -dot(ray.direction, c.back) ? c.focus / s[1] : s[0];
                     const vec3 offset(s[2], s[3], s[4]);
                     return row(Ray{ray.origin + p.x * c.right + p.y * c.up, unit(ray.direction - offset / t), 0, inf});
+                }),
+            steps(
+                "unit(point - start), point = eye + t * d, t = focus / cos, start = eye + offset",
+                "vec3 point; vec3 start; vec3 offset",
+                +[](const Camera& c, const Ray& ray, const vec2& u) {
+                    const vec2 p = c.lens_radius * on_disk(u);
+                    const Real t = std::min(c.focus / -dot(ray.direction, c.back), 1e12);
+                    const vec3 offset = p.x * c.right + p.y * c.up;
+                    return row(ray.origin + t * ray.direction, ray.origin + offset, offset);
+                },
+                +[](const double* s, const Camera& c, const Ray& ray, const vec2& u) {
+                    const vec2 p = c.lens_radius * on_disk(u);
+                    const vec3 usual = p.x * c.right + p.y * c.up, offset(s[6], s[7], s[8]);
+                    const vec3 start = offset != usual ? ray.origin + offset : vec3(s[3], s[4], s[5]);
+                    return row(Ray{ray.origin + usual, unit(vec3(s[0], s[1], s[2]) - start), 0, inf});
                 })};
 }
 
@@ -251,6 +340,8 @@ std::vector<Steps> steps_of_distribution(const std::string& fragment) {
     if (fragment == "glossy_reflection") return of_glossy();
     if (fragment == "translucency") return of_translucency();
     if (fragment == "free_flight") return of_flight();
+    if (fragment == "shutter_time") return of_shutter();
+    if (fragment == "color_bleeding") return of_bleeding();
     if (fragment == "lens_ray") return of_lens();
     return {};
 }

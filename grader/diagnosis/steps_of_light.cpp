@@ -48,23 +48,27 @@ struct Surface {
 
 Row steps_of_surface(vec3 n, vec3 to_light, vec3 to_viewer) {
     Row taken = row(dot(n, to_light), dot(n, to_light), cosine_of_highlight(n, to_light, to_viewer));
-    taken.resize(10);
+    taken.resize(16);
     return taken;
 }
 
-/// Of the steps of a surface, the light that it reflects: n . d before the albedo, n . d in the test, r . c.
-Color reflected_by_steps(const double* s, const Material& material) {
+/// Of the steps of a surface, the light that it reflects of `light`: n . d before the albedo, n . d in the test, r . c.
+Color reflected_by_steps(const double* s, const Material& material, Color light) {
     if (!(s[1] > 0) && s[4] == 0) return Color(0);
     const Surface surface{material, s[1] > 0 ? s[0] : 0, s[2]};
-    const Real a = material.shininess, power = surface.power_of(s[2]);
-    if (s[3] != 0) return surface.reflected(std::max(s[2], 0.0) * a);
+    const Real a = material.shininess, power = s[3] != 0    ? std::max(s[2], 0.0) * a
+                                               : s[15] != 0 ? std::pow(s[2], a)
+                                                            : surface.power_of(s[2]);
     const Real before = s[5] != 0   ? (a + 2) / (2 * pi)
                         : s[6] != 0 ? (a + 1) / (2 * pi)
                         : s[7] != 0 ? (a + 8) / (8 * pi)
                         : s[8] != 0 ? 1 / pi
                         : s[9] != 0 ? s[0]
                                     : 1;
-    return surface.reflected(before * power);
+    const Color one = light == Color(0) ? light : Color(1);
+    const Color diffuse = surface.cosine / pi * material.albedo * (s[14] != 0 ? material.specular : Color(1)),
+                highlight = before * power * material.specular * (s[13] != 0 ? material.albedo : Color(1));
+    return (s[11] != 0 ? one : light) * diffuse + (s[10] != 0 ? one : light) * highlight;
 }
 
 constexpr const char* surface_names =
@@ -72,7 +76,10 @@ constexpr const char* surface_names =
     "0) * shininess; bool the highlight where dot(n, d) <= 0 as well; bool a factor (shininess + 2) / (2 * pi) before "
     "the highlight; bool a factor (shininess + 1) / (2 * pi) before the highlight; bool a factor (shininess + 8) / (8 "
     "* pi) before the highlight; bool a factor 1 / pi before the highlight; bool a factor dot(n, d) before the "
-    "highlight";
+    "highlight; bool the highlight not multiplied by the light; bool the diffuse part not multiplied by the light; "
+    "bool "
+    "nothing at all returned where dot(n, d) <= 0, not even ambient light; bool albedo before the highlight as well; "
+    "bool specular before the diffuse part as well; bool dot(r, c) not cut off at 0 before the power";
 
 constexpr const char* surface_formula = "dot(n, d) / pi * albedo + pow(max(dot(r, c), 0), shininess) * specular";
 
@@ -105,7 +112,8 @@ std::vector<Steps> of_surface() {
                 },
                 +[](const double* s, const Arguments&... arguments) {
                     const Lit all = lit(arguments...);
-                    return row(all.glow + all.light * reflected_by_steps(s, all.material));
+                    if (s[12] != 0 && !(s[1] > 0)) return row(Color(0));
+                    return row(all.glow + reflected_by_steps(s, all.material, all.light));
                 }),
             steps<Arguments...>(
                 "r = 2 * dot(n, d) * n - d", "vec3 r; Real cosine",
@@ -222,16 +230,23 @@ std::vector<Steps> of_whitted() {
         "bool glass only where all channels of the transmittance are positive; bool glass only where the first channel "
         "of the transmittance is positive; bool glass everywhere; bool glass nowhere; Real fresnel before the "
         "reflectance; Real (1 - fresnel) before the transmittance; Color the reflectance of glass; Color the "
-        "transmittance of glass",
+        "transmittance of glass; Color the local weight of what is opaque; Color the local weight of glass; Color 1 - "
+        "reflectance; Color 1 - transmittance; Color 1 - reflectance - transmittance; Color the weight that mirror and "
+        "glass leave",
         +[](const Material& m, const Real& f) {
-            return row(false, false, false, false, f, 1 - f, m.reflectance, m.transmittance);
+            const vec3 t = m.transmittance, r = m.reflectance;
+            const bool glass = t.x > 0 || t.y > 0 || t.z > 0;
+            const Color left = Color(1) - (glass ? f * r + (1 - f) * t : r);
+            return row(false, false, false, false, f, 1 - f, r, t, Color(1), Color(1), Color(1) - r, Color(1) - t,
+                       Color(1) - r - t, left);
         },
         +[](const double* s, const Material& m, const Real&) {
             const vec3 t = m.transmittance;
             const bool any = t.x > 0 || t.y > 0 || t.z > 0, all = t.x > 0 && t.y > 0 && t.z > 0;
             const bool glass = s[2] != 0 || (s[3] == 0 && (s[0] != 0 ? all : s[1] != 0 ? t.x > 0 : any));
-            if (!glass) return row(Outgoing{Color(1), m.reflectance, Color(0)});
-            return row(Outgoing{Color(1), s[4] * Color(s[6], s[7], s[8]), s[5] * Color(s[9], s[10], s[11])});
+            if (!glass) return row(Outgoing{Color(s[12], s[13], s[14]), m.reflectance, Color(0)});
+            return row(
+                Outgoing{Color(s[15], s[16], s[17]), s[4] * Color(s[6], s[7], s[8]), s[5] * Color(s[9], s[10], s[11])});
         })};
 }
 

@@ -81,16 +81,25 @@ std::vector<Steps> of_sphere() {
         steps(
             "",
             "Real the near root; Real the far root; bool the far root alone; bool the near root alone; bool roots up "
-            "to `near` counted; bool roots from `far` on counted",
+            "to `near` counted; bool roots from `far` on counted; bool the near root taken where it is above 0, even "
+            "if it is not above `near`, and the far one not tried; bool the far root taken only where the near one is "
+            "below 0; bool the near root taken only where the ray starts outside of the sphere, and the far one "
+            "only where it starts inside; bool the point of the ray that is nearest to the centre: half of the way "
+            "through the sphere is not taken off",
             +[](const Sphere& sphere, const Ray& ray) {
                 const vec3 f = ray.origin - sphere.center;
                 const Real a = dot(ray.direction, ray.direction), b = -dot(f, ray.direction);
                 const Real d = sqr(sphere.radius) - dot(f + b / a * ray.direction, f + b / a * ray.direction);
                 const Real root = std::sqrt(a * d);
-                return row((b - root) / a, (b + root) / a, false, false, false, false);
+                return row((b - root) / a, (b + root) / a, false, false, false, false, false, false, false, false);
             },
-            +[](const double* s, const Sphere&, const Ray& ray) {
+            +[](const double* s, const Sphere& sphere, const Ray& ray) {
                 if (!(s[0] == s[0])) return row(inf);
+                const bool is_inside = length(ray.origin - sphere.center) < sphere.radius;
+                if (s[6] != 0) return first_root(s[0] > 0 ? s[0] : s[1], inf, ray);
+                if (s[7] != 0) return first_root(s[0], s[0] < 0 ? s[1] : inf, ray);
+                if (s[9] != 0) return first_root((s[0] + s[1]) / 2, inf, ray);
+                if (s[8] != 0) return first_root(is_inside ? s[1] : s[0], inf, ray);
                 const Ray wide{ray.origin, ray.direction, s[4] != 0 ? -inf : ray.near, s[5] != 0 ? inf : ray.far};
                 return first_root(s[2] != 0 ? s[1] : s[0], s[3] != 0 ? s[0] : s[1], wide);
             })};
@@ -100,15 +109,20 @@ std::vector<Steps> of_triangle() {
     return {steps(
         "t where none of the weights of the corners is negative; det = dot(b - a, cross(d, c - a))",
         "Real the weight of a; Real the weight of b; Real the weight of c; Real t; Real det; bool hits before `near` "
-        "counted; bool hits beyond `far` counted",
+        "counted; bool hits beyond `far` counted; bool the sign of the weight of a not tested; bool the sign of the "
+        "weight of b not tested; bool the sign of the weight of c not tested; bool the sign of the weight of c not "
+        "tested, but whether that of b is at most 1",
         +[](const Triangle& triangle, const Ray& ray) {
             const vec3 b = triangle.b - triangle.a, c = triangle.c - triangle.a, o = ray.origin - triangle.a;
             const vec3 p = cross(ray.direction, c), q = cross(o, b);
             const Real det = dot(b, p), v = dot(o, p) / det, w = dot(ray.direction, q) / det;
-            return row(1 - v - w, v, w, dot(c, q) / det, det, false, false);
+            Row taken = row(1 - v - w, v, w, dot(c, q) / det, det);
+            taken.resize(11);
+            return taken;
         },
         +[](const double* s, const Triangle&, const Ray& ray) {
-            const bool inside = s[0] >= 0 && s[1] >= 0 && s[2] >= 0;
+            const bool of_c = s[10] != 0 ? s[1] <= 1 : s[9] != 0 || s[2] >= 0;
+            const bool inside = (s[7] != 0 || s[0] >= 0) && (s[8] != 0 || s[1] >= 0) && of_c;
             return row(inside && (s[5] != 0 || s[3] > ray.near) && (s[6] != 0 || s[3] < ray.far) ? s[3] : inf);
         })};
 }
@@ -119,10 +133,14 @@ Steps of_triangle_vectors() {
         "u = dot(s, p) / det, v = dot(d, q) / det, t = dot(e2, q) / det, det = dot(e1, p), p = cross(d, e2), q = "
         "cross(s, e1), s = o - a, e1 = b - a, e2 = c - a",
         "vec3 s; vec3 d; vec3 e2; vec3 e1; vec3 p; vec3 q; bool u <= 1 and v <= 1 tested, not u + v <= 1; bool u >= 0 "
-        "and v >= 0 not tested",
+        "and v >= 0 not tested; bool v >= 0 not tested; bool u >= 0 not tested; bool u and v not divided by det; bool "
+        "nothing divided by det; bool u + v <= 1 not tested; bool only hits with det > 0 counted; bool only hits with "
+        "det < 0 counted",
         +[](const Triangle& triangle, const Ray& ray) {
             const vec3 e1 = triangle.b - triangle.a, e2 = triangle.c - triangle.a, s = ray.origin - triangle.a;
-            return row(s, ray.direction, e2, e1, cross(ray.direction, e2), cross(s, e1), false, false);
+            Row taken = row(s, ray.direction, e2, e1, cross(ray.direction, e2), cross(s, e1));
+            taken.resize(27);
+            return taken;
         },
         +[](const double* s, const Triangle& triangle, const Ray& ray) {
             const auto step = [s](int i) { return vec3(s[3 * i], s[3 * i + 1], s[3 * i + 2]); };
@@ -131,11 +149,12 @@ Steps of_triangle_vectors() {
             // what is made of others follows their changes
             const vec3 p = step(4) != cross(ray.direction, c2) ? step(4) : cross(d, e2);
             const vec3 q = step(5) != cross(to, c1) ? step(5) : cross(o, e1);
-            const Real det = dot(e1, p), u = dot(o, p) / det, v = dot(d, q) / det, t = dot(e2, q) / det;
-            const bool inside = s[18] != 0   ? u >= 0 && v >= 0 && u <= 1 && v <= 1
-                                : s[19] != 0 ? u + v <= 1
-                                             : u >= 0 && v >= 0 && u + v <= 1;
-            return row(inside && t > ray.near && t < ray.far ? t : inf);
+            const Real det = dot(e1, p), under = s[22] != 0 || s[23] != 0 ? 1 : det;
+            const Real u = dot(o, p) / under, v = dot(d, q) / under, t = dot(e2, q) / (s[23] != 0 ? 1 : det);
+            const bool above = (s[19] != 0 || s[21] != 0 || u >= 0) && (s[19] != 0 || s[20] != 0 || v >= 0);
+            const bool below = s[24] != 0 || (s[18] != 0 ? u <= 1 && v <= 1 : u + v <= 1);
+            const bool side = (s[25] == 0 || det > 0) && (s[26] == 0 || det < 0);
+            return row(above && below && side && t > ray.near && t < ray.far ? t : inf);
         });
 }
 
@@ -183,14 +202,18 @@ std::vector<Steps> of_quad() {
 /// What quads and spheres are measured with: vectors.
 Steps of_quad_vectors() {
     return steps(
-        "abs(dot(p, u)) <= dot(u, u) && abs(dot(p, v)) <= dot(v, v), p = origin + t * d - center", "vec3 p",
+        "t = dot(to, n) / dot(d, n), to = center - origin, abs(dot(p, u)) <= dot(u, u) && abs(dot(p, v)) <= dot(v, v), "
+        "p = origin + t * d - center",
+        "vec3 p; vec3 to; vec3 n",
         +[](const Quad& quad, const Ray& ray) {
             const vec3 n = cross(quad.u, quad.v), to = quad.center - ray.origin;
-            return row(dot(to, n) / dot(ray.direction, n) * ray.direction - to);
+            return row(dot(to, n) / dot(ray.direction, n) * ray.direction - to, to, n);
         },
         +[](const double* s, const Quad& quad, const Ray& ray) {
-            const vec3 n = cross(quad.u, quad.v), p(s[0], s[1], s[2]);
-            const Real t = dot(quad.center - ray.origin, n) / dot(ray.direction, n);
+            const vec3 usual = cross(quad.u, quad.v), center = quad.center - ray.origin, to(s[3], s[4], s[5]),
+                       n(s[6], s[7], s[8]);
+            const Real t = dot(to, n) / dot(ray.direction, n);
+            const vec3 p = to != center || n != usual ? t * ray.direction - center : vec3(s[0], s[1], s[2]);
             const bool inside =
                 std::abs(dot(p, quad.u)) <= dot(quad.u, quad.u) && std::abs(dot(p, quad.v)) <= dot(quad.v, quad.v);
             return row(inside && t > ray.near && t < ray.far ? t : inf);
@@ -260,7 +283,11 @@ std::vector<Steps> steps_of_rays(const std::string& fragment) {
     if (fragment == "hit_triangle") return joined(of_triangle(), of_triangle_vectors());
     if (fragment == "hit_quad") return joined(of_quad(), of_quad_vectors());
     if (fragment == "mirror_direction") return of_mirror();
-    if (fragment == "refracted_direction") return of_refraction();
+    if (fragment == "refracted_direction") {
+        std::vector<Steps> all = of_refraction();
+        for (const Steps& one : of_refraction()) all.push_back(normalised(one));
+        return all;
+    }
     return {};
 }
 

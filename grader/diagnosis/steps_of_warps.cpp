@@ -51,10 +51,23 @@ std::vector<Steps> of_strata_2d() {
             "ceil(sqrt(n)) columns in place of floor(sqrt(n)); bool (i % c + u.x / c, i / c + u.y / c): the cell is "
             "not divided by c; bool columns of n / c cells each, of whole numbers; bool columns of n / c cells each, "
             "no whole number; bool sqrt(n) columns, which is no whole number: not rounded down; bool one column more; "
-            "bool one column less",
-            +[](const int&, const int&, const vec2&) { return Row(9); },
+            "bool one column less; bool a grid of floor(sqrt(n)) columns and ceil(n / columns) rows, of which some "
+            "cells are left empty; bool a grid of ceil(sqrt(n)) columns and ceil(n / columns) rows, of which some "
+            "cells are left empty; bool a grid of round(sqrt(n)) columns and ceil(n / columns) rows, of which some "
+            "cells are left empty; bool a strip of 1 / n for each cell, as high as the square; bool x and y both in "
+            "the strip of cell i: cells along the diagonal alone; bool u alone, whichever cell it is; "
+            "bool cells i / c and i % c with c = floor(sqrt(n)), which fill the square for a square n alone",
+            +[](const int&, const int&, const vec2&) { return Row(16); },
             +[](const double* s, const int& i, const int& n, const vec2& u) {
                 const Real root = std::sqrt(Real(n)), low = std::floor(root), high = std::ceil(root);
+                if (s[9] != 0 || s[10] != 0 || s[11] != 0) {
+                    const int c = int(s[9] != 0 ? low : s[10] != 0 ? high : std::round(root));
+                    return row(below(vec2((i % c + u.x) / c, (i / c + u.y) / ((n + c - 1) / c))));
+                }
+                if (s[12] != 0) return row(below(vec2((i + u.x) / n, u.y)));
+                if (s[13] != 0) return row(below((Real(i) + u) / Real(n)));
+                if (s[14] != 0) return row(u);
+                if (s[15] != 0) return row(below((vec2(i / int(low), i % int(low)) + u) / low));
                 if (s[0] != 0 || s[1] != 0 || s[3] != 0) {
                     const int c = int(s[1] != 0 ? high : low);
                     if (s[3] != 0) return row(vec2(i % c, i / c) + u / Real(c));
@@ -72,12 +85,18 @@ std::vector<Steps> of_strata_2d() {
 
 std::vector<Steps> of_disk() {
     return {steps(
-        "r * (cos(phi), sin(phi)), phi = 2 * pi * u.y", "Real r; Real cos(phi); Real sin(phi); Real phi",
+        "r * (cos(phi), sin(phi)), phi = 2 * pi * u.y",
+        "Real r; Real cos(phi); Real sin(phi); Real phi; bool the "
+        "square 2 * u - 1, whose corners lie outside of the disk; bool the square 2 * u - 1, of which what lies "
+        "outside of the disk is put onto its border",
         +[](const vec2& u) {
             const vec2 circle = turned(2 * pi * u.y);
-            return row(std::sqrt(u.x), circle.x, circle.y, 2 * pi * u.y);
+            return row(std::sqrt(u.x), circle.x, circle.y, 2 * pi * u.y, false, false);
         },
         +[](const double* s, const vec2& u) {
+            const vec2 square = 2.0 * u - vec2(1);
+            if (s[4] != 0 || s[5] != 0)
+                return row(DiskSample{s[5] != 0 ? square / std::max(1.0, length(square)) : square, 1 / pi});
             const vec2 circle = s[3] != 2 * pi * u.y ? turned(s[3]) : vec2(s[1], s[2]);
             return row(DiskSample{s[0] * circle, 1 / pi});
         })};
@@ -106,16 +125,23 @@ std::vector<Steps> of_hemisphere() {
         steps(
             "z = sqrt(1 - u.x), density = cos(theta) / pi",
             "Real 1 - u.x; Real z; Real cos(theta); bool theta = u.x * pi / 2, uniform in the angle; bool theta = u.x "
-            "* pi, on the whole sphere; bool u.x as the cosine, uniform on the hemisphere",
-            +[](const vec2& u) { return row(1 - u.x, std::sqrt(1 - u.x), std::sqrt(1 - u.x), false, false, false); },
+            "* pi, on the whole sphere; bool u.x as the cosine: directions uniform on the hemisphere; bool 1 - u.x as "
+            "the cosine: "
+            "directions uniform on the hemisphere; bool 1 / (2 * pi) as density, which is that of uniform directions",
+            +[](const vec2& u) {
+                Row taken = row(1 - u.x, std::sqrt(1 - u.x), std::sqrt(1 - u.x));
+                taken.resize(8);
+                return taken;
+            },
             +[](const double* s, const vec2& u) {
-                if (s[3] != 0 || s[4] != 0 || s[5] != 0) {
-                    const Real c = s[5] != 0 ? u.x : std::cos(u.x * pi / (s[3] != 0 ? 2 : 1));
-                    return row(lifted(std::sqrt(1 - c * c), turned(2 * pi * u.y), c, c / pi));
+                const auto density = [s](Real c) { return s[7] != 0 ? 1 / (2 * pi) : c / pi; };
+                if (s[3] != 0 || s[4] != 0 || s[5] != 0 || s[6] != 0) {
+                    const Real c = s[5] != 0 ? u.x : s[6] != 0 ? 1 - u.x : std::cos(u.x * pi / (s[3] != 0 ? 2 : 1));
+                    return row(lifted(std::sqrt(1 - c * c), turned(2 * pi * u.y), c, density(c)));
                 }
                 const bool both = s[0] != 1 - u.x;
                 const Real z = std::sqrt(s[0]);
-                return row(lifted(std::sqrt(u.x), turned(2 * pi * u.y), both ? z : s[1], (both ? z : s[2]) / pi));
+                return row(lifted(std::sqrt(u.x), turned(2 * pi * u.y), both ? z : s[1], density(both ? z : s[2])));
             })};
 }
 
@@ -164,10 +190,11 @@ std::vector<Steps> of_cone() {
             "cos(theta) = 1 - u.x * m, m = 1 - cos(theta_max), density = 1 / (2 * pi * m)",
             "Real cos(theta_max); Real m; Real m in the density; bool u.x * cos(theta_max) as the cosine: also "
             "directions outside of the cone; bool cos(u.x * theta_max) as the cosine: uniform in the angle; bool 1 - "
-            "u.x * cos(theta_max) as the cosine",
+            "u.x * cos(theta_max) as the cosine; bool a uniform point of a disk as wide as the cone, 1 above its tip: "
+            "directions that are not uniform",
             +[](const Real& sine, const vec2&) {
                 const Real c = std::sqrt(1 - sine * sine);
-                return row(c, 1 - c, 1 - c, false, false, false);
+                return row(c, 1 - c, 1 - c, false, false, false, false);
             },
             +[](const double* s, const Real& sine, const vec2& u) {
                 const Real all = std::sqrt(1 - sine * sine);
@@ -176,6 +203,7 @@ std::vector<Steps> of_cone() {
                 const Real c = s[3] != 0   ? u.x * all
                                : s[4] != 0 ? std::cos(u.x * std::asin(sine))
                                : s[5] != 0 ? 1 - u.x * all
+                               : s[6] != 0 ? 1 / std::sqrt(1 + u.x * sqr(sine / all))
                                            : 1 - u.x * m;
                 return row(
                     lifted(std::sqrt(1 - c * c), turned(2 * pi * u.y), c, 1 / (2 * pi * (other ? 1 - s[0] : s[2]))));

@@ -26,7 +26,7 @@ struct Feature {
 
 class Features {
 public:
-    explicit Features(const Calls& calls) : calls_(calls) {
+    explicit Features(const Calls& calls, bool of_answers = true) : calls_(calls) {
         std::vector<std::size_t> all;
         for (std::size_t k = 0; k < calls.size(); ++k) {
             wrong_.push_back(!is_equal(calls.result, calls.mine[k], calls.right[k]));
@@ -34,7 +34,7 @@ public:
         }
         told_ = told_of(calls, all);
         parts();
-        answers();
+        if (of_answers) answers();
         quantities();
     }
 
@@ -91,8 +91,10 @@ private:
         constexpr std::size_t few = 4;
         std::set<double> good, bad;
         for (std::size_t k = 0; k < x.size(); ++k) (wrong_[k] ? bad : good).insert(x[k]);
-        return good.size() >= few &&
-               (bad.size() >= few || (bad.size() == 1 && (*bad.begin() == 0 || std::isinf(*bad.begin()))));
+        const auto is_one = [](const std::set<double>& y) {
+            return y.size() == 1 && (*y.begin() == 0 || std::isinf(*y.begin()));
+        };
+        return (good.size() >= few && (bad.size() >= few || is_one(bad))) || (bad.size() >= few && is_one(good));
     }
 
     /// Above or below what tells best, rounded.
@@ -160,9 +162,11 @@ private:
             }
         }
         const auto is_plain = [&](std::size_t i) { return all[i].words.find_first_of("(|/*'") == std::string::npos; };
+        // a random number is compared with another one alone
+        const auto is_random = [&](std::size_t i) { return all[i].words == "u" || all[i].words.starts_with("u."); };
         for (std::size_t a = 0; a < all.size(); ++a)
             for (std::size_t b = 0; b < all.size(); ++b)
-                if (a != b && is_plain(a) && is_plain(b))
+                if (a != b && is_plain(a) && is_plain(b) && is_random(a) == is_random(b))
                     add(fmt::format("`{} < {}`", all[a].words, all[b].words),
                         [f = all[a].value, g = all[b].value](const Row& row, const Layout& l, const Row& right) {
                             return f(row, l, right) < g(row, l, right);
@@ -305,9 +309,9 @@ Region where_among_alike(const Calls& calls) {
 
 }  // namespace
 
-Region where_wrong(const Calls& calls) {
-    Region region = Features(calls).rule();
-    if (!region.is_exact)
+Region where_wrong(const Calls& calls, bool of_answers) {
+    Region region = Features(calls, of_answers).rule();
+    if (!region.is_exact && of_answers)
         if (Region among = where_among_alike(calls); among.is_exact) region = std::move(among);
     if (const std::string words = region.is_exact ? "" : table_of(calls); !words.empty())
         region = {words, [](const Row&, const Layout&, const Row&) { return true; }, true};

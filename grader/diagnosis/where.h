@@ -12,6 +12,8 @@ struct Region {
 };
 
 /// What sets wrong calls apart from right ones; empty where nothing does.
-Region where_wrong(const Calls& calls);
+///
+/// of_answers  what the right answers are may set them apart as well, not the arguments alone
+Region where_wrong(const Calls& calls, bool of_answers = true);
 
 }  // namespace grade

@@ -239,7 +239,7 @@ void copy_entries(const fs::path& project, const fs::path& folder, const std::st
 void write_repository(const fs::path& project, const fs::path& folder) {
     fs::create_directories(folder / ".github/workflows");
     fs::copy_file(project / "grader/kit/github/grade.yml", folder / ".github/workflows/grade.yml");
-    write_text(folder / ".gitignore", "build*/\n");
+    write_text(folder / ".gitignore", "build*/\n/pictures/\n");
     write_text(folder / ".gitattributes", "* text=auto eol=lf\n");  // a shell reads no CRLF
 }
 

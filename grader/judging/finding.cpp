@@ -1,5 +1,7 @@
 #include "judging/finding.h"
 
+#include <time.h>
+
 #include <algorithm>
 #include <memory>
 
@@ -15,19 +17,27 @@ constexpr std::size_t most_calls = 256;
 constexpr std::uint64_t seeds = 4;  // whose parameters differ
 constexpr double patience = 5;      // CPU seconds for one answer; on a busy machine it waits longer
 
+double thread_seconds() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+}
+
 /// The program answers until it breaks down; then another one, a few times.
-Ask asking(const std::string& fragment, const fs::path& program, const Sandbox& sandbox, const fs::path& meshes) {
+Ask asking(const std::string& fragment, const fs::path& program, const Sandbox& sandbox, const fs::path& meshes,
+           double& seconds) {
     struct State {
         std::unique_ptr<Runner> runner;
         int starts = 0;
     };
-    return [=, &sandbox, state = std::make_shared<State>()](const Rows& rows) -> Rows {
+    return [=, &sandbox, &seconds, state = std::make_shared<State>()](const Rows& rows) -> Rows {
         constexpr int most_starts = 4;
         if (!state->runner) {
             if (++state->starts > most_starts) return {};
             state->runner = std::make_unique<Runner>(program, sandbox, meshes, patience);
         }
         auto outcome = state->runner->probe(fragment, rows);
+        seconds += state->runner->seconds();
         if (Rows* answers = std::get_if<Rows>(&outcome)) return std::move(*answers);
         state->runner.reset();
         return {};
@@ -36,7 +46,8 @@ Ask asking(const std::string& fragment, const fs::path& program, const Sandbox& 
 
 /// Calls that the fragment's checks make, as many of each, with the parameters of several seeds: from all of its rows,
 /// which may be of several kinds.
-Rows calls_of(const std::string& fragment, const std::vector<Check>& checks, std::uint64_t seed) {
+Rows calls_of(const std::string& fragment, const std::vector<Check>& checks, std::uint64_t seed,
+              std::size_t most_calls) {
     std::vector<Check> own;
     for (const Check& check : checks)
         if (check.fragment == fragment) own.push_back(check);
@@ -53,18 +64,48 @@ Rows calls_of(const std::string& fragment, const std::vector<Check>& checks, std
     return all;
 }
 
+/// Whether the answers to calls are wrong; none where there are not as many.
+std::vector<bool> are_wrong(const Signature& signature, const Rows& calls, const Ask& mine, const Ask& right) {
+    const Rows own = mine(calls), due = right(calls);
+    std::vector<bool> wrong;
+    if (own.size() != calls.size() || due.size() != calls.size()) return wrong;
+    for (std::size_t k = 0; k < calls.size(); ++k)
+        wrong.push_back(own[k].size() != due[k].size() || !is_equal(signature.of_result(due[k]), own[k], due[k]));
+    return wrong;
+}
+
+/// Calls; where few of them are wrong, those of more that are, too: a rule needs some.
+Rows telling_calls(const std::string& fragment, const std::vector<Check>& checks, std::uint64_t seed,
+                   const Signature& signature, const Ask& mine, const Ask& right) {
+    constexpr std::ptrdiff_t few = 12, enough = 32;
+    constexpr std::size_t more_times = 8;
+    Rows calls = calls_of(fragment, checks, seed, most_calls);
+    std::ptrdiff_t count = std::ranges::count(are_wrong(signature, calls, mine, right), true);
+    if (count == 0 || count >= few) return calls;
+    Rows more = calls_of(fragment, checks, seed + seeds, more_times * most_calls);
+    const std::vector<bool> wrong = are_wrong(signature, more, mine, right);
+    for (std::size_t k = 0; k < wrong.size() && count < enough; ++k)
+        if (wrong[k]) calls.push_back(std::move(more[k])), ++count;
+    return calls;
+}
+
 }  // namespace
 
 Finding find_cause(Programs& programs, const Toolchain& chain, const std::string& fragment,
                    const std::vector<Check>& checks, std::uint64_t seed) {
     const auto header = read_text(chain.includes.front() / "rt/fragments.h");
     const auto signature = signature_of(fragment, header.value_or(""));
-    const Rows calls = calls_of(fragment, checks, seed);
-    if (!signature || calls.empty()) return {};
+    if (!signature) return {};
     const fs::path meshes = chain.source / "scenes";
     const fs::path own = programs.copy_for(fragment + ".calls", programs.with({fragment}).program);
-    return explain(*signature, calls, asking(fragment, own, programs.sandbox(), meshes),
-                   asking(fragment, programs.with({}).program, programs.sandbox(), meshes));
+    double seconds = 0;
+    const double before = thread_seconds();
+    const Ask mine = asking(fragment, own, programs.sandbox(), meshes, seconds),
+              right = asking(fragment, programs.with({}).program, programs.sandbox(), meshes, seconds);
+    const Rows calls = telling_calls(fragment, checks, seed, *signature, mine, right);
+    Finding finding = calls.empty() ? Finding{} : explain(*signature, calls, mine, right);
+    finding.cpu_seconds = seconds + thread_seconds() - before;
+    return finding;
 }
 
 }  // namespace grade

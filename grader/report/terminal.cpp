@@ -1,21 +1,23 @@
 #include "report/terminal.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <iterator>
+#include <map>
 #include <sstream>
 
-#include "diagnosis/diagnosis.h"
 #include "report/escape.h"
 
 namespace grade {
 
 namespace {
 
-constexpr std::size_t line_width = 100;
+constexpr std::size_t line_width = 100, row_width = 56;  // row_width: of a row's name, verdict and points
+constexpr const char *below_row = "      ", *bold = "\033[1m", *no_color = "\033[0m";
 
 const char* color_of_verdict(Verdict verdict) {
     switch (verdict) {
@@ -52,7 +54,29 @@ std::string wrapped(const std::string& text, const std::string& indent, int most
     return result;
 }
 
-std::string points_in_line(double x) { return fmt::format("{:g}", x); }
+bool is_told_by_itself(Verdict verdict) { return verdict == Verdict::not_started || verdict == Verdict::did_not_build; }
+
+std::string what_to_open(const FragmentRecord& fragment) {
+    return fragment.verdict == Verdict::passed || is_told_by_itself(fragment.verdict) ? "" : printable(fragment.file);
+}
+
+/// A line with the points in a column, and more in another.
+std::string line_of(const std::string& first, double points, double most, const std::string& more) {
+    const std::string column = fmt::format("{:>6g} of {:g}", points, most);
+    return more.empty() ? first + column : fmt::format("{}{:<15}{}", first, column, more);
+}
+
+std::string line_of(const FragmentRecord& fragment, const std::string& more, bool color) {
+    const std::string verdict = fmt::format("{:<14}", in_words(fragment.verdict));
+    const std::string first = fmt::format("  {:<24}{} ", fragment.name,
+                                          color ? color_of_verdict(fragment.verdict) + verdict + no_color : verdict);
+    return line_of(first, fragment.points, fragment.max_points, more) + "\n";
+}
+
+std::string sum_line(const std::string& what, const Record& of, const std::string& more, bool color) {
+    const std::string line = line_of(fmt::format("{:<41}", what), of.score(), of.max_score(), more);
+    return (color ? bold + line + no_color : line) + "\n";
+}
 
 }  // namespace
 
@@ -62,44 +86,54 @@ std::string in_words(Verdict verdict) {
     return words;
 }
 
-std::string fragment_rows(const Record& record, bool color) {
-    const auto paint = [&](Verdict verdict, const std::string& text) {
-        return color ? color_of_verdict(verdict) + text + "\033[0m" : text;
-    };
+std::string where_to_read(Verdict verdict, const Diagnosis& diagnosis) {
+    return is_told_by_itself(verdict) ? "" : reading(diagnosis.section);
+}
+
+std::string verdicts_in_words(const Record& record) {
+    std::map<Verdict, int> counts;
+    for (const FragmentRecord& fragment : record.fragments) ++counts[fragment.verdict];
+    std::vector<std::string> sums;
+    for (const auto& [verdict, count] : counts) sums.push_back(fmt::format("{} {}", count, in_words(verdict)));
+    return fmt::format("{}", fmt::join(sums, ", "));
+}
+
+std::string fragment_rows(const Record& record, const Reader& reader) {
     std::string rows;
     for (const FragmentRecord& fragment : record.fragments) {
-        rows += fmt::format("  {:<24}{} {:>6} of {}\n", fragment.name,
-                            paint(fragment.verdict, fmt::format("{:<16}", in_words(fragment.verdict))),
-                            points_in_line(fragment.points), points_in_line(fragment.max_points));
-        rows += wrapped(printable(fragment.warnings), "      ", 8);
-        if (fragment.verdict == Verdict::passed) continue;
-        const Diagnosis diagnosis = diagnose(fragment);
-        const bool errors = fragment.verdict == Verdict::did_not_build;
-        rows += wrapped(printable(diagnosis.words), "      ", 8);
-        // what is blank or does not compile has its own words; the others say where to read
-        if (!errors && fragment.verdict != Verdict::not_started && !diagnosis.section.empty())
-            rows += "      " + reading(diagnosis.section) + "\n";
+        const Diagnosis diagnosis = fragment.verdict == Verdict::passed ? Diagnosis{} : diagnose(fragment);
+        const std::string words = printable(diagnosis.words);
+        const bool in_a_word = fragment.verdict == Verdict::not_started && words.size() < line_width - row_width &&
+                               words.find('\n') == words.npos;
+        rows += line_of(fragment, in_a_word ? words : what_to_open(fragment), reader.color);
+        if (!in_a_word) rows += wrapped(words, below_row, 8);
+        if (reader.own && !fragment.finding.command.empty())  // in one piece, for a shell
+            rows += fmt::format("{}again: {}\n", below_row, printable(fragment.finding.command));
+        if (const std::string where = where_to_read(fragment.verdict, diagnosis); !where.empty())
+            rows += fmt::format("{}read: {}\n", below_row, where);
+        rows += wrapped(printable(fragment.warnings), below_row, 8);
     }
     return rows;
 }
 
-std::string table(const Record& record, bool color) {
-    std::string text;
+std::string table(const Record& record, const Reader& reader) {
+    std::vector<std::pair<std::string, Record>> parts;
     for (const Part& part : record.parts) {
         Record of_part;
         std::ranges::copy_if(record.fragments, std::back_inserter(of_part.fragments),
                              [&](const FragmentRecord& fragment) { return fragment.part == part.name; });
-        if (of_part.fragments.empty()) continue;
-        text += fmt::format("{}{:<43}{:>6} of {}{}\n{}\n", color ? "\033[1m" : "", part.title,
-                            points_in_line(of_part.score()), points_in_line(of_part.max_score()),
-                            color ? "\033[0m" : "", fragment_rows(of_part, color));
+        if (!of_part.fragments.empty()) parts.emplace_back(part.title, std::move(of_part));
     }
-    text += fmt::format("{}{:<43}{:>6} of {}{}\n", color ? "\033[1m" : "", "Total", points_in_line(record.score()),
-                        points_in_line(record.max_score()), color ? "\033[0m" : "");
+    std::string text;
+    for (const auto& [title, of_part] : parts)
+        text += parts.size() == 1 ? fragment_rows(of_part, reader)
+                                  : sum_line(title, of_part, "", reader.color) + fragment_rows(of_part, reader) + "\n";
+    if (record.fragments.size() > 1) text += sum_line("Total", record, verdicts_in_words(record), reader.color);
     for (const std::string& note : record.notes) text += "note: " + printable(note) + "\n";
     if (!record.changes.empty()) text += "Since the last run:\n";
     for (const std::string& change : record.changes) text += "  " + change + "\n";
-    if (const auto ratio = record.efficiency_ratio())
+    // of a few it says nothing
+    if (const auto ratio = record.efficiency_ratio(); ratio && record.selection.empty())
         text += fmt::format("Efficiency of right pictures, 1/(MSE x CPU time): {:.2g} times the solution's (median)\n",
                             *ratio);
     return text;

@@ -3,15 +3,27 @@
 #include <chrono>
 #include <string>
 
+#include "diagnosis/diagnosis.h"
 #include "record/record.h"
 
 namespace grade {
 
-/// The result as a table: part, fragment, verdict, points, and what to do about each fragment that does not pass.
-std::string table(const Record& record, bool color);
+/// Who reads it.
+struct Reader {
+    bool color = false;
+    bool own = false;  // what was graded is what this grader's calls repeat
+};
 
-/// Its middle: a row for each fragment, and below it what to do about it.
-std::string fragment_rows(const Record& record, bool color);
+/// The result as a table: part, fragment, verdict, points, and what to do about each fragment that does not pass. Sums
+/// of one thing are left out.
+std::string table(const Record& record, const Reader& reader);
+
+/// Its middle: a row for each fragment, with what to open; below it what is wrong, the call, what to read, and last
+/// what the compiler warns of.
+std::string fragment_rows(const Record& record, const Reader& reader);
+
+/// "17 passed, 3 failed, 12 not started"
+std::string verdicts_in_words(const Record& record);
 
 /// One line about how far a grading is, rewritten in place. Where stderr is no terminal it says nothing, or, of long
 /// work, a line after the first step and then one every ten seconds.
@@ -29,6 +41,9 @@ private:
     bool shown_ = false;
     Clock::time_point start_ = Clock::now(), next_ = start_;
 };
+
+/// Where to read about what does not pass; empty: what is blank or does not compile has its own words.
+std::string where_to_read(Verdict verdict, const Diagnosis& diagnosis);
 
 /// A verdict in words for people: "not started".
 std::string in_words(Verdict verdict);

@@ -39,15 +39,6 @@ struct alignas(64) Batch {
         origin.set(i, r.origin), direction.set(i, r.direction);
         near[i] = r.near, far[i] = r.far, shape[i] = nothing;
     }
-    /// Lane `to` becomes as lane `from` is.
-    void copy_lane(int from, int to) {
-        set_ray(to, ray(from));
-        time[to] = time[from], shape[to] = shape[from];
-        weight.set(to, weight.at(from));
-        key[to] = key[from], sample[to] = sample[from], slot[to] = slot[from], event[to] = event[from],
-        density[to] = density[from];
-        depth[to] = depth[from], bounce[to] = bounce[from], inside[to] = inside[from];
-    }
 };
 
 /// What the surface stage finds at the hits of a batch.
@@ -63,10 +54,16 @@ struct alignas(64) Surfaces {
     Hit hit(int i) const { return {point.at(i), flat.at(i), error[i]}; }
 };
 
+/// Digits of the first samples of an orthogonal array in one pair of its dimensions.
+struct alignas(64) LaneDigits {
+    std::uint32_t x[lanes], y[lanes];
+};
+
 /// A sampling pattern for n samples of each pixel.
 struct Pattern {
     Sampler sampler;
     int n;
+    const LaneDigits* digits = nullptr;  // of an orthogonal array, by column: what all pixels have in common
 };
 
 /// Random numbers of each lane in one dimension of the pattern; of a 1D one, x.

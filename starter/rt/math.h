@@ -107,15 +107,15 @@ struct Frame {
     return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
 }
 
-/// A sum whose error does not grow with the number of terms.
+/// A sum whose error does not grow with the number of terms: what the rounding of each addition loses is summed as well.
 ///
-/// Source: Neumaier, "Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen", ZAMM 54, 1974.
+/// Source: Knuth, "The Art of Computer Programming", vol. 2, 3rd ed., section 4.2.2, theorem B.
 struct Sum {
     Real total = 0, lost = 0;
 
     void add(Real x) {
-        const Real next = total + x;
-        lost += std::abs(total) >= std::abs(x) ? (total - next) + x : (x - next) + total;
+        const Real next = total + x, added = next - total;
+        lost += (total - (next - added)) + (x - added);
         total = next;
     }
     Real value() const { return total + lost; }

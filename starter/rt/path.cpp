@@ -1,6 +1,7 @@
 #include "rt/path.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "rt/trace.h"
 
@@ -14,30 +15,46 @@ bool is_finite(Color c) { return std::isfinite(c.x + c.y + c.z); }
 
 }  // namespace
 
+Pattern Worker::pattern_for(Sampler sampler, int n) {
+    sampler = pattern_of(sampler, n);
+    if (sampler != Sampler::orthogonal) return {sampler, n};
+    if (n != digits_for) digits = digits_of_lanes(n), digits_for = n;
+    return {sampler, n, digits.data()};
+}
+
 void Worker::first_wave(const std::vector<PixelWork>& pixels, Pattern pattern, int from) {
     const int n = pattern.n;
-    Extent extents[lanes];
+    Real x[lanes]{}, y[lanes]{};
     Bits keys[lanes]{};
     int samples[lanes]{};
     const int all = int(pixels.size()) * n;
     int pixel = 0, sample = 0;
+    begin_camera(world, first);
     for (int slot = 0; slot < all; slot += lanes) {
         const int count = std::min(lanes, all - slot);
         for (int i = 0; i < count;) {
             const PixelWork& of = pixels[std::size_t(pixel)];
-            const int end = std::min(count, i + n - sample);
-            for (; i < end; ++i, ++sample) {
-                extents[i] = {vec2(of.x, of.y), vec2(of.x + 1, of.y + 1)};
-                keys[i] = of.key;
-                samples[i] = from + sample;
-            }
+            const int here = std::min(count - i, n - sample);
+            std::fill_n(x + i, here, of.x), std::fill_n(y + i, here, of.y), std::fill_n(keys + i, here, of.key);
+            std::iota(samples + i, samples + i + here, from + sample);
+            i += here, sample += here;
             if (sample == n) sample = 0, ++pixel;
         }
-        const CameraWork work{extents, keys, samples, slot, count, pattern};
+        const CameraWork work{x, y, keys, samples, slot, count, pattern};
         camera_stage(world, work, first, chunk);
         first.count = count;
         if (trace) trace_camera(world, work, first, *trace);
         follow(first, pattern, 0);
+    }
+}
+
+/// in_order  whether the batch has consecutive samples to which nothing is added yet
+void Worker::add_found(const Batch& batch, bool in_order) {
+    if (in_order) {
+        Color* const to = &chunk.radiance[std::size_t(batch.slot[0])];
+        for (int i = 0; i < batch.count; ++i) to[i] = found.at(i);
+    } else {
+        for (int i = 0; i < batch.count; ++i) chunk.radiance[std::size_t(batch.slot[i])] += found.at(i);
     }
 }
 
@@ -48,16 +65,16 @@ void Worker::follow(Batch& batch, Pattern pattern, int wave) {
     found = Colors{};
     emission_stage(world, batch, surfaces, found);
     direct_stage(world, pattern, wave, batch, surfaces, shadow, found, chunk);
-    for (int i = 0; i < batch.count; ++i) chunk.radiance[std::size_t(batch.slot[i])] += found.at(i);
+    add_found(batch, wave == 0);
     if (trace) trace_wave({world, pattern, wave, batch, surfaces}, *trace);
     scatter_stage(world, pattern, wave, batch, surfaces, next, chunk);
     if (trace) trace_ways({world, pattern, wave, batch, surfaces}, *trace);
 }
 
 void Worker::render(const std::vector<PixelWork>& pixels, int n, Sampler sampler, Color* means, int from) {
-    const Pattern pattern{pattern_of(sampler, n), n};
+    const Pattern pattern = pattern_for(sampler, n);
     const std::size_t all = pixels.size() * std::size_t(n);
-    chunk.radiance.assign(all, Color(0));
+    chunk.radiance.resize(all);
     chunk.weight.resize(all);
     next.clear();
     first_wave(pixels, pattern, from);

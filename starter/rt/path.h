@@ -15,11 +15,6 @@ struct PixelWork {
     Bits key;  // of its random numbers
 };
 
-/// The key of a pixel: no two pixels of an image have the same, and it does not depend on the crop.
-inline Bits pixel_key(const Camera& camera, Bits seed, int x, int y) {
-    return combine(seed, Bits(y) * Bits(camera.size.x) + Bits(x));
-}
-
 struct Trace;
 
 /// What one thread needs to follow paths: the stages' batches, kept from chunk to chunk.
@@ -38,10 +33,14 @@ private:
     Queue now, next;
     Batch first, shadow;
     Surfaces surfaces;
+    std::vector<LaneDigits> digits;  // of the pattern of `digits_for` samples
+    int digits_for = 0;
     Colors found;  // what each lane of a batch adds to its sample
 
+    Pattern pattern_for(Sampler sampler, int n);
     void first_wave(const std::vector<PixelWork>& pixels, Pattern pattern, int from);
     void follow(Batch& batch, Pattern pattern, int wave);
+    void add_found(const Batch& batch, bool in_order);
 };
 
 }  // namespace rt

@@ -41,12 +41,16 @@ inline vec2 random_2d(Bits key, Bits i, Bits dimension) {
     return {u, v};
 }
 
-inline std::uint32_t reversed(std::uint32_t x) {
-    x = (x >> 16) | (x << 16);
-    x = ((x & 0xff00ff00u) >> 8) | ((x & 0x00ff00ffu) << 8);
+/// The bits of each byte in reverse order.
+inline std::uint32_t reversed_bytes(std::uint32_t x) {
     x = ((x & 0xf0f0f0f0u) >> 4) | ((x & 0x0f0f0f0fu) << 4);
     x = ((x & 0xccccccccu) >> 2) | ((x & 0x33333333u) << 2);
     return ((x & 0xaaaaaaaau) >> 1) | ((x & 0x55555555u) << 1);
+}
+
+inline std::uint32_t reversed(std::uint32_t x) {
+    x = (x >> 16) | (x << 16);
+    return reversed_bytes(((x & 0xff00ff00u) >> 8) | ((x & 0x00ff00ffu) << 8));
 }
 
 /// Owen scrambling of a number whose bits are reversed: each bit is flipped or not by a hash of the bits below it.
@@ -80,11 +84,50 @@ inline std::uint32_t pascal(std::uint32_t x) {
     return {x * 0x1p-32, y * 0x1p-32};
 }
 
+/// The bits of x and y in turn: pixels that are close have numbers that are close.
+///
+/// Source: Morton, "A Computer Oriented Geodetic Data Base", IBM, 1966.
+inline Bits interleaved(std::uint32_t x, std::uint32_t y) {
+    Bits z = x | Bits(y) << 32;
+    for (const int k : {8, 4, 2, 1}) {
+        const Bits kept = k == 8   ? 0x00ff00ff00ff00ffu
+                          : k == 4 ? 0x0f0f0f0f0f0f0f0fu
+                          : k == 2 ? 0x3333333333333333u
+                                   : 0x5555555555555555u;
+        z = (z | z << k) & kept;
+    }
+    return (z & 0xffffffffu) | z >> 31;
+}
+
+/// The key of a pixel. Blue noise has one sequence for the picture: its key is the upper half, the lower one says which
+/// samples of it are the pixel's.
+inline Bits pixel_key(Bits seed, int width, int x, int y, Sampler sampler) {
+    if (sampler == Sampler::blue_noise)
+        return (combine(seed, 0) >> 32 << 32) | interleaved(std::uint32_t(x), std::uint32_t(y));
+    return combine(seed, Bits(y) * Bits(width) + Bits(x));
+}
+
+/// The key of a path that leaves another one: of the same pixel, with numbers of its own.
+inline Bits branch_key(Bits key, Sampler sampler) {
+    if (sampler == Sampler::blue_noise) return (combine(key >> 32, 1) >> 32 << 32) | (key & 0xffffffffu);
+    return combine(key, 1);
+}
+
+/// Sample i of n of a pixel, where all pixels have a part of one Sobol' sequence, in Morton's order: blocks of 2 x 2, 4 x
+/// 4, ... pixels share the points of a net, so that their errors cancel, and what is left is fine-grained noise.
+///
+/// Source: Ahmed and Wonka, "Screen-Space Blue-Noise Diffusion of Monte Carlo Sampling Error via Hierarchical Ordering of
+/// Pixels", ACM TOG 39(6), 2020.
+[[gnu::always_inline]] inline vec2 blue_noise_2d(Bits key, int i, int n, Bits dimension) {
+    return sobol_2d(key >> 32, std::uint32_t(key) * std::bit_ceil(std::uint32_t(n)) + std::uint32_t(i), dimension);
+}
+
 /// A 2D dimension of a sampling pattern.
 struct Dimension {
     Bits number;        // of its random numbers
     Bits products = 0;  // of an orthogonal array: see field_products
     Bits round = 0;     // of an orthogonal array: 0 for the pairs of the first one
+    int column = -1;    // of an orthogonal array: which pair of it
 
     constexpr Dimension(Bits number) : number(number) {}
     Dimension(Bits number, int pair, int n);  // the pair-th of those that are drawn, for n samples
@@ -109,7 +152,8 @@ inline int digit_bits(int n) { return std::bit_width(unsigned(n - 1)) / 2 + std:
 inline Dimension::Dimension(Bits number, int pair, int n) : number(number) {
     if (pair < 0) return;
     const int h = std::min(digit_bits(n), 8), pairs = h > 0 ? 1 << (h - 1) : 1;
-    products = field_products(h, Bits(2 * (pair % pairs)));
+    column = pair % pairs;
+    products = field_products(h, Bits(2 * column));
     round = Bits(pair / pairs);
 }
 
@@ -119,17 +163,24 @@ inline std::uint32_t mixed(std::uint32_t i, int m, std::uint32_t key) {
     return i ^ (i >> ((m + 1) / 2));
 }
 
-/// Sample i of n in one pair of the dimensions of an orthogonal array of strength 2, scrambled.
+/// A point of an orthogonal array before it is scrambled: its binary digits, the leading one the lowest.
+struct Digits {
+    std::uint32_t x = 0, y = 0;
+};
+
+/// Sample i of n in one pair of the dimensions of an orthogonal array of strength 2.
 ///
 /// n = 2^m is at most 2^16. In the field of 2^h elements, h = m/2, sample (a, b) has the leading digits u = b + c a and
 /// v = u + a, with another c for each pair: any two dimensions of two pairs have one sample in each of 2^h x 2^h cells.
 /// The second digits are those of the other dimension of the pair, turned round, which makes each pair a (0,m,2)-net.
 /// Where m is odd, a lacks a bit. There are 2^(h-1) pairs; those that follow take the samples in another order.
 ///
+/// In the first round all this is linear: the digits of i ^ j are those of i ^ those of j.
+///
 /// Source: Bose, "On the Application of the Properties of Galois Fields to the Problem of Construction of
 /// Hyper-Graeco-Latin Squares", Sankhya 3(4), 1938; Jarosz et al., "Orthogonal Array Sampling for Monte Carlo
 /// Rendering", EGSR 2019.
-[[gnu::always_inline]] inline vec2 orthogonal_2d(Bits key, int sample, int n, Dimension dimension) {
+[[gnu::always_inline]] inline Digits orthogonal_digits(Bits key, int sample, int n, Dimension dimension) {
     const int m = std::bit_width(std::uint32_t(n - 1)), h = digit_bits(n);
     std::uint32_t i = std::uint32_t(sample);
     if (dimension.round > 0) {
@@ -141,12 +192,20 @@ inline std::uint32_t mixed(std::uint32_t i, int m, std::uint32_t key) {
     std::uint32_t u = i & ((1u << h) - 1);
     for (int k = 0; k < 8; ++k) u ^= (a & (1u << k)) != 0 ? std::uint32_t(dimension.products >> (8 * k)) & 0xff : 0;
     const std::uint32_t v = u ^ a;
-    const int rest = 31 - (m - h);  // and 1: no shift by 32, and no number wider than the lanes
-    const std::uint32_t second_u = reversed(u) >> 1 >> rest, second_v = reversed(v) >> 1 >> rest;
-    const Bits seeds = combine(key, dimension.number);
-    const std::uint32_t x = reversed(scrambled(u | second_v << h, std::uint32_t(seeds)));
-    const std::uint32_t y = reversed(scrambled(v | second_u << h, std::uint32_t(seeds >> 32)));
+    const std::uint32_t turned = reversed_bytes(u | v << 16);
+    const int rest = 8 - (m - h);
+    return {u | turned >> 16 >> rest << h, v | (turned & 0xff) >> rest << h};
+}
+
+/// The point of these digits, scrambled; one seed for each dimension.
+[[gnu::always_inline]] inline vec2 scrambled_point(Digits digits, Bits seeds) {
+    const std::uint32_t x = reversed(scrambled(digits.x, std::uint32_t(seeds)));
+    const std::uint32_t y = reversed(scrambled(digits.y, std::uint32_t(seeds >> 32)));
     return {x * 0x1p-32, y * 0x1p-32};
+}
+
+[[gnu::always_inline]] inline vec2 orthogonal_2d(Bits key, int sample, int n, Dimension dimension) {
+    return scrambled_point(orthogonal_digits(key, sample, n, dimension), combine(key, dimension.number));
 }
 
 /// Where i, 0 <= i < n, goes in a permutation of n that the key chooses.
@@ -178,6 +237,7 @@ inline int permuted(int i, int n, Bits key) {
 ///     stratified  a random point in each cell
 ///     sobol       Owen-scrambled (0,2)-sequence
 ///     orthogonal  scrambled orthogonal array: even between dimensions too; sobol where n is no power of two
+///     blue_noise  one (0,2)-sequence for all pixels: neighbours err in opposite directions
 ///
 /// Cells are dealt out in another random order in each dimension: dimensions must not go together.
 template <Sampler sampler>
@@ -185,6 +245,7 @@ template <Sampler sampler>
     if constexpr (sampler == Sampler::random) return random_2d(key, Bits(i), dimension.number);
     if constexpr (sampler == Sampler::sobol) return sobol_2d(key, std::uint32_t(i), dimension.number);
     if constexpr (sampler == Sampler::orthogonal) return orthogonal_2d(key, i, n, dimension);
+    if constexpr (sampler == Sampler::blue_noise) return blue_noise_2d(key, i, n, dimension.number);
     if constexpr (sampler == Sampler::stratified)
         return stratified_2d(permuted(i, n, combine(~key, dimension.number)), n,
                              random_2d(key, Bits(i), dimension.number));
@@ -196,6 +257,7 @@ template <Sampler sampler>
     if constexpr (sampler == Sampler::random) return random_1d(key, Bits(i), dimension.number);
     if constexpr (sampler == Sampler::sobol) return sobol_2d(key, std::uint32_t(i), dimension.number).x;
     if constexpr (sampler == Sampler::orthogonal) return orthogonal_2d(key, i, n, dimension).x;
+    if constexpr (sampler == Sampler::blue_noise) return blue_noise_2d(key, i, n, dimension.number).x;
     if constexpr (sampler == Sampler::stratified)
         return std::min(
             (permuted(i, n, combine(~key, dimension.number)) + random_1d(key, Bits(i), dimension.number)) / n,

@@ -29,8 +29,9 @@ struct Mesh {
     vec3 velocity{0};  // [m/s]
 };
 
-enum class Sampler { uniform, random, stratified, sobol, orthogonal };
-constexpr std::array<std::string_view, 5> sampler_names{"uniform", "random", "stratified", "sobol", "orthogonal"};
+enum class Sampler { uniform, random, stratified, sobol, orthogonal, blue_noise };
+constexpr std::array<std::string_view, 6> sampler_names{"uniform", "random",     "stratified",
+                                                        "sobol",   "orthogonal", "blue_noise"};
 
 inline std::optional<Sampler> sampler_named(std::string_view name) {
     const auto found = std::find(sampler_names.begin(), sampler_names.end(), name);

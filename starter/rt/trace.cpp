@@ -11,7 +11,7 @@ PixelTrace trace_paths(const Scene& scene, const RenderSettings& settings, int x
     traced.trace.samples.resize(std::size_t(settings.samples));
     Worker worker(world);
     worker.trace = &traced.trace;
-    const Bits key = pixel_key(scene.camera, combine(settings.seed, 0), x, y);
+    const Bits key = pixel_key(combine(settings.seed, 0), scene.camera.size.x, x, y, settings.sampler);
     worker.render({{x, y, key}}, settings.samples, settings.sampler, &traced.mean);
     traced.radiance = worker.chunk.radiance;
     for (std::size_t k = 0; k < traced.radiance.size(); ++k)

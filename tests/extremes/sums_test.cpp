@@ -13,14 +13,15 @@ TEST_CASE("40 8192 x 8192 pixels with 64 samples: no number wraps at 32 bits", "
     Camera camera;
     camera.size = {8192, 8192};
     // Pixels whose numbers differ by 2^32 samples, and neighbours across rows: all keys are different.
-    std::set<Bits> keys;
-    std::size_t pixels = 0;
-    for (const int y : {0, 1, 4095, 4096, 8190, 8191})
-        for (int x = 0; x < 8192; ++x) keys.insert(pixel_key(camera, 0, x, y)), ++pixels;
-    CHECK(keys.size() == pixels);
-    camera.size = {65536, 65536};
-    CHECK(pixel_key(camera, 0, 0, 0) != pixel_key(camera, 0, 0, 65535));
-    CHECK(pixel_key(camera, 0, 1, 0) != pixel_key(camera, 0, 65535, 65535));
+    for (const Sampler sampler : {Sampler::sobol, Sampler::blue_noise}) {
+        std::set<Bits> keys;
+        std::size_t pixels = 0;
+        for (const int y : {0, 1, 4095, 4096, 8190, 8191})
+            for (int x = 0; x < 8192; ++x) keys.insert(pixel_key(0, 8192, x, y, sampler)), ++pixels;
+        CHECK(keys.size() == pixels);
+        CHECK(pixel_key(0, 65536, 0, 0, sampler) != pixel_key(0, 65536, 0, 65535, sampler));
+        CHECK(pixel_key(0, 65536, 1, 0, sampler) != pixel_key(0, 65536, 65535, 65535, sampler));
+    }
 
     // The last pixels of the large film, with all their samples: the floor there, and the film's far corner is where it
     // is.

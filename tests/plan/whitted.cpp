@@ -48,7 +48,7 @@ extern "C" __attribute__((noinline)) Bits measured(Worker& worker, const Camera&
     std::vector<Color> means(chunk_samples);
     for (int y = 0; y < camera.size.y; ++y) {
         for (int x = 0; x < camera.size.x; ++x) {
-            pixels.push_back({x, y, pixel_key(camera, 1, x, y)});
+            pixels.push_back({x, y, pixel_key(1, camera.size.x, x, y, Sampler::sobol)});
             if (int(pixels.size()) < chunk_samples / samples) continue;
             worker.render(pixels, samples, Sampler::sobol, means.data());
             for (std::size_t i = 0; i < pixels.size(); ++i)

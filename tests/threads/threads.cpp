@@ -24,7 +24,8 @@ void draw(const rt::World& world, std::size_t first, std::size_t step, std::vect
     const std::size_t width = std::size_t(world.scene.camera.size.x);
     for (std::size_t k = first; k < means.size(); k += step) {
         const int x = int(k % width), y = int(k / width);
-        worker.render({{x, y, rt::pixel_key(world.scene.camera, 1, x, y)}}, samples, rt::Sampler::sobol, &means[k]);
+        const rt::Bits key = rt::pixel_key(1, int(width), x, y, rt::Sampler::sobol);
+        worker.render({{x, y, key}}, samples, rt::Sampler::sobol, &means[k]);
     }
 }
 

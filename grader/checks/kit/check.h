@@ -33,7 +33,8 @@
 ///
 ///     }  // namespace grade
 ///
-/// 1. Ask: probe_check calls the fragment on rows of arguments, render_check draws a scene (kit/scene.h writes it).
+/// 1. Ask: probe_check calls the fragment on rows of arguments, render_check draws a scene (kit/scene.h
+///    has it from a file or writes it).
 /// 2. Judge: formula where each call has one right answer; property where any answer that has it will do; mean_of and
 ///    uniform_in_square where only the spread of many is known; of_picture for a number of a picture. The id is one of
 ///    the handout's list of statistics. No argument is an extreme: those are families of grader/stress.

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "checks/kit/draw.h"
 #include "rt/scene.h"
 
-/// Scenes as text, piece by piece: view + material("floor", {{"albedo", 0.5}}) + quad("floor", ...).
+/// Scenes as text, of a file or piece by piece: view + material("floor", {{"albedo", 0.5}}) + quad("floor", ...).
 namespace grade {
 
 /// A value as a scene file has it, with all digits.
@@ -27,6 +29,17 @@ using SceneKeys = std::vector<SceneKey>;
 
 /// scene_table("[shutter]", {{"open", 0.5}, {"close", 1.0}})
 std::string scene_table(const std::string& head, const SceneKeys& keys);
+
+/// The scene of a file beside the checks, with a value in place of each {name}: scene_from("hollow_sphere.toml",
+/// {{"radius", 0.5}}). Throws rt::InputError, "file:line:column: ...", for a place without a value, a value without a
+/// place, and what is no scene.
+std::string scene_from(const std::string& file, const SceneKeys& values);
+
+/// The same of a text, which need not be a scene.
+std::string filled_in(std::string_view text, const std::string& path, const SceneKeys& values);
+
+/// The files beside the checks, as the build has put them into the grader.
+std::span<const std::pair<std::string_view, std::string_view>> scene_texts();
 
 std::string material(const std::string& name, const SceneKeys& keys);
 /// Something that shines and is not sampled: no shadow ray looks for it.

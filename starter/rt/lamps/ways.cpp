@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "rt/lamps/importance.h"
+#include "rt/lamps/lamp_tree.h"
 #include "rt/sampler.h"
 
 /// Which way is the best depends on the noise that each adds. That is reckoned at some points that are seen, from what
@@ -11,14 +12,18 @@ namespace rt {
 namespace {
 
 /// From where on quads are sampled by solid angle, which takes up to a third longer; where one lamp is chosen, less.
-constexpr Real worth_solid_angle = 0.2, worth_solid_angle_of_one = 0.02;
+constexpr Real worth_solid_angle = 0.2, worth_solid_angle_of_one = 0.1;
 
-/// From so many lamps on one of them is chosen; twice as many for each bounce: in few places a bounced ray meets a lamp
-/// that is near and that the choice had not expected.
-int lamps_to_choose(int bounces) { return 4 << std::min(bounces, 4); }
+/// One of n lamps, not fewer than four, is chosen where its variance is at most n times so much as that of all: for each
+/// other one, a shadow ray is saved.
+constexpr Real worth_one_lamp = 0.5;
+constexpr int fewest_to_choose = 4;
+
+/// What the directions of bounces add to the variance, however lamps are sampled.
+constexpr Real noise_of_bounces = 0.1;
 
 /// From where on lamps are sampled for lobes, too: for each lamp, which takes a shadow ray; and where one is chosen.
-constexpr Real worth_weighing = 0.3, worth_weighing_one = 0.55;
+constexpr Real worth_weighing = 0.15, worth_weighing_one = 0.55;
 
 /// Lines of sight times shapes, and points times parts of lamps: a plan takes milliseconds.
 constexpr Real most_work = 2e5;
@@ -27,6 +32,7 @@ struct Point {
     vec3 place, normal, to_viewer;  // unit; the normal is on the viewer's side [world]
     const Material* material;
     const Shape* shape;  // none: a mesh
+    int column = -1;     // of the film's parts; -1: not where the camera looks at the middle of one
 };
 
 /// A line of sight. Where it meets a shape, and the normal there; inf: nowhere. Not by fragments: the plan must not
@@ -56,8 +62,9 @@ private:
     Real to_plane(vec3 center, vec3 n) const { return dot(center - origin, n) / dot(direction, n); }
 };
 
-/// from  the shape on which the line starts
-void add_first_met(const Scene& scene, const Sight& sight, const Shape* from, std::vector<Point>& points) {
+/// from    the shape on which the line starts
+/// column  of the point
+void add_first_met(const Scene& scene, const Sight& sight, const Shape* from, int column, std::vector<Point>& points) {
     Real nearest = inf;
     Point point{};
     for (const Shape& shape : scene.shapes) {
@@ -68,6 +75,7 @@ void add_first_met(const Scene& scene, const Sight& sight, const Shape* from, st
         point.material = &scene.materials[std::size_t(shape.material)];
     }
     point.place = sight.origin + nearest * sight.direction, point.to_viewer = -sight.direction;
+    point.column = column;
     if (nearest < inf) points.push_back(point);
 }
 
@@ -92,7 +100,7 @@ std::vector<Point> points_in_sight(const Scene& scene, int side) {
     for (int k = 0; k < side * side; ++k) {
         const vec2 film{(2 * (k % side) + 1.0) / side - 1, 1 - (2 * (k / side) + 1.0) / side};
         const vec2 slope = c.tan_half_fov * vec2(film.x * c.size.x / c.size.y, film.y);
-        add_first_met(scene, {c.eye, unit(slope.x * c.right + slope.y * c.up - c.back)}, nullptr, points);
+        add_first_met(scene, {c.eye, unit(slope.x * c.right + slope.y * c.up - c.back)}, nullptr, k % side, points);
     }
     for (const Mesh& mesh : scene.meshes) add_mesh(scene, mesh, std::size_t(side * side), points);
     const std::size_t seen = scene.bounces > 0 ? points.size() : 0;
@@ -100,7 +108,7 @@ std::vector<Point> points_in_sight(const Scene& scene, int side) {
         const vec2 u = sobol_2d(1, std::uint32_t(k), 0), circle = std::sqrt(u.x) * unit_circle(u.y);
         const Point from = points[k];
         add_first_met(scene, {from.place, frame_about(from.normal).to_world({circle, std::sqrt(1 - u.x)})}, from.shape,
-                      points);
+                      -1, points);
     }
     return points;
 }
@@ -116,7 +124,8 @@ Quad as_quad(const Emitter& lamp, vec3 p) {
 /// What a lamp of radiance 1 sends to a point.
 struct Light {
     Real mean = 0;    // irradiance
-    Real excess = 0;  // variance of a sample by area beyond that of one by solid angle
+    Real within = 0;  // variance of a sample by area
+    Real excess = 0;  // and how much of it one by solid angle would not have
     Real share = 0;   // of the rays of a lobe, that find it
 };
 
@@ -138,6 +147,7 @@ Light light_of(const Emitter& lamp, const Point& p) {
         by_area += part * whole * sqr(cosine * seen), by_angle += part * sqr(cosine) * seen;
         if (lobe) light.share += part * seen * lobe_density(p.material->exponent, unit(to), p.normal, p.to_viewer);
     }
+    light.within = std::max<Real>(by_area - sqr(light.mean), 0);
     if (lamp.kind == Emitter::Kind::quad) light.excess = std::max<Real>(by_area - angle * by_angle, 0);
     light.share = std::min<Real>(light.share, 1);
     return light;
@@ -145,29 +155,52 @@ Light light_of(const Emitter& lamp, const Point& p) {
 
 Real sum(Color c) { return c.x + c.y + c.z; }
 
-/// What samples by area, and lobes alone, have more of in all that is in sight.
+/// What samples by area, and lobes alone, have more of in all that is in sight; and what all there is if each lamp is
+/// sampled, and if one is.
 struct Noise {
-    Real by_area = 0, by_lobes = 0;
+    Real by_area = 0, by_lobes = 0, of_all = 0, of_one = 0;
 };
+
+/// Adds the noise of the lamps' light at a point. Returns that light.
+Real add_noise(const std::vector<Emitter>& lamps, const LampTree& tree, const Point& p, Noise& noise) {
+    const Real diffuse = sum(largest_albedo(*p.material) + p.material->specular) / pi,
+               lobe = sum(p.material->reflectance);
+    Real by_surfaces = 0, by_lobes = 0, squares = 0;
+    for (std::size_t l = 0; l < lamps.size(); ++l) {
+        const Light from = light_of(lamps[l], p);
+        const Real by_surface = diffuse * sum(lamps[l].radiance), by_lobe = lobe * sum(lamps[l].radiance);
+        const Real within = sqr(by_surface) * from.within, chosen = tree.probability(l, p.place);
+        by_surfaces += by_surface * from.mean, by_lobes += by_lobe * from.share;
+        squares += (sqr(by_surface * from.mean) + within) / chosen;
+        noise.of_all += within;
+        noise.by_area += sqr(by_surface) * from.excess;
+        noise.by_lobes += sqr(by_lobe) * from.share * (1 - from.share);
+    }
+    noise.of_one += squares - sqr(by_surfaces);
+    return by_surfaces + by_lobes;
+}
 
 Noise noise_of(const Scene& scene, const std::vector<Emitter>& lamps) {
     const Real work = Real(scene.shapes.size() + 16 * lamps.size());
+    const int side = std::clamp(int(std::sqrt(most_work / work)), 4, 24);
+    const LampTree tree(lamps);
     Noise noise;
-    Real all = 0;
-    for (const Point& p : points_in_sight(scene, std::clamp(int(std::sqrt(most_work / work)), 4, 24))) {
-        const Real diffuse = sum(largest_albedo(*p.material) + p.material->specular) / pi,
-                   lobe = sum(p.material->reflectance);
-        Real light = 0;
-        for (const Emitter& lamp : lamps) {
-            const Light from = light_of(lamp, p);
-            const Real by_surface = diffuse * sum(lamp.radiance), by_lobe = lobe * sum(lamp.radiance);
-            light += by_surface * from.mean + by_lobe * from.share;
-            noise.by_area += sqr(by_surface) * from.excess;
-            noise.by_lobes += sqr(by_lobe) * from.share * (1 - from.share);
-        }
+    Real all = 0, edges = 0, radiance = 0;
+    const Point* before = nullptr;
+    const std::vector<Point> points = points_in_sight(scene, side);
+    for (const Point& p : points) {
+        const Real light = add_noise(lamps, tree, p, noise), left = radiance;
         all += sqr(light);
+        radiance = light + sum(p.material->emission);
+        // A pixel with an edge has some of both sides, and lamps' own are the brightest: so it is for any way. As many
+        // edges lie along columns as along rows, and the mean of x (1 - x) is 1/6.
+        if (before && before->column >= 0 && p.column == before->column + 1 && p.shape != before->shape)
+            edges += 2 * sqr(radiance - left) / 6 * side / scene.camera.size.x;
+        before = &p;
     }
-    return all > 0 ? Noise{noise.by_area / all, noise.by_lobes / all} : Noise{};
+    if (!(all > 0)) return {};
+    const Real for_any = edges / all + (scene.bounces > 0 ? noise_of_bounces : 0);
+    return {noise.by_area / all, noise.by_lobes / all, noise.of_all / all + for_any, noise.of_one / all + for_any};
 }
 
 Emitter emitter_of(const Scene& scene, int lamp) {
@@ -190,15 +223,17 @@ LampWays::Way way(std::optional<bool> said, bool rule, const std::string& why) {
 
 LampWays choose_ways(const Scene& scene, const std::vector<int>& lamps) {
     Noise noise;
-    if (!scene.solid_angle || !scene.multiple_importance) {
+    if (!scene.solid_angle || !scene.multiple_importance || !scene.one_lamp) {
         std::vector<Emitter> emitters;
         for (const int lamp : lamps) emitters.push_back(emitter_of(scene, lamp));
         noise = noise_of(scene, emitters);
     }
     LampWays ways;
-    ways.one_lamp =
-        way(scene.one_lamp, int(lamps.size()) >= lamps_to_choose(scene.bounces),
-            fmt::format("with {} bounces worth it from {} lamps", scene.bounces, lamps_to_choose(scene.bounces)));
+    const Real most = worth_one_lamp * Real(lamps.size()) * noise.of_all;
+    const bool several = lamps.size() >= fewest_to_choose;
+    ways.one_lamp = way(scene.one_lamp, several && noise.of_one < most,
+                        several ? fmt::format("of one a variance of {:.2g}; worth it up to {:.2g}", noise.of_one, most)
+                                : fmt::format("worth it from {} lamps", fewest_to_choose));
     const Real least = ways.one_lamp.on ? worth_solid_angle_of_one : worth_solid_angle,
                least_of_lobes = ways.one_lamp.on ? worth_weighing_one : worth_weighing * Real(lamps.size());
     ways.solid_angle = way(scene.solid_angle, noise.by_area > least,

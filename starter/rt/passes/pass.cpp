@@ -26,7 +26,8 @@ PixelWork Passes::work(std::size_t item, const Slice& slice) const {
     const bool again = item >= pixels_;
     const std::size_t pixel = again ? control_[item - pixels_] : item, width = std::size_t(crop_.width);
     const int x = crop_.x + int(pixel % width), y = crop_.y + int(pixel / width);
-    return {x, y, pixel_key(world_.scene.camera, combine(again ? ~slice.seed : slice.seed, 0), x, y)};
+    const Bits seed = combine(again ? ~slice.seed : slice.seed, 0);
+    return {x, y, pixel_key(seed, world_.scene.camera.size.x, x, y, slice.sampler)};
 }
 
 bool Passes::run(const Slice& slice, const std::function<bool()>& stop, const Finished& finished) {

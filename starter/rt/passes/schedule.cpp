@@ -33,7 +33,9 @@ int next_pass(const Goals& limits, const SoFar& so_far) {
 Slice next_slice(Sampler sampler, Bits seed, int pass, std::uint64_t samples, int count) {
     if (sampler == Sampler::stratified || sampler == Sampler::uniform)
         return {sampler, pass == 0 ? seed : combine(seed, Bits(pass)), 0, count};
-    const Sampler goes_on = sampler == Sampler::orthogonal ? Sampler::sobol : sampler;
+    // those that must know how many samples there will be
+    const bool is_whole = sampler == Sampler::orthogonal || sampler == Sampler::blue_noise;
+    const Sampler goes_on = is_whole ? Sampler::sobol : sampler;
     const std::uint64_t sequence = samples / longest_sequence;
     return {goes_on, sequence == 0 ? seed : combine(seed, sequence), int(samples % longest_sequence), count};
 }

@@ -17,26 +17,21 @@ template <Film where, bool lens, bool time>
 void first_rays(const World& world, const CameraWork& work, const CameraNumbers& u, Batch& batch, Real* weights) {
     const Camera camera = world.scene.camera;
     const Shutter shutter = world.scene.shutter;
-    const Bits inside = world.regions.start;
     const int n = work.pattern.n;
 #pragma GCC ivdep
     for (int i = 0; i < lanes; ++i) {
         const Bits key = work.keys[i];
         const int index = work.samples[i];
-        FilmSample film{0.5 * (work.extents[i].low + work.extents[i].high), 1};
-        if constexpr (where == Film::cells) film = film_sample(work.extents[i], index, n, u.film.at(i));
-        if constexpr (where == Film::pattern) film = film_sample(work.extents[i], 0, 1, u.film.at(i));
+        const Extent pixel = work.pixel(i);
+        FilmSample film{0.5 * (pixel.low + pixel.high), 1};
+        if constexpr (where == Film::cells) film = film_sample(pixel, index, n, u.film.at(i));
+        if constexpr (where == Film::pattern) film = film_sample(pixel, 0, 1, u.film.at(i));
         batch.set_ray(i, camera_ray(camera, film.position));
         if constexpr (lens) batch.set_ray(i, lens_ray(camera, batch.ray(i), u.lens.at(i)));
-        batch.time[i] = 0;
         if constexpr (time) batch.time[i] = shutter_time(shutter, u.time.x[i]);
-        batch.weight.set(i, Color(1));
         batch.key[i] = key;
         batch.sample[i] = index;
         batch.slot[i] = work.slot + i;
-        batch.event[i] = Index(Event::camera);
-        batch.depth[i] = batch.bounce[i] = 0;
-        batch.inside[i] = inside;
         batch.near[i] = i < work.count ? batch.near[i] : inf;
         if (i < work.count) weights[i] = film.weight;
     }
@@ -62,9 +57,20 @@ void draw_film(const World& world, const CameraWork& work, Numbers& u) {
 
 }  // namespace
 
+void begin_camera(const World& world, Batch& batch) {
+    for (int i = 0; i < lanes; ++i) {
+        batch.time[i] = 0;
+        batch.weight.set(i, Color(1));
+        batch.event[i] = Index(Event::camera);
+        batch.depth[i] = batch.bounce[i] = 0;
+        batch.inside[i] = world.regions.start;
+    }
+}
+
 void camera_stage(const World& world, const CameraWork& work, Batch& batch, Chunk& chunk) {
     Real* weights = chunk.weight.data() + work.slot;
-    const auto [sampler, n] = work.pattern;
+    const Sampler sampler = work.pattern.sampler;
+    const int n = work.pattern.n;
     CameraNumbers u;
     if (world.plan.pixel) draw_film(world, work, u.film);
     if (world.plan.lens)

@@ -13,9 +13,13 @@
 ///     shares_of      one lane: what each way would carry
 ///     choose_...     which lanes go which way
 ///     collect, send  the lanes that go one way, side by side, and their new rays
+///     append         those that carry anything, with what stays with their paths
 ///     scatter_stage  way after way
 namespace rt {
 namespace {
+
+/// Loops over some of the lanes take a multiple of so many, the last one more than once: vectors have no rest.
+constexpr int whole = 8;
 
 /// What decides where lanes go on, side by side.
 struct Crossing {
@@ -24,6 +28,7 @@ struct Crossing {
     Real error[lanes];
     Real exponent[lanes], ior_from[lanes], ior_to[lanes];
     Colors albedo;
+    Colors weight;
     Bits key[lanes];
     int sample[lanes];
 
@@ -120,80 +125,98 @@ void choose_bounces(const World& world, const Batch& b, const Surfaces& s, Leavi
     }
 }
 
-/// Collects lanes that leave in one way, and copies what stays with a path into its new lanes, from `first` on.
+/// The new rays, side by side. Each begins at near 0 and ends nowhere.
+struct Sent {
+    Vectors<> origin, direction;
+    Colors weight;
+    Real density[lanes];  // with which a lobe took it, where that is weighed against lamps, else 0
+
+    void set(int k, const Ray& ray) { origin.set(k, ray.origin), direction.set(k, ray.direction); }
+};
+
+/// Collects lanes that leave in one way, from `begin` on. Returns how many there are in whole vectors.
 template <WayOn way>
-void collect(const World& world, const Batch& b, const Surfaces& s, const Index* leaving, int count, Crossing& c,
-             Batch& to, int first) {
-    constexpr bool bounces = way == WayOn::bounce, enters = leads_inside(way);
-    constexpr Event event = bounces ? Event::diffuse : is_sharp(way) ? Event::specular : Event::lobe;
-    const bool media = world.plan.medium, through = world.plan.through;
-    for (int k = 0; k < count; ++k) {
-        const int i = int(leaving[k]), j = first + k;
-        const Material& m = world.scene.materials[std::size_t(s.material[i])];
-        const bool behind = s.behind[i] != 0;
-        c.direction.set(k, b.direction.at(i)), c.normal.set(k, s.normal(i));
-        c.point.set(k, s.point.at(i)), c.flat.set(k, s.flat.at(i)), c.error[k] = s.error[i];
-        if constexpr (!bounces) c.exponent[k] = m.exponent;
-        if constexpr (enters) c.ior_from[k] = behind ? m.ior : 1, c.ior_to[k] = behind ? 1 : m.ior;
-        if constexpr (bounces) c.albedo.set(k, m.albedo);
-        // Mirror and glass may both be followed: their random numbers must not be the same.
-        to.key[j] = enters ? combine(b.key[i], 1) : b.key[i];
-        c.key[k] = b.key[i];
-        to.sample[j] = c.sample[k] = b.sample[i];
-        to.time[j] = b.time[i];
-        to.slot[j] = b.slot[i];
-        // Where shadow rays go through, they have gathered what a diffuse ray finds behind: it still is one.
-        const bool goes_on = enters && through && b.event[i] == Index(Event::diffuse) && goes_straight_through(m);
-        to.event[j] = goes_on ? b.event[i] : Index(event);
-        to.depth[j] = b.depth[i] + !bounces;
-        to.bounce[j] = b.bounce[i] + bounces;
-        if constexpr (!bounces && !is_sharp(way)) to.density[j] = 0;
-        to.inside[j] = enters && media ? world.regions.crossed(b.inside[i], b.shape[i], behind) : b.inside[i];
+int collect(const World& world, const Batch& b, const Surfaces& s, const Leaving& leaving, int begin, int count,
+            Crossing& c) {
+    constexpr bool bounces = way == WayOn::bounce;
+    const int rounded = count < whole ? count : (count + whole - 1) / whole * whole;
+    for (int k = 0; k < rounded; ++k) {
+        const int from = begin + (k < count ? k : count - 1), i = int(leaving.lane[from]);
+        c.normal.set(k, s.normal(i)), c.point.set(k, s.point.at(i)), c.flat.set(k, s.flat.at(i));
+        c.error[k] = s.error[i], c.weight.set(k, leaving.weight.at(from));
+        c.key[k] = b.key[i], c.sample[k] = b.sample[i];
+        if constexpr (bounces) {
+            c.albedo.set(k, world.reflectances[std::size_t(s.material[i]) + 1].albedo);
+        } else {
+            const Material& m = world.scene.materials[std::size_t(s.material[i])];
+            const bool behind = s.behind[i] != 0;
+            c.direction.set(k, b.direction.at(i)), c.exponent[k] = m.exponent;
+            if constexpr (leads_inside(way)) c.ior_from[k] = behind ? m.ior : 1, c.ior_to[k] = behind ? 1 : m.ior;
+        }
     }
+    return rounded;
 }
 
-/// Writes the rays that leave in one way, and their weights, into lanes of a batch, from `first` on.
 template <WayOn way>
-void send(const Numbers& u, const Crossing& c, const Leaving& leaving, int begin, int count, Batch& to, int first) {
+void send(const Numbers& u, const Crossing& c, int count, Sent& sent) {
 #pragma GCC ivdep
     for (int k = 0; k < count; ++k) {
         const Scattered scattered = direction_of<way>(c, k, u.at(k));
-        to.set_ray(first + k, spawn_ray(c.hit(k), scattered.direction));
-        to.weight.set(first + k, leaving.weight.at(begin + k) * scattered.weight);
+        sent.set(k, spawn_ray(c.hit(k), scattered.direction));
+        sent.weight.set(k, c.weight.at(k) * scattered.weight);
+        sent.density[k] = 0;
     }
 }
 
 /// With which density each lane of a glossy lobe was taken, where that is weighed against lamps.
-void note_densities(const Crossing& c, int count, Batch& to, int first) {
+void note_densities(const Crossing& c, int count, Sent& sent) {
     for (int k = 0; k < count; ++k)
-        to.density[first + k] =
-            lobe_density(c.exponent[k], to.direction.at(first + k), c.normal.at(k), -c.direction.at(k));
+        sent.density[k] = lobe_density(c.exponent[k], sent.direction.at(k), c.normal.at(k), -c.direction.at(k));
 }
 
 /// Brings rays back to the right side of their surfaces, to which the interpolated normals of a mesh may not send them.
 /// What a lobe sends there counts in full: no sample of a lamp would have found it.
 template <WayOn way>
-void bring_back(const Crossing& c, int count, Batch& to, int first) {
+void bring_back(const Crossing& c, int count, Sent& sent) {
     for (int k = 0; k < count; ++k) {
-        const int j = first + k;
         const Hit hit = c.hit(k);
-        const vec3 way_on = to.direction.at(j);
+        const vec3 way_on = sent.direction.at(k);
         if (c.normal.at(k) == hit.normal || !is_astray(way_on, hit.normal, leads_inside(way))) continue;
-        to.set_ray(j, spawn_ray(hit, turned(way_on, hit.normal)));
-        if constexpr (way == WayOn::glossy) to.density[j] = 0;
+        sent.set(k, spawn_ray(hit, turned(way_on, hit.normal)));
+        if constexpr (way == WayOn::glossy) sent.density[k] = 0;
     }
 }
 
-/// Takes out lanes, from `first` on, that carry nothing or have nowhere to go.
-void close_ranks(Batch& b, int first) {
-    int kept = first;
-    for (int j = first; j < b.count; ++j) {
-        const bool dead = b.weight.at(j) == Color(0) || b.direction.at(j) == vec3(0);
-        if (dead) continue;
-        if (kept != j) b.copy_lane(j, kept);
-        ++kept;
+/// Adds the new rays to a batch, with what stays with their paths, but for those that carry nothing or have nowhere to
+/// go.
+template <WayOn way>
+void append(const World& world, Sampler sampler, const Batch& b, const Surfaces& s, const Sent& sent, const Index* from,
+            int count, Batch& to) {
+    constexpr bool bounces = way == WayOn::bounce, enters = leads_inside(way);
+    constexpr Event event = bounces ? Event::diffuse : is_sharp(way) ? Event::specular : Event::lobe;
+    const bool media = world.plan.medium, through = world.plan.through;
+    for (int k = 0; k < count; ++k) {
+        const int i = int(from[k]), j = to.count;
+        to.set_ray(j, {sent.origin.at(k), sent.direction.at(k), 0, inf});
+        to.weight.set(j, sent.weight.at(k));
+        // Mirror and glass may both be followed: their random numbers must not be the same.
+        to.key[j] = enters ? branch_key(b.key[i], sampler) : b.key[i];
+        to.sample[j] = b.sample[i];
+        to.time[j] = b.time[i];
+        to.slot[j] = b.slot[i];
+        to.event[j] = Index(event);
+        to.depth[j] = b.depth[i] + !bounces;
+        to.bounce[j] = b.bounce[i] + bounces;
+        if constexpr (!bounces && !is_sharp(way)) to.density[j] = sent.density[k];
+        to.inside[j] = b.inside[i];
+        if constexpr (enters) {
+            // Where shadow rays go through, they have gathered what a diffuse ray finds behind: it still is one.
+            const Material& m = world.scene.materials[std::size_t(s.material[i])];
+            if (through && b.event[i] == Index(Event::diffuse) && goes_straight_through(m)) to.event[j] = b.event[i];
+            if (media) to.inside[j] = world.regions.crossed(b.inside[i], b.shape[i], s.behind[i] != 0);
+        }
+        to.count += !(sent.weight.at(k) == Color(0) || sent.direction.at(k) == vec3(0));
     }
-    b.count = kept;
 }
 
 template <WayOn way>
@@ -204,20 +227,20 @@ template <WayOn way>
                              : way == WayOn::bounce ? RayKind::bounce
                                                     : RayKind::lobe;
     Crossing crossing;
+    Sent sent;
     Numbers u;
     for (int k = 0; k < leaving.count;) {
         Batch& to = next.open();
-        const int first = to.count, taken = std::min(leaving.count - k, lanes - first);
-        collect<way>(world, b, s, leaving.lane + k, taken, crossing, to, first);
+        const int before = to.count, taken = std::min(leaving.count - k, lanes - before);
+        const int count = collect<way>(world, b, s, leaving, k, taken, crossing);
         if constexpr (!is_sharp(way))
             draw_2d(pattern, wave_dimension(world, wave, lobe_dimension, pattern.n), crossing.key, crossing.sample,
-                    taken, u);
-        send<way>(u, crossing, leaving, k, taken, to, first);
-        if (way == WayOn::glossy && world.plan.weigh) note_densities(crossing, taken, to, first);
-        if (way != WayOn::bounce && world.plan.smooth) bring_back<way>(crossing, taken, to, first);
-        to.count = first + taken;
-        close_ranks(to, first);
-        chunk.rays[int(kind)] += std::uint64_t(to.count - first);
+                    count, u);
+        send<way>(u, crossing, count, sent);
+        if (way == WayOn::glossy && world.plan.weigh) note_densities(crossing, count, sent);
+        if (way != WayOn::bounce && world.plan.smooth) bring_back<way>(crossing, taken, sent);
+        append<way>(world, pattern.sampler, b, s, sent, leaving.lane + k, taken, to);
+        chunk.rays[int(kind)] += std::uint64_t(to.count - before);
         k += taken;
     }
 }

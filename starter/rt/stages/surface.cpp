@@ -44,11 +44,15 @@ bool is_totally_reflected(const Material& m, bool behind, Real cosine) {
     return (to - from) * (to + from) + sqr(from * cosine) < 0;
 }
 
-/// one  whether all rays that meet anything meet the same shape, `first`: then its record is read once
-template <bool time, bool one>
+/// What is known of the shapes that a batch meets: one: all are the shape `first`, whose record is then read once;
+/// flat: it is no sphere, and there are no roots to take.
+enum class Meet { any, one, flat };
+
+template <bool time, Meet meet>
 [[gnu::noinline]] void find_surfaces(const World& world, Index first, const Batch& b, Surfaces& s) {
     const SurfaceRecord* records = world.surfaces.data();
     const SurfaceRecord of_first = records[first];
+    constexpr bool one = meet != Meet::any;
 #pragma GCC ivdep
     for (int i = 0; i < lanes; ++i) {
         const bool hit = b.shape[i] >= 0;
@@ -58,8 +62,8 @@ template <bool time, bool one>
         const vec3 reached = origin + t * direction;
         const vec3 center = time ? moved(record.center, record.velocity, b.time[i]) : record.center;
         const vec3 from_center = reached - center;
-        const Real length = std::sqrt(dot(from_center, from_center));
-        const bool flat = record.radius == 0;
+        const Real length = meet == Meet::flat ? 0 : std::sqrt(dot(from_center, from_center));
+        const bool flat = meet == Meet::flat || record.radius == 0;
         const Real scale = flat ? 1 : 1 / length;
         const vec3 n{scale * (flat ? record.normal.x : from_center.x), scale * (flat ? record.normal.y : from_center.y),
                      scale * (flat ? record.normal.z : from_center.z)};
@@ -138,7 +142,10 @@ void surface_stage(const World& world, const Batch& batch, Surfaces& surfaces) {
     }
     const Met met = met_by(batch.shape);
     with_flag(world.plan.time, [&](auto time) {
-        with_flag(met.one, [&](auto one) { find_surfaces<time(), one()>(world, met.number, batch, surfaces); });
+        if (!met.one) return find_surfaces<time(), Meet::any>(world, met.number, batch, surfaces);
+        if (world.surfaces[std::size_t(met.number)].radius == 0)
+            return find_surfaces<time(), Meet::flat>(world, met.number, batch, surfaces);
+        find_surfaces<time(), Meet::one>(world, met.number, batch, surfaces);
     });
     if (world.plan.smooth) find_smooth_normals(world, batch, surfaces);
     if (world.plan.checker) find_squares(world, batch, surfaces);

@@ -5,7 +5,8 @@ namespace rt {
 
 void trace_camera(const World& world, const CameraWork& work, const Batch& batch, Trace& trace) {
     const RenderPlan& plan = world.plan;
-    const auto [sampler, n] = work.pattern;
+    const Sampler sampler = work.pattern.sampler;
+    const int n = work.pattern.n;
     const bool in_cells = sampler == Sampler::stratified || sampler == Sampler::uniform;
     Pattern film = work.pattern;
     if (sampler == Sampler::stratified) film.sampler = Sampler::random;
@@ -18,10 +19,11 @@ void trace_camera(const World& world, const CameraWork& work, const Batch& batch
     for (int i = 0; i < work.count; ++i) {
         Told& told = trace.of(batch, i);
         told.text += fmt::format("sample {}\n", batch.sample[i]);
-        FilmSample on_film{0.5 * (work.extents[i].low + work.extents[i].high), 1};
+        const Extent pixel = work.pixel(i);
+        FilmSample on_film{0.5 * (pixel.low + pixel.high), 1};
         if (plan.pixel) {
             const vec2 numbers = sampler == Sampler::uniform ? vec2(0.5) : u.at(i);
-            on_film = film_sample(work.extents[i], in_cells ? work.samples[i] : 0, in_cells ? n : 1, numbers);
+            on_film = film_sample(pixel, in_cells ? work.samples[i] : 0, in_cells ? n : 1, numbers);
             tell(told, "film_sample", "u {}: position {}, weight {}", text(numbers), text(on_film.position),
                  text(on_film.weight));
         }

@@ -19,34 +19,50 @@ struct Shaft {
     bool empty() const { return near == inf; }
 };
 
-/// The shaft of all rays with near < far; empty where there is none.
-inline Shaft shaft_of(const Batch& b) {
-    // Several lanes in one number, an extension of GCC and Clang: no compiler vectorises a minimum by itself.
-    constexpr int width = 8;
-    using Reals __attribute__((vector_size(width * sizeof(Real)))) = Real;
+// Several lanes in one number, an extension of GCC and Clang: no compiler vectorises a minimum by itself.
+using Reals __attribute__((vector_size(8 * sizeof(Real)))) = Real;
+
+inline void lower(Reals& least, const Reals& x) { least = x < least ? x : least; }
+inline void raise(Reals& most, const Reals& x) { most = x > most ? x : most; }
+
+/// The least or the greatest of the eight.
+template <class F>
+Real folded(Reals& x, F lower_or_raise) {
+    lower_or_raise(x, __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3));
+    lower_or_raise(x, __builtin_shufflevector(x, x, 2, 3, 0, 1, 6, 7, 4, 5));
+    lower_or_raise(x, __builtin_shufflevector(x, x, 1, 0, 3, 2, 5, 4, 7, 6));
+    return x[0];
+}
+
+/// all  whether near < far everywhere
+template <bool all>
+Shaft shaft_about(const Batch& b) {
     const Reals none = Reals{} + inf;
     const Real* from[7] = {b.origin.x, b.origin.y, b.origin.z, b.direction.x, b.direction.y, b.direction.z, b.near};
     Reals low[7], high[7];
     for (int a = 0; a < 7; ++a) low[a] = none, high[a] = -none;
-    for (int i = 0; i < lanes; i += width) {
+    for (int i = 0; i < lanes; i += 8) {
         Reals x, far;
         std::memcpy(&x, b.near + i, sizeof x);
         std::memcpy(&far, b.far + i, sizeof far);
         const auto on = x < far;
         for (int a = 0; a < 7; ++a) {
             std::memcpy(&x, from[a] + i, sizeof x);
-            const Reals least = on ? x : none, most = on ? x : -none;
-            low[a] = least < low[a] ? least : low[a];
-            high[a] = most > high[a] ? most : high[a];
+            lower(low[a], all ? x : on ? x : none);
+            raise(high[a], all ? x : on ? x : -none);
         }
     }
-    Shaft shaft;
-    for (int j = 0; j < width; ++j) {
-        shaft.near = std::min(shaft.near, low[6][j]);
-        shaft.origins.include(Box{vec3(low[0][j], low[1][j], low[2][j]), vec3(high[0][j], high[1][j], high[2][j])});
-        shaft.directions.include(Box{vec3(low[3][j], low[4][j], low[5][j]), vec3(high[3][j], high[4][j], high[5][j])});
-    }
-    return shaft;
+    const auto corner = [](Reals* x, auto f) { return vec3(folded(x[0], f), folded(x[1], f), folded(x[2], f)); };
+    return {{corner(low, lower), corner(high, raise)},
+            {corner(low + 3, lower), corner(high + 3, raise)},
+            folded(low[6], lower)};
+}
+
+/// The shaft of all rays with near < far; empty where there is none.
+inline Shaft shaft_of(const Batch& b) {
+    Index off = 0;
+    for (int i = 0; i < lanes; ++i) off |= !(b.near[i] < b.far[i]);
+    return off == 0 ? shaft_about<true>(b) : shaft_about<false>(b);
 }
 
 /// Whether a ray of the shaft may meet the box; false only where none can, with all roundings.
