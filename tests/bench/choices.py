@@ -119,7 +119,7 @@ def main():
         head = f"""# The plan's way to sample lamps beside the best
 
 Written by `tests/bench/choices.py BUILD --scenes {words.scenes} --first {words.first} --side {words.side} --jobs {words.jobs} --write` on
-{machine()}, which did other work as well. Scenes from seeds 0 to 39 were looked at when the rule was made. Time to the error of 64 independent samples a pixel, as a multiple of the best way's. Where no way but one
+{machine()}, which did other work as well. Scenes from seeds 0 to 59 were looked at when the rule was made. Time to the error of 64 independent samples a pixel, as a multiple of the best way's. Where no way but one
 makes a difference to a scene, it is alone in its row.
 
 """
