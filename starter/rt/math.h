@@ -107,7 +107,7 @@ struct Frame {
     return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
 }
 
-/// A sum whose error does not grow with the number of terms: what the rounding of each addition loses is summed as well.
+/// A sum whose error does not grow with the number of terms: what each addition loses is summed as well.
 ///
 /// Source: Knuth, "The Art of Computer Programming", vol. 2, 3rd ed., section 4.2.2, theorem B.
 struct Sum {

@@ -14,7 +14,7 @@ namespace {
 /// From where on quads are sampled by solid angle, which takes up to a third longer; where one lamp is chosen, less.
 constexpr Real worth_solid_angle = 0.2, worth_solid_angle_of_one = 0.1;
 
-/// One of n lamps, not fewer than four, is chosen where its variance is at most n times so much as that of all: for each
+/// One of n lamps, not fewer than four, is chosen where that leaves at most this times n the variance of all: for each
 /// other one, a shadow ray is saved.
 constexpr Real worth_one_lamp = 0.35;
 constexpr int fewest_to_choose = 4;
