@@ -113,11 +113,11 @@ inline Bits branch_key(Bits key, Sampler sampler) {
     return combine(key, 1);
 }
 
-/// Sample i of n of a pixel, where all pixels have a part of one Sobol' sequence, in Morton's order: blocks of 2 x 2, 4 x
-/// 4, ... pixels share the points of a net, so that their errors cancel, and what is left is fine-grained noise.
+/// Sample i of n of a pixel, where all pixels have a part of one Sobol' sequence, in Morton's order: blocks of 2 x 2, 4
+/// x 4, ... pixels share the points of a net, so that their errors cancel, and what is left is fine-grained noise.
 ///
-/// Source: Ahmed and Wonka, "Screen-Space Blue-Noise Diffusion of Monte Carlo Sampling Error via Hierarchical Ordering of
-/// Pixels", ACM TOG 39(6), 2020.
+/// Source: Ahmed and Wonka, "Screen-Space Blue-Noise Diffusion of Monte Carlo Sampling Error via Hierarchical Ordering
+/// of Pixels", ACM TOG 39(6), 2020.
 [[gnu::always_inline]] inline vec2 blue_noise_2d(Bits key, int i, int n, Bits dimension) {
     return sobol_2d(key >> 32, std::uint32_t(key) * std::bit_ceil(std::uint32_t(n)) + std::uint32_t(i), dimension);
 }
