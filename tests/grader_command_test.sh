@@ -21,7 +21,8 @@ expect 0 "2 of 2" "$grade" "$work/s.tar.gz" moved
 printf 'no archive' >"$work/s.zip"
 expect 2 "s.zip: cannot be unpacked" "$grade" "$work/s.zip"
 expect 2 "not there" "$grade" "$work/none"
-expect 2 "holds no fragment" "$grade" "$work"
+mkdir "$work/empty"
+expect 2 "holds no fragment" "$grade" "$work/empty"
 expect 2 "mooved: no fragment has this name, and there is no such folder; expected moved?" "$grade" solution mooved
 expect 2 "one submission too many" "$grade" solution tests/example
 expect 2 "--jobs" "$grade" solution --jobs none

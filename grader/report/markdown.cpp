@@ -45,8 +45,10 @@ std::string row_of(std::string_view line, const char* cell) {
     return text + "</tr>\n";
 }
 
-std::string table_of(const std::vector<std::string_view>& rows) {
-    std::string text = "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"table\"><table>\n";
+/// number  among the page's tables: no two regions may have one name
+std::string table_of(const std::vector<std::string_view>& rows, int number) {
+    std::string text = fmt::format(
+        "<div class=\"scroll plain\" role=\"region\" tabindex=\"0\" aria-label=\"table {}\"><table>\n", number);
     for (std::size_t i = 0; i < rows.size(); ++i)
         if (!rows[i].starts_with("|--")) text += row_of(rows[i], i == 0 ? "th" : "td");
     return text + "</table></div>\n";
@@ -61,9 +63,8 @@ std::string picture_of(std::string_view line) {
                        html(line.substr(middle + 2, end - middle - 2)), alt);
 }
 
-/// Consecutive lines that begin like the first: a table, a list, a paragraph.
+/// Consecutive lines that begin like the first: a list, a paragraph.
 std::string block_of(const std::vector<std::string_view>& lines) {
-    if (lines.front().starts_with("|")) return table_of(lines);
     const bool list = lines.front().starts_with("* ");
     std::string text = list ? "<ul>" : "<p>";
     for (const std::string_view line : lines)
@@ -82,6 +83,7 @@ bool of_one_kind(std::string_view a, std::string_view b) {
 std::string html_of_markdown(std::string_view text) {
     const auto lines = lines_of(text);
     std::string page = "<section class=\"card\">\n";
+    int tables = 0;
     for (std::size_t i = 0; i < lines.size();) {
         const std::string_view line = lines[i];
         if (stands_alone(line)) {
@@ -96,7 +98,7 @@ std::string html_of_markdown(std::string_view text) {
         }
         std::vector<std::string_view> block;
         while (i < lines.size() && !stands_alone(lines[i]) && of_one_kind(line, lines[i])) block.push_back(lines[i++]);
-        page += block_of(block);
+        page += line.starts_with("|") ? table_of(block, ++tables) : block_of(block);
     }
     return page + "</section>\n";
 }

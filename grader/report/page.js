@@ -29,7 +29,7 @@ document.addEventListener("keydown", event => {
     if (event.ctrlKey || event.altKey || event.metaKey || /^(INPUT|TEXTAREA)$/.test(event.target.tagName)) return;
     const step = { n: 1, p: -1 }[event.key];
     if (!step) return;
-    const open = all("section.card[id]:not(.is_passed)"), middle = window.innerHeight / 3;
+    const open = all("section.card[id]:not(.is_passed):not(#overview)"), middle = window.innerHeight / 3;
     const places = open.map(section => section.getBoundingClientRect().top - middle);
     const next = step > 0 ? places.findIndex(place => place > 1) : places.findLastIndex(place => place < -1);
     if (next < 0) return;

@@ -31,13 +31,16 @@ NOT_COPIED = {"tests", "calibration", "report", "kept"}
 def sections(text):
     """Headings of the first two levels, and their blocks: where it begins, the words of its fence, its text."""
     found, heading, lines = {}, "", text.splitlines()
+    end = 0  # of the last block: what begins with a hash in it is no heading
     for number, line in enumerate(lines, 1):
+        if number <= end:
+            continue
         if line.startswith(("# ", "## ")):
             heading = line.lstrip("# ")
             found[heading] = []
         elif re.match(r"```\w", line):
-            end = lines.index("```", number)
-            found[heading].append((number, line.removeprefix("```").split(), "\n".join(lines[number:end]) + "\n"))
+            end = lines.index("```", number) + 1
+            found[heading].append((number, line.removeprefix("```").split(), "\n".join(lines[number:end - 1]) + "\n"))
     return found
 
 

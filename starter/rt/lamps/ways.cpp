@@ -16,7 +16,7 @@ constexpr Real worth_solid_angle = 0.2, worth_solid_angle_of_one = 0.1;
 
 /// One of n lamps, not fewer than four, is chosen where its variance is at most n times so much as that of all: for each
 /// other one, a shadow ray is saved.
-constexpr Real worth_one_lamp = 0.5;
+constexpr Real worth_one_lamp = 0.35;
 constexpr int fewest_to_choose = 4;
 
 /// What the directions of bounces add to the variance, however lamps are sampled.
@@ -32,7 +32,6 @@ struct Point {
     vec3 place, normal, to_viewer;  // unit; the normal is on the viewer's side [world]
     const Material* material;
     const Shape* shape;  // none: a mesh
-    int column = -1;     // of the film's parts; -1: not where the camera looks at the middle of one
 };
 
 /// A line of sight. Where it meets a shape, and the normal there; inf: nowhere. Not by fragments: the plan must not
@@ -62,9 +61,8 @@ private:
     Real to_plane(vec3 center, vec3 n) const { return dot(center - origin, n) / dot(direction, n); }
 };
 
-/// from    the shape on which the line starts
-/// column  of the point
-void add_first_met(const Scene& scene, const Sight& sight, const Shape* from, int column, std::vector<Point>& points) {
+/// from  the shape on which the line starts
+void add_first_met(const Scene& scene, const Sight& sight, const Shape* from, std::vector<Point>& points) {
     Real nearest = inf;
     Point point{};
     for (const Shape& shape : scene.shapes) {
@@ -75,7 +73,6 @@ void add_first_met(const Scene& scene, const Sight& sight, const Shape* from, in
         point.material = &scene.materials[std::size_t(shape.material)];
     }
     point.place = sight.origin + nearest * sight.direction, point.to_viewer = -sight.direction;
-    point.column = column;
     if (nearest < inf) points.push_back(point);
 }
 
@@ -100,7 +97,7 @@ std::vector<Point> points_in_sight(const Scene& scene, int side) {
     for (int k = 0; k < side * side; ++k) {
         const vec2 film{(2 * (k % side) + 1.0) / side - 1, 1 - (2 * (k / side) + 1.0) / side};
         const vec2 slope = c.tan_half_fov * vec2(film.x * c.size.x / c.size.y, film.y);
-        add_first_met(scene, {c.eye, unit(slope.x * c.right + slope.y * c.up - c.back)}, nullptr, k % side, points);
+        add_first_met(scene, {c.eye, unit(slope.x * c.right + slope.y * c.up - c.back)}, nullptr, points);
     }
     for (const Mesh& mesh : scene.meshes) add_mesh(scene, mesh, std::size_t(side * side), points);
     const std::size_t seen = scene.bounces > 0 ? points.size() : 0;
@@ -108,7 +105,7 @@ std::vector<Point> points_in_sight(const Scene& scene, int side) {
         const vec2 u = sobol_2d(1, std::uint32_t(k), 0), circle = std::sqrt(u.x) * unit_circle(u.y);
         const Point from = points[k];
         add_first_met(scene, {from.place, frame_about(from.normal).to_world({circle, std::sqrt(1 - u.x)})}, from.shape,
-                      -1, points);
+                      points);
     }
     return points;
 }
@@ -180,25 +177,31 @@ Real add_noise(const std::vector<Emitter>& lamps, const LampTree& tree, const Po
     return by_surfaces + by_lobes;
 }
 
+/// What pixels on the edge of a lamp add to the variance, in whatever way lamps are sampled: its own radiance is the
+/// brightest there is. In pixels times radiance squared; hidden or not.
+Real edge_of(const Emitter& lamp, const Camera& c) {
+    const vec3 to = center(lamp) - c.eye;
+    const Real along = -dot(to, c.back), scale = c.size.y / (2 * c.tan_half_fov * along);
+    const bool on_film = along > 0 && std::abs(dot(to, c.right)) * scale < 0.5 * c.size.x &&
+                         std::abs(dot(to, c.up)) * scale < 0.5 * c.size.y;
+    const Real cosine = lamp.kind == Emitter::Kind::sphere ? 1 : -dot(unit(normal(lamp)), unit(to));
+    if (!on_film || !(cosine > 0)) return 0;
+    // A square's edge is in four roots of its area, where the share x of a pixel that it covers is between 0 and 1: the
+    // mean of x (1 - x) is 1/6.
+    const Real pixels = area(lamp) * cosine * sqr(scale);
+    return sqr(sum(lamp.radiance)) * std::min(pixels, 4 * std::sqrt(pixels) / 6);
+}
+
 Noise noise_of(const Scene& scene, const std::vector<Emitter>& lamps) {
     const Real work = Real(scene.shapes.size() + 16 * lamps.size());
     const int side = std::clamp(int(std::sqrt(most_work / work)), 4, 24);
     const LampTree tree(lamps);
     Noise noise;
-    Real all = 0, edges = 0, radiance = 0;
-    const Point* before = nullptr;
-    const std::vector<Point> points = points_in_sight(scene, side);
-    for (const Point& p : points) {
-        const Real light = add_noise(lamps, tree, p, noise), left = radiance;
-        all += sqr(light);
-        radiance = light + sum(p.material->emission);
-        // A pixel with an edge has some of both sides, and lamps' own are the brightest: so it is for any way. As many
-        // edges lie along columns as along rows, and the mean of x (1 - x) is 1/6.
-        if (before && before->column >= 0 && p.column == before->column + 1 && p.shape != before->shape)
-            edges += 2 * sqr(radiance - left) / 6 * side / scene.camera.size.x;
-        before = &p;
-    }
+    Real all = 0, edges = 0;
+    for (const Point& p : points_in_sight(scene, side)) all += sqr(add_noise(lamps, tree, p, noise));
     if (!(all > 0)) return {};
+    const ivec2 size = scene.camera.size;
+    for (const Emitter& lamp : lamps) edges += edge_of(lamp, scene.camera) * sqr(side) / (Real(size.x) * size.y);
     const Real for_any = edges / all + (scene.bounces > 0 ? noise_of_bounces : 0);
     return {noise.by_area / all, noise.by_lobes / all, noise.of_all / all + for_any, noise.of_one / all + for_any};
 }
