@@ -111,14 +111,19 @@ private:
         };
         if (std::ranges::all_of(scope_, is_right_long)) {
             const auto& parts = calls_.layouts.front().parts;
-            for (std::size_t i = 0; i < parts.size(); ++i)
-                if (parts[i].kind == Kind::number && is_long([&](std::size_t k) {
-                        const double x = calls_.rows[k][calls_.layouts[k].parts[i].at];
-                        return std::isfinite(x) ? x : std::hypot(mine(k, 0), mine(k, 1), mine(k, 2));
+            const auto told = told_of(calls_, scope_);
+            for (std::size_t i = 0; i < parts.size(); ++i) {
+                if (parts[i].kind != Kind::number || !told[i]) continue;
+                const auto number = [&](std::size_t k) { return calls_.rows[k][calls_.layouts[k].parts[i].at]; };
+                // where it is infinite, nothing has that length
+                const bool is_finite = std::ranges::any_of(scope_, [&](auto k) { return std::isfinite(number(k)); });
+                if (is_finite && is_long([&](std::size_t k) {
+                        return std::isfinite(number(k)) ? number(k) : std::hypot(mine(k, 0), mine(k, 1), mine(k, 2));
                     }))
                     return Form{
                         fmt::format("points the right way, but is `{}` long: its length must be 1", parts[i].name),
                         1.5};
+            }
             return Form{"points the right way, but does not have length 1", 1.9};
         }
         std::vector<std::size_t> some;

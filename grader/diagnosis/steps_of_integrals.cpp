@@ -50,18 +50,23 @@ std::vector<Steps> of_monte_carlo() {
         "int the number of terms; int x.size(); bool f(x[i]) * density(x[i]) as terms; bool f(x[i]) alone as terms; "
         "bool 1 / density(x[i]) as terms; bool the first term left out; bool the last term alone; bool the sum of 1 / "
         "density(x[i]) in place of x.size(); bool the sum of f(x[i]) over the sum of density(x[i]); bool the "
-        "mean of f(x[i]) times the way from the least x to the greatest one; bool no division by x.size()",
+        "mean of f(x[i]) times the way from the least x to the greatest one; bool no division by x.size(); bool "
+        "f(x[i]) / density(x[i])^2 as terms",
         +[](const Integrand&, const Integrand&, const List& x) {
             Row all = row(int(x.size()), int(x.size()));
-            all.resize(11);
+            all.resize(12);
             return all;
         },
         +[](const double* s, const Integrand& f, const Integrand& density, const List& x) {
             const std::size_t last = std::min(x.size(), std::size_t(std::max(s[0], 0.0)));
             Real sum = 0, of_densities = 0, of_weights = 0, all_of = 0;
             for (std::size_t i = s[6] != 0 ? x.size() - 1 : s[5] != 0 ? 1 : 0; i < last; ++i) {
-                const Real due = density(x[i]), weight = s[2] != 0 ? due : s[3] != 0 || s[8] != 0 ? 1 : 1 / due;
-                sum += weight * (s[4] != 0 ? 1 : f(x[i]));
+                const Real due = density(x[i]),
+                           weight = s[2] != 0                ? due
+                                    : s[3] != 0 || s[8] != 0 ? 1
+                                                             : 1 / due,
+                           again = s[11] != 0 ? due : 1;
+                sum += weight / again * (s[4] != 0 ? 1 : f(x[i]));
                 of_densities += due, of_weights += 1 / due;
             }
             if (s[9] != 0 && !x.empty()) {
