@@ -114,11 +114,39 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("an orthogonal array takes a power of two, and others are Sobol's points") {
+namespace {
+
+/// The variance, over many keys, of a mean to which two dimensions of different pairs contribute together.
+template <Sampler sampler>
+Real variance_of_mean(int n) {
+    constexpr int keys = 2000;
+    Real sum = 0, squares = 0;
+    for (Bits key = 0; key < keys; ++key) {
+        const auto a = points<sampler>(key, n, 0), b = points<sampler>(key, n, 1);
+        Real mean = 0;
+        for (std::size_t i = 0; i < a.size(); ++i)
+            mean += ((a[i].x + b[i].x < 0.7) + (a[i].y * b[i].y < 0.3)) / Real(n);
+        sum += mean, squares += sqr(mean);
+    }
+    return squares / keys - sqr(sum / keys);
+}
+
+}  // namespace
+
+TEST_CASE("an orthogonal array is taken where it leaves less noise than Sobol's pairs") {
+    for (int n = 4; n <= 256; n *= 2) {
+        CAPTURE(n);
+        const bool is_better = variance_of_mean<Sampler::orthogonal>(n) < variance_of_mean<Sampler::sobol>(n);
+        CHECK((pattern_of(Sampler::orthogonal, n) == Sampler::orthogonal) == is_better);
+    }
+}
+
+TEST_CASE("an orthogonal array takes a power of four, up to 256, and others are Sobol's points") {
     CHECK(pattern_of(Sampler::orthogonal, 1) == Sampler::orthogonal);
-    CHECK(pattern_of(Sampler::orthogonal, 1 << 16) == Sampler::orthogonal);
-    CHECK(pattern_of(Sampler::orthogonal, 1 << 17) == Sampler::sobol);
+    CHECK(pattern_of(Sampler::orthogonal, 256) == Sampler::orthogonal);
+    CHECK(pattern_of(Sampler::orthogonal, 1024) == Sampler::sobol);
     CHECK(pattern_of(Sampler::orthogonal, 48) == Sampler::sobol);
+    CHECK(pattern_of(Sampler::orthogonal, 128) == Sampler::sobol);
     CHECK(pattern_of(Sampler::stratified, 48) == Sampler::stratified);
     for (std::size_t i = 0; i < sampler_names.size(); ++i) CHECK(sampler_named(sampler_names[i]) == Sampler(i));
     CHECK(!sampler_named("halton"));

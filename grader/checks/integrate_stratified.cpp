@@ -111,7 +111,9 @@ Checks check_integrate_stratified(Generator& random) {
                 low = s.high + (chance(random, 0.3) ? 0.25 : 0);
                 strata.push_back(s);
             }
-            const Integrand f{Integrand::Kind::polynomial, {between(random, 1, 2), between(random, 0.5, 1.5)}};
+            const double sign = k % 2 == 0 ? 1 : -1;
+            const Integrand f{Integrand::Kind::polynomial,
+                              {sign * between(random, 1, 2), sign * between(random, 0.5, 1.5)}};
             rows.push_back(row(f, strata));
         }
         return rows;

@@ -107,8 +107,10 @@ Checks check_integrate_uniform(Generator&) {
         const int n = whole_between(random, 3, 60);
         // slow enough for the sum to be far from zero, or once a point: then the regular points alias
         const double frequency = chance(random, 0.25) ? n / span * (1 + 1e-3) : between(random, 0.1, 0.4 * n) / span;
-        const Integrand f{Integrand::Kind::cosine,
-                          {between(random, 1, 2), between(random, 0.5, 1), frequency, between(random, 0, 6)}};
+        const double sign = chance(random, 0.5) ? 1 : -1;
+        const Integrand f{
+            Integrand::Kind::cosine,
+            {sign * between(random, 1, 2), sign * between(random, 0.5, 1), frequency, between(random, 0, 6)}};
         return row(f, a, a + span, n);
     });
 

@@ -97,7 +97,7 @@ inline constexpr Key<Scene> render[] = {
     {"sampler", choice, &Scene::sampler, any, "`\"orthogonal\"`",
      "the pattern of the samples. `stratified`: each dimension by itself; `sobol`: Owen-scrambled Sobol' points, pair "
      "by "
-     "pair; `orthogonal`: even between any two dimensions; where `samples` is no power of two, `sobol`; "
+     "pair; `orthogonal`: even between any two dimensions; where `samples` is no power of four up to 256, `sobol`; "
      "`blue_noise`: as `sobol`, but the errors of neighbours cancel, so that few samples look like fine grain"},
     {"multiple_importance", flag, &Scene::multiple_importance, any, "the plan decides",
      "lamps are sampled for glossy lobes too, and both ways to find them are weighed: less noise. The framework "
