@@ -236,7 +236,7 @@ inline int permuted(int i, int n, Bits key) {
 ///     random      independent
 ///     stratified  a random point in each cell
 ///     sobol       Owen-scrambled (0,2)-sequence
-///     orthogonal  scrambled orthogonal array: even between dimensions too; sobol where n is no power of four, up to 256
+///     orthogonal  scrambled orthogonal array: even between dimensions too; sobol where n is no power of four to 256
 ///     blue_noise  one (0,2)-sequence for all pixels: neighbours err in opposite directions
 ///
 /// Cells are dealt out in another random order in each dimension: dimensions must not go together.
@@ -265,8 +265,8 @@ template <Sampler sampler>
     return (permuted(i, n, combine(0, dimension.number)) + 0.5) / n;
 }
 
-/// The pattern that takes n samples. An orthogonal array has a power of four: with an odd power of two, two dimensions of
-/// different pairs go together. And at most 256: with more, what three dimensions do together is left, while Sobol's
+/// The pattern that takes n samples. An orthogonal array has a power of four: with an odd power of two, two dimensions
+/// of different pairs go together. And at most 256: with more, what three dimensions do together is left, while Sobol's
 /// points go on to improve.
 inline Sampler pattern_of(Sampler sampler, int n) {
     const bool fits = std::has_single_bit(unsigned(n)) && std::countr_zero(unsigned(n)) % 2 == 0 && n <= 256;
