@@ -24,15 +24,15 @@ if [ "$(id -u)" = 0 ]; then
 fi
 # shellcheck disable=SC2317  # called by expect
 by_user() { "${as[@]}" env -u XDG_CACHE_HOME HOME="$home" "$prefix/bin/grade" "$@"; }
-expect 0 "passed                2 of 2" by_user "$work/mine.zip" moved --seed 1
+expect 0 "passed              2 of 2" by_user "$work/mine.zip" moved --seed 1
 expect 0 "fragments.h.gch" find "$home/.cache/penumbra" -name fragments.h.gch
 expect 2 "no submission; expected a folder" by_user
 expect 2 "a kit is handed out by the project" by_user hand-out "$home/kit"
 # root could write there
-expect 0 "passed                2 of 2" env HOME="$work/other" "$prefix/bin/grade" "$work/mine.zip" moved --seed 1
+expect 0 "passed              2 of 2" env HOME="$work/other" "$prefix/bin/grade" "$work/mine.zip" moved --seed 1
 expect 0 "" test -z "$(find "$prefix" -newer "$work/now")"
 
 # over what is there
 (cmake --install "$build" --prefix "$prefix" >"$work/said" 2>&1) || { cat "$work/said"; failures=1; }
-expect 0 "passed                2 of 2" by_user "$work/mine.zip" moved --seed 1
+expect 0 "passed              2 of 2" by_user "$work/mine.zip" moved --seed 1
 exit $((failures > 0))

@@ -143,7 +143,7 @@ def paths(*list_of_paths):
 
 case("1", "a static constructor prints PASS and exits", "crashed", "a fragment must return, not exit", fast=True, own=True,
      source=disk("    return wrong(u);", """
-static const int early = (std::puts("uniform_disk            passed                2 of 2"), std::fflush(stdout), _exit(0), 0);"""))
+static const int early = (std::puts("uniform_disk            passed              2 of 2"), std::fflush(stdout), _exit(0), 0);"""))
 
 case("2", "atexit handlers and destructors write to all descriptors", ANY_FAULT, own=True,
      source=disk("    return wrong(u);", """
@@ -251,13 +251,13 @@ FAKES = (r"(?m)^\s*uniform_disk +passed", r"(?m)^\s*::", r"##\[")
 
 case("12a", "fake result lines and annotations, then an abort", "crashed", "abort",
      unsaid=FAKES, html=True, fast=True,
-     source=disk(r"""    const char* text = "\n  uniform_disk            passed                2 of 2\n::error::taken\n##[set-output]x\nTotal  100 of 100\n";
+     source=disk(r"""    const char* text = "\n  uniform_disk            passed              2 of 2\n::error::taken\n##[set-output]x\nTotal  100 of 100\n";
     std::fputs(text, stderr), std::fputs(text, stdout), std::fflush(stdout);
     std::abort();"""))
 
 case("12b", "fake result lines in an exception and in an error", "crashed", "exception",
      unsaid=FAKES,
-     source=disk(r'    throw std::runtime_error("\n  uniform_disk            passed                2 of 2\n::error::taken\n##[x]");',
+     source=disk(r'    throw std::runtime_error("\n  uniform_disk            passed              2 of 2\n::error::taken\n##[x]");',
                  head="#include <stdexcept>\n"))
 
 SEARCH = r"""
