@@ -117,7 +117,7 @@ def verdict(grade, fragment, text, seed):
     with tempfile.TemporaryDirectory() as folder:
         (pathlib.Path(folder) / f"{fragment}.cpp").write_text(text)
         done = subprocess.run([grade, folder, fragment, "--seed", str(seed)], capture_output=True, text=True)
-    found = re.search(rf"^  {fragment} +(.+?) +[0-9.]+ of [0-9.]+$", done.stdout, flags=re.M)
+    found = re.search(rf"^  {fragment} +(.+?) +[0-9.]+ of [0-9.]+\b", done.stdout, flags=re.M)
     if not found:
         sys.exit(f"{fragment}: no verdict in\n{done.stdout}{done.stderr}")
     return found[1]
