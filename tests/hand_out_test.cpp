@@ -83,7 +83,8 @@ TEST_CASE("students get a kit, and nothing of what they must write is in it") {
     std::uintmax_t bytes = 0;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
         if (!entry.is_regular_file()) continue;
-        bytes += entry.file_size();
+        // the page holds the pictures once more, and is there only where pandoc is
+        if (entry.path().filename() != "handout.html") bytes += entry.file_size();
         const std::string text = text_at(entry.path());
         // where it was built; a compiler may hold a long text in pieces of eight bytes
         const std::string built_in = fs::absolute(".").lexically_normal().parent_path().string();
