@@ -64,13 +64,22 @@ std::string tile_map(const CheckRecord& check) {
            "</div>\n";
 }
 
+/// The first answer along a path that is not the solution's.
+std::string parting(const CheckRecord& check) {
+    if (check.parting.empty()) return {};
+    return "<details class=\"parting\"><summary>Where a path parts from the solution's, with the same random numbers"
+           "</summary><pre tabindex=\"0\">" +
+           html(check.parting) + "</pre></details>\n";
+}
+
 std::string pictures(const CheckRecord& check) {
     if (!check.drawn.empty()) return check.drawn;
     if (check.picture.pixels.empty()) return {};
     // both alike, so that most of what is right can be seen
     const double exposure =
         preview_exposure(check.solution_picture.pixels.empty() ? check.picture : check.solution_picture);
-    return three_pictures(check.picture, check.solution_picture, exposure, "for " + check.name) + tile_map(check);
+    return three_pictures(check.picture, check.solution_picture, exposure, "for " + check.name) + tile_map(check) +
+           parting(check);
 }
 
 std::string statistics(const CheckRecord& check) {
