@@ -36,8 +36,9 @@ std::optional<double> take_number(std::string_view& text) {
 
 /// Whether two numbers differ by more than the digits that a trace shows.
 bool apart(double a, double b) {
-    return !(a == b || (std::isnan(a) && std::isnan(b)) ||
-             std::abs(a - b) <= std::max(1e-4 * std::max(std::abs(a), std::abs(b)), 1e-7));
+    if (a == b || (std::isnan(a) && std::isnan(b))) return false;
+    return !std::isfinite(a) || !std::isfinite(b) ||
+           std::abs(a - b) > std::max(1e-4 * std::max(std::abs(a), std::abs(b)), 1e-7);
 }
 
 bool is_same_line(std::string_view a, std::string_view b) {
