@@ -202,7 +202,14 @@ std::string overview(const Record& record, const std::string& handout) {
                 "<tr class=\"part\"><td colspan=\"2\">{}</td><td class=\"number\">{:g} of {:g}</td><td></td></tr>\n{}",
                 html(part.title), have, most, rows);
     }
-    return text + "</table></section>\n";
+    text += "</table>\n";
+    if (std::ranges::any_of(record.fragments, [](const FragmentRecord& fragment) {
+            return fragment.verdict == Verdict::failed && fragment.points > 0;
+        }))
+        text +=
+            "<p class=\"soft\">Of a fragment that fails, each check that passes counts. A check that meets the mistake "
+            "in some scenes alone may pass under another seed; a fragment's verdict is the same under all.</p>\n";
+    return text + "</section>\n";
 }
 
 /// What to do first: the first fragment, in the order of the handout, that does not pass.
