@@ -25,16 +25,6 @@ std::string milk(const std::string& name, double extinction, rt::vec3 albedo, do
 /// for both of them follows E N, the mean number of scatterings.
 Check white_medium(Generator& random);
 
-/// A2: what is left of the false patterns that regular points of a pixel see in a checkerboard towards its horizon.
-Check horizon(Generator& random);
-
-/// Two slanted edges, one for each axis of the film: their places, widths and noise.
-Check slanted_edges(Generator& random);
-
-/// Whether the numbers of the lens are its own: pictures of the lens with a light or with time.
-Check two_colors(Generator& random);
-Check adding_up(Generator& random);
-
 /// G1: whether pixels share random numbers. `what` is drawn, "position in the pixel", or is always `otherwise`, "the
 /// middle", which looks the same.
 Statistic own_numbers(const Region& region, int samples, const std::string& what, const std::string& otherwise);
