@@ -55,7 +55,7 @@ std::optional<Relation> Search::run(bool& right_otherwise) {
     }
     if (!best_) one_of_several();
     if (best_ || !calls_.changeable.empty()) return best_;
-    return by_parts();
+    return which_parts();
 }
 
 std::optional<Relation> Search::by_choice() const {

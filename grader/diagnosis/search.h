@@ -53,8 +53,8 @@ private:
     /// Whether two changes put something in place of the same: nobody makes both.
     static bool are_of_one(const Change& first, const Change& second);
     void two_changes(const std::vector<std::size_t>& scope);
-    /// Each part by itself; what is found of some.
-    std::optional<Relation> by_parts() const;
+    /// Which parts of the answer are right, and which are not.
+    std::optional<Relation> which_parts() const;
     const Calls& calls_;
     const Ask& ask_;
     bool sampled_;

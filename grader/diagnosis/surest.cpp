@@ -97,9 +97,12 @@ void add_others(Relation& relation, const Calls& calls, const Ask& ask_right, bo
                                "; in the others, " + usual);
 }
 
-/// Of several parts of an answer, each with a mistake of its own.
+/// Of several parts of an answer, each by itself; perhaps of some alone.
 std::optional<Relation> relation_of_parts(const Calls& calls, const Ask& ask_right, bool sampled) {
+    constexpr std::size_t enough = 10;  // wrong calls
     std::optional<Relation> all;
+    std::size_t wrong = 0, explained = 0;
+    bool are_changes = true;
     for (const Field& part : calls.result.parts) {
         Calls alone = calls;
         for (std::size_t k = 0; k < calls.size(); ++k) {
@@ -107,16 +110,25 @@ std::optional<Relation> relation_of_parts(const Calls& calls, const Ask& ask_rig
             for (std::size_t c = 0; c < size_of(part.kind); ++c)
                 alone.mine[k][part.at + c] = calls.mine[k][part.at + c];
         }
-        if (only_wrong(alone).size() == 0) continue;
+        const std::size_t count = only_wrong(alone).size();
+        if (count == 0) continue;
+        ++wrong;
         bool right_otherwise = false;
         auto found = sure_relation(alone, ask_right, sampled, right_otherwise);
-        if (!is_exact(found) || found->other_numbers) return std::nullopt;
-        if (found->words.starts_with(as_changed))
+        if (count < enough || !is_exact(found) || found->other_numbers) continue;
+        ++explained;
+        const bool is_change = found->words.starts_with(as_changed);
+        are_changes = are_changes && is_change;
+        if (is_change)
             found->words = fmt::format("{} is exactly what the right fragment answers with {}", name_of(part),
                                        found->words.substr(as_changed.size()));
         if (all) found->words = all->words + "; " + found->words, found->everywhere &= all->everywhere;
         all = std::move(found);
     }
+    // of a sample whose place is wrong, any measure may be so
+    if (explained < wrong && sampled && !are_changes) return std::nullopt;
+    if (all && explained < wrong)
+        all->explains = Relation::Explains::some, all->share = double(explained) / double(2 * wrong);
     return all;
 }
 
@@ -131,7 +143,10 @@ std::optional<Relation> surest_relation(const Calls& calls, const Ask& mine, con
     };
     if (!is_exact(best) || best->words.find(always) != std::string::npos)
         take(relation_near_shapes(calls, mine, right));
-    if (!is_exact(best) && calls.result.parts.size() > 1) take(relation_of_parts(calls, right, sampled));
+    if (!is_exact(best) && calls.result.parts.size() > 1) {
+        auto parts = relation_of_parts(calls, right, sampled);
+        if (parts && (is_exact(parts) || !best || best->share < parts->share)) best = std::move(parts);
+    }
     std::size_t left = most_calls;
     if (!is_exact(best)) take(relation_of_both(picked(calls, most_compared), limited(right, left)));
     if (best) best->words += best->usually, add_others(*best, calls, right, sampled);

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "diagnosis/forms.h"
-
 namespace grade {
 
 namespace {
@@ -40,14 +38,10 @@ void Search::one_of_several() {
         most = same;
         const bool are_all = same == wrong_.size();
         best_ =
-            Relation{fmt::format("in {} wrong calls the answers are exactly what the right fragment answers "
-                                 "with {}{}",
+            Relation{fmt::format("in {} wrong calls {}{}{}",
                                  are_all ? fmt::format("all {}", same) : fmt::format("{} of {}", same, wrong_.size()),
-                                 change.words, are_all ? "" : other_mistakes),
-                     {},
-                     false,
-                     best_cost,
-                     Relation::Explains::some};
+                                 as_changed, change.words, are_all ? "" : other_mistakes)};
+        best_->everywhere = false, best_->cost = best_cost, best_->explains = Relation::Explains::some;
         best_->share = double(same) / double(wrong_.size());
         best_->others = std::move(others);
     }
@@ -94,57 +88,21 @@ void Search::two_changes(const std::vector<std::size_t>& scope) {
         }
 }
 
-std::optional<Relation> Search::by_parts() const {
-    std::string words;
-    std::size_t explained = 0;
-    for (const Field* part : parts_) {
-        const auto is_wrong = [&](std::size_t k) {
-            return counts(calls_.result, *part, calls_.mine[k], calls_.right[k]) &&
-                   !is_equal(*part, calls_.mine[k], calls_.right[k]);
-        };
-        if (std::ranges::count_if(wrong_, is_wrong) < std::ptrdiff_t(2 * enough_wrong)) continue;
-        double best = best_cost;
-        std::string found;
-        if (const auto form = form_of(calls_, *part, calls_.right, all_, false); form && !sampled_)
-            best = form->cost, found = fmt::format("{} {}", name_of(*part), form->words);
-        for (const Change& change : changes_) {
-            if (change.cost >= best || calls_.result.parts.size() < 2) break;
-            const auto right = answers(change, nullptr, all_);
-            if (!right || !tells(*right, all_)) continue;
-            // what counts for nothing explains nothing
-            if (std::ranges::any_of(wrong_,
-                                    [&](std::size_t k) { return is_wrong(k) && is_void(calls_.result, (*right)[k]); }))
-                continue;
-            if (const auto form = form_of(calls_, *part, *right, all_, true); form && form->words.empty())
-                best = change.cost, found = fmt::format("{} is exactly what the right fragment answers with {}",
-                                                        name_of(*part), change.words);
-        }
-        if (found.empty()) continue;
-        words += (words.empty() ? "" : "; ") + found, ++explained;
-    }
-    if (!words.empty()) {
-        Relation some{words, {}, true, best_cost, Relation::Explains::some};
-        some.share = double(explained) / double(2 * parts_.size());
-        return some;
-    }
+std::optional<Relation> Search::which_parts() const {
     // where a direction is right, the random numbers are used as the solution does, and what is wrong is wrong; the
     // other way round, another direction may be as good
     if (parts_.size() == calls_.result.parts.size() ||
         std::ranges::any_of(parts_, [&](const Field* part) { return is_place(*part); }))
         return std::nullopt;
-    std::string good;
+    std::string good, words;
     for (const Field& part : calls_.result.parts)
         if (std::ranges::count(parts_, &part) == 0) good += (good.empty() ? "" : ", ") + name_of(part);
     for (const Field* part : parts_) words += (words.empty() ? "" : ", ") + name_of(*part);
-    return Relation{
-        fmt::format("{} {} right, {} {} not", good, calls_.result.parts.size() - parts_.size() > 1 ? "are" : "is",
-                    words, parts_.size() > 1 ? "are" : "is"),
-        {},
-        true,
-        best_cost,
-        Relation::Explains::nothing,
-        false,
-        0};
+    Relation told{fmt::format("{} {} right, {} {} not", good,
+                              calls_.result.parts.size() - parts_.size() > 1 ? "are" : "is", words,
+                              parts_.size() > 1 ? "are" : "is")};
+    told.cost = best_cost, told.explains = Relation::Explains::nothing, told.share = 0;
+    return told;
 }
 
 }  // namespace grade
