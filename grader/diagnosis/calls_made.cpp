@@ -148,7 +148,30 @@ Calls near_shapes(const Calls& calls, const Ask& mine, const Ask& right) {
     return with_rows(calls, rows, mine, right);
 }
 
+namespace {
+
+/// Nothing where something must be, and something where nothing must be, each time.
+std::string inverted(const Calls& calls) {
+    constexpr std::ptrdiff_t least = 8;
+    const Field& part = calls.result.parts.front();
+    for (const double nothing : {rt::inf, 0.0}) {
+        std::ptrdiff_t lost = 0, added = 0, both = 0;
+        for (std::size_t k = 0; k < calls.size(); ++k) {
+            const bool mine = calls.mine[k][part.at] == nothing, right = calls.right[k][part.at] == nothing;
+            lost += mine && !right, added += !mine && right, both += !mine && !right;
+        }
+        if (part.kind == Kind::number && lost >= least && added >= least && both == 0)
+            return fmt::format(
+                "{} is {} wherever it must not be, and is not where it must be: is a test the wrong way round?",
+                name_of(part), number_in_words(nothing));
+    }
+    return {};
+}
+
+}  // namespace
+
 std::string usual_wrong_answer(const Calls& calls) {
+    if (const std::string words = inverted(calls); !words.empty()) return words;
     constexpr double nearly = 0.8;
     if (calls.result.parts.front().kind == Kind::flag) return {};
     std::vector<std::size_t> wrong;

@@ -117,7 +117,7 @@ std::string of_own_numbers(const Calls& all, const Ask& mine, const Ask& right) 
 
 /// Which values of a sum, or which of its shares, are wrong.
 std::string wrong_sums(const Calls& all, const Ask& mine, const Ask& right) {
-    const std::string rule = wrong_rule(all.signature, mine, right);
+    const std::string rule = wrong_rule(all, mine, right);
     return rule.empty() ? wrong_shares(all, mine, right) : rule;
 }
 

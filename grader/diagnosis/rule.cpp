@@ -82,10 +82,32 @@ std::string of_samples(const std::vector<double>& weights, const Ask& ask) {
     return in_words(terms, "radiance[{}]", 6);
 }
 
+/// How often a function is asked, and between which places, as it stands behind an answer.
+std::string use_in_words(const Row& answer, std::size_t at) {
+    return fmt::format("asked {} times, from {} to {}", answer.at(at), number_in_words(answer.at(at + 1)),
+                       number_in_words(answer.at(at + 2)));
+}
+
+/// Another function than the one that is summed, as a density, that is asked elsewhere.
+std::string wrong_use(const Calls& calls) {
+    constexpr std::size_t numbers = 3;
+    const auto& formulas = calls.layouts.front().formulas;
+    for (std::size_t i = 1; i < formulas.size(); ++i)
+        for (std::size_t k = 0; k < calls.size(); ++k) {
+            const std::size_t at = 1 + numbers * i;
+            const std::string mine = use_in_words(calls.mine[k], at), right = use_in_words(calls.right[k], at);
+            if (calls.right[k].at(at) > 1 && mine != right)
+                return fmt::format("for {} `{}` is {}; it must be {}",
+                                   arguments_in_words(calls.signature, calls.rows[k]), formulas[i].name, mine, right);
+        }
+    return {};
+}
+
 }  // namespace
 
-std::string wrong_rule(const Signature& signature, const Ask& mine, const Ask& right) {
-    const std::string& name = signature.fragment;
+std::string wrong_rule(const Calls& calls, const Ask& mine, const Ask& right) {
+    const std::string& name = calls.signature.fragment;
+    if (const std::string use = wrong_use(calls); !use.empty()) return use;
     if (name == "integrate_uniform")
         return of_function(
             "a = 0, b = 3, n = 3", [](const Integrand& f) { return row(f, 0.0, 3.0, 3); }, mine, right);

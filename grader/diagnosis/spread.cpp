@@ -133,7 +133,7 @@ bool is_spread(const std::vector<double>& x, const Usual& as) {
         even.push_back(as.quantile((double(i) + 0.5) / double(x.size())));
     }
     // evenly as far as so many points can be
-    return apart(x, steps) <= as_good || apart(x, even) <= 3 * as_good;
+    return apart(x, steps) <= as_good || apart(x, even) <= 5 * as_good;
 }
 
 /// A usual spread of directions that all calls have, and that the right ones do not have; empty: none.

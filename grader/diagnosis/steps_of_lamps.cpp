@@ -96,14 +96,20 @@ std::vector<Steps> of_light() {
                 return sample_towards(light, point - p);
             }),
         steps(
-            "of a sphere, sine = radius / distance of its centre", "Real sine; Real radius / distance^2; Real distance",
+            "of a sphere, sine = radius / distance of its centre",
+            "Real sine; Real radius / distance^2; Real distance; bool no density of 0 for a point inside of the "
+            "sphere; "
+            "bool no density of 0 for a point inside of the sphere: the sine cut off at 1",
             +[](const Emitter& light, const vec3& p, const vec2&) {
                 const Real far = length(light.sphere.center - p);
-                return row(light.sphere.radius / far, light.sphere.radius / (far * far), far);
+                return row(light.sphere.radius / far, light.sphere.radius / (far * far), far, false, false);
             },
             +[](const double* s, const Emitter& light, const vec3& p, const vec2& u) {
-                return light.kind == Emitter::Kind::sphere ? sphere_light(light, p, u, s[0])
-                                                           : right_sample(light, p, u);
+                if (light.kind != Emitter::Kind::sphere) return right_sample(light, p, u);
+                const Real sine = s[4] != 0 ? std::min(s[0], 1.0) : s[0];
+                auto all = from_row<LightSample>(sphere_light(light, p, u, sine));
+                if (s[3] != 0 || s[4] != 0) all.density = (1 + safe_sqrt(1 - sine * sine)) / (2 * pi * sine * sine);
+                return row(all);
             }),
         steps(
             "of a sphere, the axis of the cone is unit(center - p)", "vec3 the axis; vec3 center - p",

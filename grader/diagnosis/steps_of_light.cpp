@@ -48,7 +48,7 @@ struct Surface {
 
 Row steps_of_surface(vec3 n, vec3 to_light, vec3 to_viewer) {
     Row taken = row(dot(n, to_light), dot(n, to_light), cosine_of_highlight(n, to_light, to_viewer));
-    taken.resize(17);
+    taken.resize(18);
     taken[16] = dot(n, unit(to_light + to_viewer));
     return taken;
 }
@@ -59,6 +59,7 @@ Color reflected_by_steps(const double* s, const Material& material, Color light)
     const Surface surface{material, s[1] > 0 ? s[0] : 0, s[2]};
     const Real a = material.shininess, power = s[3] != 0    ? std::max(s[2], 0.0) * a
                                                : s[15] != 0 ? std::pow(s[2], a)
+                                               : s[17] != 0 ? std::pow(a, std::max(s[2], 0.0))
                                                             : surface.power_of(s[2]);
     const Real before = s[5] != 0   ? (a + 2) / (2 * pi)
                         : s[6] != 0 ? (a + 1) / (2 * pi)
@@ -81,7 +82,7 @@ constexpr const char* surface_names =
     "bool "
     "nothing at all returned where dot(n, d) <= 0, not even ambient light; bool albedo before the highlight as well; "
     "bool specular before the diffuse part as well; bool dot(r, c) not cut off at 0 before the power; Real dot(n, h) "
-    "with the half vector h = unit(d + c)";
+    "with the half vector h = unit(d + c); bool pow(shininess, max(dot(r, c), 0)), base and exponent exchanged";
 
 constexpr const char* surface_formula = "dot(n, d) / pi * albedo + pow(max(dot(r, c), 0), shininess) * specular";
 

@@ -65,13 +65,27 @@ std::optional<Relation> sure_relation(const Calls& calls, const Ask& ask_right, 
     return again && again->words != relation->words ? found(false, again_right, 2 * most_compared) : relation;
 }
 
+/// Which tests turn hits away that no range does.
+std::string tests_of(const std::string& fragment) {
+    if (fragment == "hit_sphere")
+        return "the discriminant: b * b - a * c with c = dot(f, f) - r^2, which must not be negative";
+    if (fragment == "hit_triangle")
+        return "u, v and u + v: their signs, and whether they are divided by the determinant";
+    return "abs(dot(p, u)) <= dot(u, u) and the same along v, with p measured from the centre";
+}
+
 /// Where no hit is found by what the checks ask, by rays that start near the shape.
 std::optional<Relation> relation_near_shapes(const Calls& calls, const Ask& ask_mine, const Ask& ask_right) {
     bool right_otherwise = false;
     const Calls near = near_shapes(calls, ask_mine, ask_right);
     if (near.size() == calls.size()) return std::nullopt;
     auto found = sure_relation(near, ask_right, false, right_otherwise);
-    return is_exact(found) ? found : std::nullopt;
+    if (is_exact(found) && found->words.find(always) == std::string::npos) return found;
+    if (std::ranges::any_of(near.mine, is_something)) return std::nullopt;
+    return Relation{
+        "no ray hits, not even one that starts at the shape and may hit anywhere along its line: what turns "
+        "hits away is not the range but a test before it, of " +
+        tests_of(calls.signature.fragment)};
 }
 
 /// What is wrong in the calls that a relation does not explain, behind its words.
