@@ -40,7 +40,10 @@ void Changes::add_same_to_two() {
     for (const Scalar& s : scalars_)
         for (const Scalar& other : scalars_)
             for (const Function& f : scalar_functions) {
-                if (s.name >= other.name || s.whole || other.whole || f.cost > dearest) continue;
+                // nobody adds the same to both
+                const std::string_view words = f.words;
+                const bool is_sum = words.ends_with("+ 1") || words.ends_with("- 1");
+                if (s.name >= other.name || s.whole || other.whole || f.cost > dearest || is_sum) continue;
                 if (!may_change(s.part) || !may_change(other.part)) continue;
                 const std::string first = filled(f.words, s.name), second = filled(f.words, other.name);
                 const double natural = first.starts_with("length(") ? 0.2 : 0;

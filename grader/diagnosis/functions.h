@@ -55,6 +55,7 @@ inline constexpr Function scalar_functions[] = {
     {"{} + 2", 1.7, [](double x) { return x + 2; }},
     {"{} - 2", 1.7, [](double x) { return x - 2; }},
     {"2 * {} - 1", 1.7, [](double x) { return 2 * x - 1; }},
+    {"(1 + {}) / 2", 1.7, [](double x) { return (1 + x) / 2; }},
     {"sqrt(sqrt({}))", 1.9, [](double x) { return std::sqrt(std::sqrt(x)); }},
     {"sqrt(1 - {0} * {0})", 1.8, [](double x) { return std::sqrt(1 - x * x); }},
     {"1 - {0} * {0}", 1.9, [](double x) { return 1 - x * x; }},

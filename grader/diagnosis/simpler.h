@@ -4,7 +4,8 @@
 
 namespace grade {
 
-/// Simpler values of a part of a row, the simplest first; those that are no simpler than what stands there are left out.
+/// Simpler values of a part of a row, the simplest first; those that are no simpler than what stands there are left
+/// out.
 std::vector<std::vector<double>> simpler_values(const Field& part, const Row& row);
 
 /// To so many digits.

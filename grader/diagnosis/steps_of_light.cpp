@@ -167,9 +167,9 @@ std::vector<Steps> of_amplitudes() {
         steps(
             "c2 = sqrt(1 - e^2 * (1 - c1^2)), e = e1 / e2",
             "Real e^2; Real 1 - c1^2; Real c1^2; bool 0 at total internal reflection; bool no root: c2 = 1 - e^2 * (1 "
-            "- c1^2)",
+            "- c1^2); Real (1 - c1)^2",
             +[](const Real& c1, const Real& e1, const Real& e2) {
-                return row(sqr(e1 / e2), 1 - c1 * c1, c1 * c1, false, false);
+                return row(sqr(e1 / e2), 1 - c1 * c1, c1 * c1, false, false, sqr(1 - c1));
             },
             +[](const double* s, const Real& c1, const Real& e1, const Real& e2) {
                 const Real squared = 1 - s[0] * (s[2] != c1 * c1 ? 1 - s[2] : s[1]);

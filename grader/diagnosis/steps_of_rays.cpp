@@ -51,16 +51,23 @@ Row first_root(Real near_root, Real far_root, const Ray& ray) {
 std::vector<Steps> of_sphere() {
     return {
         steps(
-            "(b -+ sqrt(b * b - a * c)) / a, a = dot(d, d), b = -dot(f, d), c = dot(f, f) - r^2, f = origin - center",
-            "Real a; Real b; Real c",
+            "(b -+ root) / a, root = sqrt(b * b - a * c), a = dot(d, d), b = -dot(f, d), c = dot(f, f) - r^2, f = "
+            "origin - center",
+            "Real a; Real b; Real c; Real root",
             +[](const Sphere& sphere, const Ray& ray) {
                 const vec3 f = ray.origin - sphere.center;
-                return row(dot(ray.direction, ray.direction), -dot(f, ray.direction), dot(f, f) - sqr(sphere.radius));
+                const Real a = dot(ray.direction, ray.direction), b = -dot(f, ray.direction),
+                           c = dot(f, f) - sqr(sphere.radius);
+                return row(a, b, c, std::sqrt(b * b - a * c));
             },
-            +[](const double* s, const Sphere&, const Ray& ray) {
-                const Real d = s[1] * s[1] - s[0] * s[2];
-                if (!(d >= 0)) return row(inf);
-                return first_root((s[1] - std::sqrt(d)) / s[0], (s[1] + std::sqrt(d)) / s[0], ray);
+            +[](const double* s, const Sphere& sphere, const Ray& ray) {
+                const vec3 f = ray.origin - sphere.center;
+                const Real a = dot(ray.direction, ray.direction), b = -dot(f, ray.direction),
+                           c = dot(f, f) - sqr(sphere.radius);
+                const bool is_other = s[0] != a || s[1] != b || s[2] != c;
+                const Real root = is_other ? std::sqrt(s[1] * s[1] - s[0] * s[2]) : s[3];
+                if (!(root == root)) return row(inf);
+                return first_root((s[1] - root) / s[0], (s[1] + root) / s[0], ray);
             }),
         steps(
             "(-b -+ sqrt(b^2 - 4 * a * c)) / (2 * a), b = 2 * dot(f, d), c = dot(f, f) - r^2, f = origin - center",
@@ -163,10 +170,14 @@ Steps of_triangle_vectors() {
 std::vector<Steps> of_quad() {
     return {
         steps(
-            "t = dot(center - origin, n) / dot(d, n), n = cross(u, v)", "Real dot(center - origin, n); Real dot(d, n)",
+            "t = dot(center - origin, n) / dot(d, n), n = cross(u, v)",
+            "Real dot(center - origin, n); Real dot(d, n); Real dot(center - origin, unit(n)); Real dot(d, unit(n)); "
+            "Real "
+            "dot(center, n); Real dot(origin, n)",
             +[](const Quad& quad, const Ray& ray) {
-                const vec3 n = cross(quad.u, quad.v);
-                return row(dot(quad.center - ray.origin, n), dot(ray.direction, n));
+                const vec3 n = cross(quad.u, quad.v), to = quad.center - ray.origin, d = ray.direction;
+                return row(dot(to, n), dot(d, n), dot(to, unit(n)), dot(d, unit(n)), dot(quad.center, n),
+                           dot(ray.origin, n));
             },
             +[](const double* s, const Quad& quad, const Ray& ray) {
                 const Real t = s[0] / s[1];

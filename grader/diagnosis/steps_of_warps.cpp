@@ -219,17 +219,20 @@ std::vector<Steps> of_scattering() {
     const auto take = +[](const vec3&, const Real& g, const vec2& u) {
         const Real s = 2 * u.x - 1;
         const Real c = (2 * s + g * (3 + s * s) + 2 * g * g * s + g * g * g * (s * s - 1)) / (2 * sqr(1 + g * s));
-        return row(c, c, 2 * pi * u.y, 1 - g * g, 1 + g * g - 2 * g * c, 1.5, false, false);
+        return row(c, c, 2 * pi * u.y, 1 - g * g, 1 + g * g - 2 * g * c, 1.5, false, false,
+                   std::sqrt(std::max(0.0, 1 - c * c)));
     };
     return {steps(
                 "density = (1 - g * g) / (4 * pi * pow(1 + g * g - 2 * g * c, 1.5))",
                 "Real c; Real c in the density; Real phi; Real 1 - g * g; Real 1 + g * g - 2 * g * c; Real 1.5; bool "
                 "directions uniform on the sphere, whatever g is, and the density that these would have with g; bool "
-                "directions uniform on the sphere, whatever g is",
+                "directions uniform on the sphere, whatever g is; Real sin(theta)",
                 take,
                 +[](const double* s, const vec3& d, const Real& g, const vec2& u) {
                     const bool is_uniform = s[6] != 0 || s[7] != 0;
-                    const Real c = is_uniform ? 2 * u.x - 1 : s[0], sine = std::sqrt(std::max(0.0, 1 - c * c));
+                    const Real c = is_uniform ? 2 * u.x - 1 : s[0];
+                    // of the right c, the sine that is given
+                    const Real sine = !is_uniform && s[1] == c ? s[8] : std::sqrt(std::max(0.0, 1 - c * c));
                     const Real usual = 1 + g * g - 2 * g * c;
                     const Real base = s[6] != 0                           ? usual
                                       : s[1] != s[0]                      ? 1 + g * g - 2 * g * s[1]

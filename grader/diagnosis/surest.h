@@ -13,8 +13,8 @@ inline bool is_exact(const std::optional<Relation>& found) {
 /// apart.
 std::optional<Relation> simpler(const std::optional<Relation>& of_arguments, const std::optional<Relation>& of_steps);
 
-/// The relation that says most: of all calls; else, of rays that start near the shape; of each part of the answer; of two
-/// mistakes in every call, or in some and in the others. right_otherwise: as of relation_of.
+/// The relation that says most: of all calls; else, of rays that start near the shape; of each part of the answer; of
+/// two mistakes in every call, or in some and in the others. right_otherwise: as of relation_of.
 std::optional<Relation> surest_relation(const Calls& calls, const Ask& mine, const Ask& right, bool sampled,
                                         bool& right_otherwise);
 
