@@ -10,7 +10,7 @@
 #include "files/files.h"
 #include "files/stamp.h"
 #include "judging/grading.h"
-#include "judging/judge_check.h"
+#include "judging/run_check.h"
 #include "report/json.h"
 
 namespace grade::calibration {

@@ -1,4 +1,4 @@
-#include "judging/judge_check.h"
+#include "judging/run_check.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "diagnosis/divergence.h"
-#include "judging/check_judge.h"
+#include "judging/check_decision.h"
 #include "judging/picture_cost.h"
 #include "statistics/image_fault.h"
 
@@ -262,7 +262,7 @@ private:
     Runner& runner_;
     Reference& reference_;
     const CheckSettings& settings_;
-    CheckJudge judge_;
+    CheckDecision judge_;
     CheckRecord record_;
     Observation first_;
     std::vector<rt::Image> shown_;  // the first replicates' pictures
@@ -273,7 +273,7 @@ private:
 
 }  // namespace
 
-CheckRecord judge_check(const Check& check, Runner& runner, Reference& reference, const CheckSettings& settings) {
+CheckRecord run_check(const Check& check, Runner& runner, Reference& reference, const CheckSettings& settings) {
     return Trial(check, runner, reference, settings).run();
 }
 
