@@ -62,6 +62,7 @@ inline rt::vec2 circle_of(double turn) { return {std::cos(2 * rt::pi * turn), st
 inline rt::vec2 on_disk(rt::vec2 u) { return std::sqrt(u.x) * circle_of(u.y); }
 
 std::vector<Steps> steps_of_integrals(const std::string& fragment);
+std::vector<Steps> steps_of_hits(const std::string& fragment);
 std::vector<Steps> steps_of_rays(const std::string& fragment);
 std::vector<Steps> steps_of_light(const std::string& fragment);
 std::vector<Steps> steps_of_warps(const std::string& fragment);
