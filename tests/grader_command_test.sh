@@ -30,6 +30,14 @@ expect 2 "there is no folder" "$grade" solution --json "$work/none/a.json"
 expect 2 "none.toml" "$grade" solution moved --html "$work/page" --picture "$work/none.toml"
 expect 3 "the grader failed" "$grade" solution moved --toolchain "$work/none.toml"
 
+# where the paths of a wrong picture part: the first line that differs is the fragment's own
+mkdir "$work/dim"
+sed 's/squared \/ (cosine/2 * squared \/ (cosine/' solution/light_sample.cpp >"$work/dim/light_sample.cpp"
+expect 0 "of 6" "$grade" "$work/dim" light_sample --seed 5 --html "$work/dim/page"
+expect 0 "Where a path parts" cat "$work/dim/page/index.html"
+parting=$(sed -n '/^yours:/,/^<\/pre>/p' "$work/dim/page/index.html" | grep -o 'density [0-9.]*' | head -2 | cut -d' ' -f2 | paste -sd' ')
+expect 0 "2.000" awk '{ printf "%.3f\n", $1 / $2 }' <<<"$parting"
+
 # the same seed gives the same record, but for the times
 "$grade" solution moved --seed 5 --json "$work/b.json" --html "$work/page" >/dev/null 2>&1
 timeless() { grep -v '_seconds"\|"command"\|"date"' "$1"; }

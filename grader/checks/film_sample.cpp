@@ -1,7 +1,8 @@
 #include "asked/film_sample.h"
+#include "checks/film_sample/checks.h"
 #include "checks/kit/convergence.h"
 #include "checks/kit/kit.h"
-#include "checks/kit/pictures.h"
+#include "checks/kit/own_numbers.h"
 #include "statistics/moments.h"
 
 namespace grade {
@@ -210,11 +211,11 @@ Checks check_film_sample(Generator& random) {
             probe_check("single_sample", single, {together}),
             probe_check("stratified", one_pixel, {variance_of_sample(n), dispersion_of_mean(n)}),
             even_in_the_pixel(n, inputs),
-            slanted_edges(random),
+            film_sample::slanted_edges(random),
             fine_stripes(random),
             error_orders(random, samples),
             rings(random, samples),
-            horizon(random)};
+            film_sample::horizon(random)};
 }
 
 }  // namespace grade

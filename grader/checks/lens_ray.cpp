@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "asked/lens_ray.h"
-#include "checks/kit/pictures.h"
 #include "checks/kit/warp.h"
+#include "checks/lens_ray/checks.h"
 #include "statistics/blob.h"
 #include "statistics/closed_forms.h"
 
@@ -243,7 +243,8 @@ Check corner(Generator& random) {
 }  // namespace
 
 Checks check_lens_ray(Generator& random) {
-    return {in_focus(), rays_of_lens(random), depths(random), corner(random), two_colors(random), adding_up(random)};
+    return {in_focus(),     rays_of_lens(random),         depths(random),
+            corner(random), lens_ray::two_colors(random), lens_ray::adding_up(random)};
 }
 
 }  // namespace grade

@@ -136,7 +136,8 @@ Check total_reflection(double low, double high) {
 
 Checks check_translucency(Generator& random) {
     const double low = between(random, 1, 1.1), high = between(random, 1.35, 1.8);
-    const double into_denser = between(random, 0.9, 1.2), into_thinner = between(random, 0.3, 0.5);
+    const double into_denser = between(random, 0.9, 1.2),
+                 into_thinner = std::asin(std::sin(between(random, 0.85, 1.1)) * low / high);
     const Checks any_exponent = lobe_of_any_exponent(
         false, [](vec3 d, vec3 n, double exponent, rt::vec2 u) { return row(d, n, 1.0, 1.5, exponent, u); });
     return joined(any_exponent, {refracted_rays(random, "head_on", 0, low, high),

@@ -62,11 +62,16 @@ void allow(double seconds) {
     setrlimit(RLIMIT_CPU, &limit);
 }
 
-std::string render(rt::Scene scene, const std::string& payload) {
-    RenderRequest request{};
-    if (payload.size() != sizeof request) throw std::runtime_error("a request to render of the wrong size");
+template <class Request>
+Request request_of(const std::string& payload) {
+    Request request{};
+    if (payload.size() != sizeof request) throw std::runtime_error("a request of the wrong size");
     std::memcpy(&request, payload.data(), sizeof request);
+    return request;
+}
 
+/// Of a picture; its size is the scene's afterwards.
+rt::RenderSettings settings_of(const RenderRequest& request, rt::Scene& scene) {
     rt::RenderSettings settings;
     settings.samples = request.samples;
     settings.seed = request.seed;
@@ -75,12 +80,23 @@ std::string render(rt::Scene scene, const std::string& payload) {
     settings.estimate_error = false;
     settings.one_of_many = request.one_of_many != 0;
     if (request.width > 0 && request.height > 0) scene.camera.size = {request.width, request.height};
+    return settings;
+}
+
+std::string render(rt::Scene scene, const std::string& payload) {
+    const rt::RenderSettings settings = settings_of(request_of<RenderRequest>(payload), scene);
     const rt::Rendering rendering = rt::render(scene, settings);
     std::vector<double> numbers{double(rendering.image.width), double(rendering.image.height), rendering.cpu_seconds};
     numbers.reserve(image_head + 3 * rendering.image.pixels.size());
     for (const std::uint64_t rays : rendering.rays) numbers.push_back(double(rays));
     for (const rt::Color& pixel : rendering.image.pixels) numbers.insert(numbers.end(), {pixel.r, pixel.g, pixel.b});
     return frame(FrameKind::image, bytes_of<double>(numbers));
+}
+
+std::string trace(rt::Scene scene, const std::string& payload) {
+    const auto request = request_of<TraceRequest>(payload);
+    const rt::RenderSettings settings = settings_of(request.picture, scene);
+    return frame(FrameKind::text, rt::trace_pixel(scene, settings, request.x, request.y));
 }
 
 std::string call(const std::string& fragment, const std::string& payload) {
@@ -97,11 +113,8 @@ std::string call(const std::string& fragment, const std::string& payload) {
 }
 
 std::string call_many(const std::string& payload) {
-    SwarmRequest request{};
-    if (payload.size() != sizeof request) throw std::runtime_error("a request for many calls of the wrong size");
-    std::memcpy(&request, payload.data(), sizeof request);
     const double start = cpu_seconds();
-    std::vector<double> numbers = swarm(request);
+    std::vector<double> numbers = swarm(request_of<SwarmRequest>(payload));
     numbers.insert(numbers.begin(), cpu_seconds() - start);
     return frame(FrameKind::rows, bytes_of<double>(numbers));
 }
@@ -138,6 +151,9 @@ int main(int argc, char** argv) {
                     break;
                 case FrameKind::render:
                     write_all(render(scene.value(), payload));
+                    break;
+                case FrameKind::trace:
+                    write_all(trace(scene.value(), payload));
                     break;
                 case FrameKind::swarm:
                     write_all(call_many(payload));

@@ -7,6 +7,7 @@
 #include <exception>
 #include <limits>
 
+#include "diagnosis/divergence.h"
 #include "judging/check_judge.h"
 #include "judging/picture_cost.h"
 #include "statistics/image_fault.h"
@@ -68,7 +69,7 @@ std::string advice(const Fault& fault, Reference& reference) {
     if (fault.verdict == Verdict::crashed) return fault.message;
     const std::string needed = solution < 0.01 ? "less than 0.01 s" : fmt::format("{:.2g} s", solution);
     return fmt::format("{}; the solution needs {}{}", fault.message, needed,
-                       fault.message.starts_with("ran longer") ? ": look for a loop that does not end" : "");
+                       fault.is_endless ? ": look for a loop that does not end" : "");
 }
 
 void add_picture(rt::Image& mean, const rt::Image& next, std::size_t count) {
@@ -171,6 +172,25 @@ private:
         return answer;
     }
 
+    /// How the paths part in the pixel of the clearest tile that is off most in the first picture.
+    void trace() {
+        const rt::Image& mine = first_.image;
+        const rt::Image& right = reference_.image(0);
+        const auto off = [&](rt::ivec2 p) { return glm::length(mine.at(p.x, p.y) - right.at(p.x, p.y)); };
+        const int tile = int(record_.tiles.clearest()), side = Tiles::side;
+        const rt::ivec2 corner(tile % record_.tiles.columns * side, tile / record_.tiles.columns * side);
+        rt::ivec2 pixel = corner;
+        for (int y = corner.y; y < std::min(corner.y + side, mine.height); ++y)
+            for (int x = corner.x; x < std::min(corner.x + side, mine.width); ++x)
+                if (off({x, y}) > off(pixel)) pixel = {x, y};
+        const auto told = runner_.trace(std::get<Render>(check_.experiment),
+                                        replicate_seed(settings_.seed, check_, Stream::submission, 0), pixel);
+        if (const auto* text = std::get_if<std::string>(&told))
+            record_.parting = first_divergence(*text, reference_.trace(pixel));
+        if (!record_.parting.empty())
+            record_.parting = fmt::format("pixel {},{}\n{}", pixel.x, pixel.y, record_.parting);
+    }
+
     void take(const Observation& observation) {
         judge_.add([&](std::size_t i) { return measured(check_.statistics[i], observation); });
     }
@@ -225,7 +245,9 @@ private:
             record_.message = "two seeds give one picture: are the random numbers that the fragment is handed used?";
         }
         if (is_render(check_)) add_picture_costs(record_, first_.image, fastest_, reference_);
-        if (settings_.pictures && is_render(check_)) add_solution_picture(record_, shown_, reference_);
+        if (!settings_.pictures || !is_render(check_)) return;
+        add_solution_picture(record_, shown_, reference_);
+        if (!record_.tiles.empty()) trace();
     }
 
     CheckRecord broken(const Fault& fault) {

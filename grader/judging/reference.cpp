@@ -70,6 +70,14 @@ double Reference::cpu_seconds() {
 
 const rt::Image& Reference::image(int which) { return with_seed_of_submission(which).image; }
 
+std::string Reference::trace(rt::ivec2 pixel) {
+    if (!runner_) runner_ = runners_.take();
+    auto outcome = runner_->trace(std::get<Render>(check_.experiment),
+                                  replicate_seed(seed_, check_, Stream::submission, 0), pixel);
+    if (std::holds_alternative<Fault>(outcome)) return {};
+    return std::move(std::get<std::string>(outcome));
+}
+
 rt::Image Reference::picture(int replicates) {
     rt::Image mean = image(0);
     for (int i = 1; i < replicates; ++i) {

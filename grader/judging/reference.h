@@ -54,6 +54,9 @@ public:
     /// The picture with the seed of one of the submission's replicates, of a check that renders.
     const rt::Image& image(int which);
 
+    /// What each of the solution's fragments answers along the paths of a pixel of image(0).
+    std::string trace(rt::ivec2 pixel);
+
     /// The mean picture of the submission's first replicates, of a check that renders.
     rt::Image picture(int replicates);
 

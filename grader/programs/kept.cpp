@@ -101,6 +101,7 @@ Json to_json(const CheckRecord& c) {
               {"right", c.tiles.right},
               {"t", c.tiles.t},
               {"p", c.tiles.p}}},
+            {"parting", c.parting},
             {"picture", kept_image(c.picture)},
             {"solution_picture", kept_image(c.solution_picture)}};
 }
@@ -117,6 +118,7 @@ CheckRecord check_record(const Json& j) {
     const Json& tiles = j.at("tiles");
     c.tiles = {tiles.at("columns"), tiles.at("rows"), tiles.at("mine"),
                tiles.at("right"),   tiles.at("t"),    tiles.at("p")};
+    c.parting = j.at("parting");
     c.picture = image_of(j.at("picture")), c.solution_picture = image_of(j.at("solution_picture"));
     return c;
 }

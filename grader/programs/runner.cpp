@@ -25,7 +25,8 @@ namespace {
 constexpr std::size_t most_error_bytes = 4096;
 constexpr std::size_t most_shown =
     200;  // of what a program says: enough for a sentence, too little to carry others' code out
-constexpr std::size_t most_checked = 16384;  // of what sanitizers say, which is read and not shown
+constexpr std::size_t most_checked = 16384;    // of what sanitizers say, which is read and not shown
+constexpr std::size_t most_traced = 4u << 20;  // bytes of a pixel's trace
 constexpr std::uint64_t most_memory = 2ull << 30;
 
 std::string too_much_memory() { return fmt::format("uses more than {} GB of memory", most_memory >> 30); }
@@ -40,6 +41,10 @@ int sampler_of(const std::string& name) {
     if (const auto sampler = rt::sampler_named(name)) return int(*sampler);
     throw rt::InputError(
         fmt::format("no sampler is named \"{}\"; expected {}", name, fmt::join(rt::sampler_names, ", ")));
+}
+
+RenderRequest request_of(const Render& experiment, std::uint64_t seed, rt::ivec2 size, bool one_of_many) {
+    return {seed, experiment.samples, sampler_of(experiment.sampler), size.x, size.y, one_of_many};
 }
 
 }  // namespace
@@ -71,7 +76,7 @@ Fault Runner::broken() {
         if (ending.waited)
             return {Verdict::timed_out, fmt::format("waits for something: no answer came within {:g} s", patience()),
                     excerpt};
-        return {Verdict::timed_out, fmt::format("ran longer than {:g} s", limit_), excerpt};
+        return {Verdict::timed_out, fmt::format("ran longer than {:g} s", limit_), excerpt, Trouble::none, true};
     }
     if (ending.how == Ending::How::signalled && ending.code == SIGSYS)
         return {Verdict::crashed, "starts other programs or processes: a fragment only computes", excerpt};
@@ -124,15 +129,20 @@ Outcome<std::vector<double>> Runner::ask(const std::string& request, int kind, s
     return numbers_of(answer.payload);
 }
 
+/// Tells the child which scene the next requests are about.
+std::optional<Fault> Runner::show(const Render& experiment) {
+    if (experiment.scene == scene_) return std::nullopt;
+    const rt::Scene scene = rt::parse_scene(experiment.scene, (meshes_ / "check.toml").string());
+    size_ = scene.camera.size;
+    if (const auto fault = tell(frame(FrameKind::scene, experiment.scene))) return fault;
+    scene_ = experiment.scene;
+    return std::nullopt;
+}
+
 Outcome<rt::Image> Runner::render(const Render& experiment, std::uint64_t seed, bool one_of_many) {
-    if (experiment.scene != scene_) {
-        const rt::Scene scene = rt::parse_scene(experiment.scene, (meshes_ / "check.toml").string());
-        size_ = scene.camera.size;
-        if (const auto fault = tell(frame(FrameKind::scene, experiment.scene))) return *fault;
-        scene_ = experiment.scene;
-    }
+    if (const auto fault = show(experiment)) return *fault;
     const rt::ivec2 size = experiment.size.x > 0 ? experiment.size : size_;
-    const RenderRequest request{seed, experiment.samples, sampler_of(experiment.sampler), size.x, size.y, one_of_many};
+    const RenderRequest request = request_of(experiment, seed, size, one_of_many);
     const std::size_t pixels = std::size_t(size.x) * std::size_t(size.y), count = image_head + 3 * pixels;
     auto outcome = ask(frame(FrameKind::render, bytes_of<RenderRequest>({&request, 1})), int(FrameKind::image), count);
     if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
@@ -147,6 +157,18 @@ Outcome<rt::Image> Runner::render(const Render& experiment, std::uint64_t seed, 
         image.pixels[i] = {numbers[image_head + 3 * i], numbers[image_head + 1 + 3 * i],
                            numbers[image_head + 2 + 3 * i]};
     return image;
+}
+
+Outcome<std::string> Runner::trace(const Render& experiment, std::uint64_t seed, rt::ivec2 pixel) {
+    if (const auto fault = show(experiment)) return *fault;
+    const rt::ivec2 size = experiment.size.x > 0 ? experiment.size : size_;
+    const TraceRequest request{request_of(experiment, seed, size, true), pixel.x, pixel.y};
+    const auto outcome = exchange(frame(FrameKind::trace, bytes_of<TraceRequest>({&request, 1})), most_traced);
+    if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
+    const Answer& answer = std::get<Answer>(outcome);
+    if (answer.kind == FrameKind::text) return answer.payload;
+    if (answer.kind == FrameKind::error) return thrown(answer.payload);
+    return Fault{Verdict::crashed, "the fragment wrote into the grader's channel", {}};
 }
 
 Outcome<std::vector<double>> Runner::swarm(const SwarmRequest& request) {

@@ -22,6 +22,7 @@ struct Fault {
     std::string message;  // what happened, and what to do
     std::string excerpt;  // of what the program printed; untrusted
     Trouble trouble = Trouble::none;
+    bool is_endless = false;  // one answer has taken all of its time
 };
 
 template <class Value>
@@ -40,6 +41,8 @@ public:
     /// one_of_many  a replicate: one sample a pixel is random then, too
     /// Throws rt::InputError for a scene that is none.
     Outcome<rt::Image> render(const Render& experiment, std::uint64_t seed, bool one_of_many = true);
+    /// What each fragment answers along the paths of a pixel of that picture. Untrusted text.
+    Outcome<std::string> trace(const Render& experiment, std::uint64_t seed, rt::ivec2 pixel);
     Outcome<Rows> probe(const std::string& fragment, const Rows& rows);
 
     /// Calls whose arguments the child makes up.
@@ -64,6 +67,7 @@ private:
     struct Answer;
     Outcome<std::vector<double>> ask(const std::string& request, int kind, std::size_t most_numbers);
     std::optional<Fault> tell(const std::string& request);
+    std::optional<Fault> show(const Render& experiment);
     Outcome<Answer> exchange(const std::string& request, std::size_t most_bytes);
     Fault broken();
     static Fault thrown(const std::string& what);

@@ -11,12 +11,13 @@
 ///     grader               child
 ///     scene  TOML text     done, or error with a text
 ///     render settings      image: width, height, CPU seconds, rays of each kind, then red, green, blue of each pixel
+///     trace  settings      text: what each fragment answers along the paths of a pixel
 ///     fragment  name       done
 ///     swarm  which         rows: CPU seconds, then one number for each call; see swarm.h
 ///     rows   rows          rows: CPU seconds, then one row of results for each
 namespace grade {
 
-enum class FrameKind : std::uint32_t { scene = 1, render, fragment, rows, done, image, error, swarm };
+enum class FrameKind : std::uint32_t { scene = 1, render, fragment, rows, done, image, error, swarm, trace, text };
 
 struct FrameHeader {
     FrameKind kind;
@@ -29,6 +30,11 @@ struct RenderRequest {
     std::int32_t samples, sampler;
     std::int32_t width, height;  // 0: the scene's
     std::int64_t one_of_many;    // 0 or 1: the mean of pictures with other seeds is what counts
+};
+
+struct TraceRequest {
+    RenderRequest picture;
+    std::int32_t x, y;
 };
 
 /// Numbers of an image's frame before its pixels: width, height, CPU seconds, rays of each kind.

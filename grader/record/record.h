@@ -55,6 +55,9 @@ struct CheckRecord {
 
     Tiles tiles;  // of a picture that is shown and fails: where it is wrong
 
+    // for the page only: how the paths of a pixel part from the solution's; untrusted text
+    std::string parting;
+
     // for the page only; drawn: as picture_parts gave them, of a record that has been read again
     rt::Image picture, solution_picture;
     std::string drawn;

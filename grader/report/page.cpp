@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -64,13 +65,22 @@ std::string tile_map(const CheckRecord& check) {
            "</div>\n";
 }
 
+/// The first answer along a path that is not the solution's.
+std::string parting(const CheckRecord& check) {
+    if (check.parting.empty()) return {};
+    return "<details class=\"parting\"><summary>Where a path parts from the solution's, with the same random numbers"
+           "</summary><pre tabindex=\"0\">" +
+           html(check.parting) + "</pre></details>\n";
+}
+
 std::string pictures(const CheckRecord& check) {
     if (!check.drawn.empty()) return check.drawn;
     if (check.picture.pixels.empty()) return {};
     // both alike, so that most of what is right can be seen
     const double exposure =
         preview_exposure(check.solution_picture.pixels.empty() ? check.picture : check.solution_picture);
-    return three_pictures(check.picture, check.solution_picture, exposure, "for " + check.name) + tile_map(check);
+    return three_pictures(check.picture, check.solution_picture, exposure, "for " + check.name) + tile_map(check) +
+           parting(check);
 }
 
 std::string statistics(const CheckRecord& check) {
@@ -193,7 +203,14 @@ std::string overview(const Record& record, const std::string& handout) {
                 "<tr class=\"part\"><td colspan=\"2\">{}</td><td class=\"number\">{:g} of {:g}</td><td></td></tr>\n{}",
                 html(part.title), have, most, rows);
     }
-    return text + "</table></section>\n";
+    text += "</table>\n";
+    if (std::ranges::any_of(record.fragments, [](const FragmentRecord& fragment) {
+            return fragment.verdict == Verdict::failed && fragment.points > 0;
+        }))
+        text +=
+            "<p class=\"soft\">Of a fragment that fails, each check that passes counts. A check that meets the mistake "
+            "in some scenes alone may pass under another seed; a fragment's verdict is the same under all.</p>\n";
+    return text + "</section>\n";
 }
 
 /// What to do first: the first fragment, in the order of the handout, that does not pass.

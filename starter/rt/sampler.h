@@ -133,9 +133,9 @@ struct Dimension {
     Dimension(Bits number, int pair, int n);  // the pair-th of those that are drawn, for n samples
 };
 
-/// Products with one element of the field of 2^h elements, h <= 8: byte k is the product with x^k.
+/// Products with one element of the field of 2^h elements, h <= 4: byte k is the product with x^k.
 constexpr Bits field_products(int h, Bits element) {
-    constexpr Bits polynomials[] = {1, 0x3, 0x7, 0xb, 0x13, 0x25, 0x43, 0x83, 0x11b};  // irreducible
+    constexpr Bits polynomials[] = {1, 0x3, 0x7, 0xb, 0x13};  // irreducible
     Bits products = 0;
     for (int k = 0; k < h; ++k) {
         products |= element << (8 * k);
@@ -145,13 +145,12 @@ constexpr Bits field_products(int h, Bits element) {
     return products;
 }
 
-/// An orthogonal array of n = 2^m samples has two digits of this many bits for each dimension, the second one bit less
-/// where m is odd.
-inline int digit_bits(int n) { return std::bit_width(unsigned(n - 1)) / 2 + std::bit_width(unsigned(n - 1)) % 2; }
+/// An orthogonal array of n = 4^h <= 256 samples has two digits of h bits for each dimension; see pattern_of.
+inline int digit_bits(int n) { return std::min(int(std::bit_width(unsigned(n - 1))) / 2, 4); }
 
 inline Dimension::Dimension(Bits number, int pair, int n) : number(number) {
     if (pair < 0) return;
-    const int h = std::min(digit_bits(n), 8), pairs = h > 0 ? 1 << (h - 1) : 1;
+    const int h = digit_bits(n), pairs = h > 0 ? 1 << (h - 1) : 1;
     column = pair % pairs;
     products = field_products(h, Bits(2 * column));
     round = Bits(pair / pairs);
@@ -170,10 +169,10 @@ struct Digits {
 
 /// Sample i of n in one pair of the dimensions of an orthogonal array of strength 2.
 ///
-/// n = 2^m is at most 2^16. In the field of 2^h elements, h = m/2, sample (a, b) has the leading digits u = b + c a and
+/// n = 4^h. In the field of 2^h elements, sample (a, b) has the leading digits u = b + c a and
 /// v = u + a, with another c for each pair: any two dimensions of two pairs have one sample in each of 2^h x 2^h cells.
-/// The second digits are those of the other dimension of the pair, turned round, which makes each pair a (0,m,2)-net.
-/// Where m is odd, a lacks a bit. There are 2^(h-1) pairs; those that follow take the samples in another order.
+/// The second digits are those of the other dimension of the pair, turned round, which makes each pair a
+/// (0,2h,2)-net. There are 2^(h-1) pairs; those that follow take the samples in another order.
 ///
 /// In the first round all this is linear: the digits of i ^ j are those of i ^ those of j.
 ///
@@ -181,7 +180,7 @@ struct Digits {
 /// Hyper-Graeco-Latin Squares", Sankhya 3(4), 1938; Jarosz et al., "Orthogonal Array Sampling for Monte Carlo
 /// Rendering", EGSR 2019.
 [[gnu::always_inline]] inline Digits orthogonal_digits(Bits key, int sample, int n, Dimension dimension) {
-    const int m = std::bit_width(std::uint32_t(n - 1)), h = digit_bits(n);
+    const int h = digit_bits(n), m = 2 * h;
     std::uint32_t i = std::uint32_t(sample);
     if (dimension.round > 0) {
         const Bits order = combine(~key, dimension.round);
@@ -190,11 +189,10 @@ struct Digits {
     }
     const std::uint32_t a = i >> h;
     std::uint32_t u = i & ((1u << h) - 1);
-    for (int k = 0; k < 8; ++k) u ^= (a & (1u << k)) != 0 ? std::uint32_t(dimension.products >> (8 * k)) & 0xff : 0;
+    for (int k = 0; k < 4; ++k) u ^= (a & (1u << k)) != 0 ? std::uint32_t(dimension.products >> (8 * k)) & 0xff : 0;
     const std::uint32_t v = u ^ a;
     const std::uint32_t turned = reversed_bytes(u | v << 16);
-    const int rest = 8 - (m - h);
-    return {u | turned >> 16 >> rest << h, v | (turned & 0xff) >> rest << h};
+    return {u | turned >> 16 >> (8 - h) << h, v | (turned & 0xff) >> (8 - h) << h};
 }
 
 /// The point of these digits, scrambled; one seed for each dimension.
@@ -265,9 +263,8 @@ template <Sampler sampler>
     return (permuted(i, n, combine(0, dimension.number)) + 0.5) / n;
 }
 
-/// The pattern that takes n samples. An orthogonal array has a power of four: with an odd power of two, two dimensions
-/// of different pairs go together. And at most 256: with more, what three dimensions do together is left, while Sobol's
-/// points go on to improve.
+/// The pattern that takes n samples. An orthogonal array has a power of four, at most 256: with more, what three
+/// dimensions do together is left, while Sobol's points go on to improve.
 inline Sampler pattern_of(Sampler sampler, int n) {
     const bool fits = std::has_single_bit(unsigned(n)) && std::countr_zero(unsigned(n)) % 2 == 0 && n <= 256;
     return sampler == Sampler::orthogonal && !fits ? Sampler::sobol : sampler;

@@ -1,4 +1,4 @@
-#include "checks/kit/pictures.h"
+#include "checks/lens_ray/checks.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include "statistics/blob.h"
 #include "statistics/closed_forms.h"
 
-namespace grade {
+namespace grade::lens_ray {
 
 using rt::vec2, rt::vec3;
 
@@ -104,4 +104,4 @@ Check adding_up(Generator& random) {
                          statistic("across the way", {-along.y, along.x}, streak_variance(0, blur, lamp))});
 }
 
-}  // namespace grade
+}  // namespace grade::lens_ray

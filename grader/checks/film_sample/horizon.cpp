@@ -1,11 +1,11 @@
-#include "checks/kit/pictures.h"
+#include "checks/film_sample/checks.h"
 
 #include <fmt/format.h>
 
 #include "checks/kit/later.h"
 #include "checks/kit/render_check.h"
 
-namespace grade {
+namespace grade::film_sample {
 
 namespace {
 
@@ -124,4 +124,4 @@ Check horizon(Generator& random) {
                   "pixel sees, however many pictures are averaged. Do samples fall everywhere in their cells?")})});
 }
 
-}  // namespace grade
+}  // namespace grade::film_sample

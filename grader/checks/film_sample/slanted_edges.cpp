@@ -1,4 +1,4 @@
-#include "checks/kit/pictures.h"
+#include "checks/film_sample/checks.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include "checks/kit/render_check.h"
 #include "statistics/spread.h"
 
-namespace grade {
+namespace grade::film_sample {
 
 namespace {
 
@@ -118,4 +118,4 @@ Check slanted_edges(Generator& random) {
     return render_check("slanted_edges", {scene, samples, "stratified"}, statistics);
 }
 
-}  // namespace grade
+}  // namespace grade::film_sample
