@@ -12,7 +12,7 @@ std::string printable(std::string_view text, std::size_t most = 2000);
 /// Text as it may stand in a page or in a quoted attribute; made printable first.
 std::string html(std::string_view text);
 
-/// The same, with what stands between backquotes as code.
+/// The same, with what stands between backquotes as code, and elsewhere powers raised: "pixel^2".
 std::string html_with_code(std::string_view text);
 
 }  // namespace grade
