@@ -65,22 +65,19 @@ std::string html(std::string_view text) {
     return safe;
 }
 
-namespace {
-
-/// "pixel^2" and "N^-1.5" with a raised power, and the unit "[m2]".
-std::string with_powers(std::string_view safe) {
+std::string with_powers(std::string_view safe, std::string_view open, std::string_view close) {
     constexpr std::string_view digits = "0123456789", square_metres = "[m2]";
     std::string raised;
     for (std::size_t i = 0; i < safe.size(); ++i) {
         const bool has_base = i > 0 && (std::isalnum(static_cast<unsigned char>(safe[i - 1])) || safe[i - 1] == ')');
         const std::size_t first = i + 1 + safe.substr(i + 1).starts_with('-');
         if (safe.substr(i).starts_with(square_metres)) {
-            raised += "[m<sup>2</sup>]";
+            raised += fmt::format("[m{}2{}]", open, close);
             i += square_metres.size() - 1;
         } else if (safe[i] == '^' && has_base && first < safe.size() && digits.find(safe[first]) != digits.npos) {
             std::size_t end = std::min(safe.find_first_not_of("0123456789./", first), safe.size());
             while (digits.find(safe[end - 1]) == digits.npos) --end;  // the end of a sentence
-            raised += fmt::format("<sup>{}</sup>", safe.substr(i + 1, end - i - 1));
+            raised += fmt::format("{}{}{}", open, safe.substr(i + 1, end - i - 1), close);
             i = end - 1;
         } else {
             raised += safe[i];
@@ -88,8 +85,6 @@ std::string with_powers(std::string_view safe) {
     }
     return raised;
 }
-
-}  // namespace
 
 std::string html_with_code(std::string_view text) {
     const std::string safe = html(text);

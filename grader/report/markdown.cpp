@@ -65,15 +65,18 @@ std::string row_of(std::string_view line, const std::vector<std::string_view>& h
 
 std::string header_of(const std::vector<std::string_view>& headers) {
     std::string text = "<tr>";
-    for (const std::string_view header : headers) text += fmt::format("<th>{}</th>", inline_html(header));
+    for (const std::string_view header : headers)
+        text += trimmed(header).empty() ? "<td></td>" : fmt::format("<th>{}</th>", inline_html(header));
     return text + "</tr>\n";
 }
 
 /// number  among the page's tables: no two regions may have one name
 std::string table_of(const std::vector<std::string_view>& rows, int number) {
-    std::string text = fmt::format(
-        "<div class=\"scroll plain\" role=\"region\" tabindex=\"0\" aria-label=\"table {}\"><table>\n", number);
+    constexpr std::size_t many = 6;  // columns, for which there is room on wide pages alone
     const auto headers = cells_of(rows.front());
+    std::string text =
+        fmt::format("<div class=\"scroll plain{}\" role=\"region\" tabindex=\"0\" aria-label=\"table {}\"><table>\n",
+                    headers.size() > many ? " many" : "", number);
     for (std::size_t i = 0; i < rows.size(); ++i)
         if (!rows[i].starts_with("|--")) text += i == 0 ? header_of(headers) : row_of(rows[i], headers);
     return text + "</table></div>\n";

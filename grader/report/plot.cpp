@@ -43,7 +43,7 @@ struct Axis {
 std::string text(double x, double y, const std::string& anchor, const std::string& words,
                  const std::string& more = "") {
     return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" {}>{}</text>\n", x, y, anchor, more,
-                       html(words));
+                       with_powers(html(words), "<tspan dy=\"-5\" font-size=\"9\">", "</tspan>"));
 }
 
 std::string power(double decade) {
