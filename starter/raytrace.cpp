@@ -71,8 +71,8 @@ void describe_options(CLI::App& app, Options& o) {
 }
 
 /// A mistake on the command line.
-struct UsageError : std::runtime_error {
-    using std::runtime_error::runtime_error;
+struct UsageError : rt::InputError {
+    using rt::InputError::InputError;
 };
 
 /// The scene, with the options that take the place of its settings.
@@ -195,9 +195,6 @@ int main(int count, char** words) {
     try {
         return run(options);
     } catch (const rt::InputError& error) {
-        fmt::print(stderr, "{}\n", error.what());
-        return bad_input;
-    } catch (const UsageError& error) {
         fmt::print(stderr, "{}\n", error.what());
         return bad_input;
     } catch (const std::bad_alloc&) {

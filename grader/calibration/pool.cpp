@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "judging/judge_check.h"
+#include "judging/run_check.h"
 #include "programs/kept_file.h"
 
 namespace grade::calibration {

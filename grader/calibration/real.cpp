@@ -8,8 +8,9 @@
 
 #include "diagnosis/diagnosis.h"
 #include "files/files.h"
+#include "files/stamp.h"
 #include "judging/grading.h"
-#include "judging/judge_check.h"
+#include "judging/run_check.h"
 #include "report/json.h"
 
 namespace grade::calibration {
@@ -22,9 +23,7 @@ std::string lower(std::string text) {
 }
 
 /// Of the record without what depends on time and load.
-std::string timeless_hash(const Record& record) {
-    return fmt::format("{:016x}", std::hash<std::string>{}(timeless_json(record)));
-}
+std::string timeless_hash(const Record& record) { return Stamp().add(timeless_json(record)).text(); }
 
 /// Whether a statistic that fails knows its cause by itself.
 bool has_suspect(const FragmentRecord& fragment) {
@@ -61,9 +60,9 @@ std::vector<Bundle> bundles(const std::vector<const Variant*>& variants, const s
                 bundle.variants.push_back(list.front()), list.erase(list.begin());
         std::erase_if(waiting, [](const auto& entry) { return entry.second.empty(); });
         // results are kept by name: another choice of variants must not find those of this one
-        std::size_t hash = 0;
-        for (const Variant* variant : bundle.variants) hash = 31 * hash + std::hash<std::string>{}(variant->name);
-        bundle.name += fmt::format("-{:04x}", hash & 0xffff);
+        Stamp names;
+        for (const Variant* variant : bundle.variants) names.add(variant->name);
+        bundle.name += "-" + names.text().substr(0, 4);
         if (!bundle.variants.empty()) all.push_back(std::move(bundle));
     }
     return all;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "judging/check_judge.h"
+#include "judging/check_decision.h"
 #include "record/record.h"
 #include "statistics/distributions.h"
 #include "statistics/moments.h"
@@ -19,7 +19,7 @@ struct Replayed {
 Replayed replay_check(const PooledCheck& stored, const Settings& settings, std::mt19937_64& random) {
     const Pool& pool = *stored.pool;
     if (pool.unfit || pool.replicates() == 0) return {Verdict::failed, 2};
-    CheckJudge judge(*stored.check, settings);
+    CheckDecision judge(*stored.check, settings);
     std::uniform_int_distribution<int> any(0, pool.replicates() - 1);
     int count = 0;
     while (count == 0 || count < judge.wanted()) {

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <fstream>
 #include <numeric>
 #include <thread>
 
 #include "judging/grading.h"
+#include "judging/provenance.h"
 
 namespace grade::calibration {
 
@@ -25,14 +25,6 @@ std::string rate(long hits, long all) {
 
 std::string share(long hits, long all) {
     return all > 0 ? fmt::format("{} of {} ({:.1f} %)", hits, all, 100.0 * double(hits) / double(all)) : "not run";
-}
-
-std::string machine() {
-    std::ifstream file("/proc/cpuinfo");
-    for (std::string line; std::getline(file, line);)
-        if (line.starts_with("model name"))
-            return fmt::format("{}, {} threads", line.substr(line.find(':') + 2), std::thread::hardware_concurrency());
-    return fmt::format("{} threads", std::thread::hardware_concurrency());
 }
 
 template <class Rows, class Value>
@@ -255,7 +247,9 @@ std::string calibration_report(const Summary& s, const std::string& command, con
     text += fmt::format(
         "Made by `{}` on {:%Y-%m-%d}, {}. {} of {} steps were done; each statistic of each variant has {} replicates "
         "or more,\nand {} statistics with noise share alpha.\n\n",
-        command, fmt::localtime(std::time(nullptr)), machine(), s.steps_done, s.steps, s.least_replicates, s.noisy);
+        command, fmt::localtime(std::time(nullptr)),
+        fmt::format("{}, {} threads", name_of_processor(), std::thread::hardware_concurrency()), s.steps_done, s.steps,
+        s.least_replicates, s.noisy);
     text +=
         "**Real** gradings run programs, on fresh seeds. **Replays** draw replicates from stores, with replacement, "
         "and decide with the same\n"

@@ -10,7 +10,7 @@
 #include "calibration/results.h"
 #include "files/files.h"
 #include "judging/grading.h"
-#include "judging/judge_check.h"
+#include "judging/run_check.h"
 #include "programs/parallel.h"
 #include "statistics/distributions.h"
 

@@ -87,7 +87,7 @@ struct FloorUnderLamp {
     std::string name;
     bool sampled = true, pane = false;
     std::string where;  // the lamp is
-    KnownRatio known;
+    KnownValue known;
 };
 
 Check floor_under_lamp(Generator& random, const FloorUnderLamp& setting) {

@@ -2,7 +2,7 @@
 #include "checks/film_sample/checks.h"
 #include "checks/kit/convergence.h"
 #include "checks/kit/kit.h"
-#include "checks/kit/pictures.h"
+#include "checks/kit/own_numbers.h"
 #include "statistics/moments.h"
 
 namespace grade {

@@ -1,6 +1,6 @@
 #include "asked/free_flight.h"
 #include "checks/kit/kit.h"
-#include "checks/kit/pictures.h"
+#include "checks/kit/white_medium.h"
 
 namespace grade {
 

@@ -1,6 +1,6 @@
 #include "asked/scatter_direction.h"
-#include "checks/kit/pictures.h"
 #include "checks/kit/warp.h"
+#include "checks/kit/white_medium.h"
 
 namespace grade {
 

@@ -28,18 +28,11 @@ Statistic about_ray(const std::string& what, Violation violation, double toleran
                      .says = says});
 }
 
-}  // namespace
+/// Ordinary scenes are some metres wide: plain code with an epsilon of a millimetre passes.
+constexpr double small = 2e-3;
 
-Checks check_shadow_ray(Generator& random) {
-    const auto inputs = rows_of(64, [](Generator& draw) {
-        const vec3 point = box(draw, -5, 5), n = direction(draw);
-        // not along the normal: there an origin off the surface brings the far end as close to the light as it was
-        // moved
-        const double distance = chance(draw, 0.2) ? rt::inf : log_between(draw, 0.5, 50);
-        return row(Hit{point, n, 1e-14 * (1 + rt::largest(point))}, tilted(draw, n, between(draw, 0.1, 1.4)), distance);
-    });
-    // ordinary scenes are some metres wide: plain code with an epsilon of a millimetre passes
-    const double small = 2e-3;
+/// Where the ray starts, and where it runs.
+std::vector<Statistic> begin_of_ray() {
     const Statistic aim = about_ray(
         "angle off the light [rad]",
         [](const Ray& r, const Hit&, vec3 to_light, double) {
@@ -67,6 +60,11 @@ Checks check_shadow_ray(Generator& random) {
             return height_of_start(r, hit) < -0.5 * hit.error ? 1.0 : 0.0;
         },
         0, "the ray starts on the wrong side, inside the surface: it must leave on the side to which it points");
+    return {aim, inside, clear, start};
+}
+
+/// Where it ends.
+std::vector<Statistic> end_of_ray() {
     // how far the ray's end is beyond the light, as a share of the distance
     const auto over = [](const Ray& r, const Hit& hit, vec3 to_light, double distance) {
         return std::isinf(distance) ? -1 : along(r, r.far, hit, to_light) / distance - 1;
@@ -92,7 +90,20 @@ Checks check_shadow_ray(Generator& random) {
         2 * small,
         "the ray ends too far before the light: what is near the light casts no shadow; is its far end in units of its "
         "direction?");
-    return {probe_check("from_surface_to_light", inputs, {aim, inside, clear, start, before, beyond}),
+    return {beyond, before};
+}
+
+}  // namespace
+
+Checks check_shadow_ray(Generator& random) {
+    const auto inputs = rows_of(64, [](Generator& draw) {
+        const vec3 point = box(draw, -5, 5), n = direction(draw);
+        // not along the normal: there an origin off the surface brings the far end as close to the light as it was
+        // moved
+        const double distance = chance(draw, 0.2) ? rt::inf : log_between(draw, 0.5, 50);
+        return row(Hit{point, n, 1e-14 * (1 + rt::largest(point))}, tilted(draw, n, between(draw, 0.1, 1.4)), distance);
+    });
+    return {probe_check("from_surface_to_light", inputs, joined(begin_of_ray(), end_of_ray())),
             shadow_check(random, "hard_shadow", any_shadow(random, std::nullopt))};
 }
 

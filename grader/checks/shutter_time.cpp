@@ -2,7 +2,7 @@
 
 #include "asked/shutter_time.h"
 #include "checks/kit/kit.h"
-#include "checks/kit/pictures.h"
+#include "checks/kit/own_numbers.h"
 #include "statistics/sharing.h"
 
 namespace grade {

@@ -1,6 +1,6 @@
 #include "asked/whitted.h"
+#include "checks/kit/glass.h"
 #include "checks/kit/kit.h"
-#include "checks/kit/pictures.h"
 
 namespace grade {
 

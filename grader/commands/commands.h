@@ -66,6 +66,27 @@ CLI::App* add_theory_command(CLI::App& app, TheoryArguments& arguments);
 /// an answer is wrong or missing.
 int run_theory(const TheoryArguments& arguments, const std::string& toolchain);
 
+struct HandOutArguments {
+    std::string folder, gradescope;
+    std::vector<std::string> others;
+    std::optional<std::uint64_t> seed;
+    bool installed = false;
+};
+
+CLI::App* add_hand_out_command(CLI::App& app, HandOutArguments& arguments);
+
+/// grade hand-out: a kit. Returns the exit code.
+int run_hand_out(const HandOutArguments& arguments, const std::string& toolchain);
+
+struct DescribeArguments {
+    std::string handout, students;
+};
+
+CLI::App* add_describe_command(CLI::App& app, DescribeArguments& arguments);
+
+/// grade describe: tables of points, of checks, and of the keys of scenes. Returns the exit code.
+int run_describe(const DescribeArguments& arguments, const std::string& toolchain);
+
 /// grade WORD...: the command line. Returns the exit code.
 int run_command_line(int argc, char** argv);
 

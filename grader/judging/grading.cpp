@@ -10,8 +10,8 @@
 #include "files/sha256.h"
 #include "judging/fault.h"
 #include "judging/finding.h"
-#include "judging/judge_check.h"
 #include "judging/provenance.h"
+#include "judging/run_check.h"
 #include "programs/parallel.h"
 
 namespace grade {
@@ -241,7 +241,7 @@ CheckRecord Grading::judge(const Task& task, Lane& lane, SolutionRunners& soluti
             auto runner = is_used ? std::move(lane.runner)
                                   : std::make_unique<Runner>(programs_.with({task.check->fragment}).program,
                                                              programs_.sandbox(), meshes, settings_.time_limit);
-            CheckRecord record = judge_check(*task.check, *runner, reference, settings);
+            CheckRecord record = run_check(*task.check, *runner, reference, settings);
             // who never answered may not even have started, and an earlier check may have broken what it left
             const bool is_doubtful = is_used || runner->seconds_in_all() == 0;
             if (record.verdict == Verdict::crashed && is_doubtful && !again) continue;

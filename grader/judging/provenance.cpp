@@ -35,6 +35,8 @@ std::string hash_of_reference(const Toolchain& chain) {
     return sha256(lines);
 }
 
+}  // namespace
+
 std::string name_of_processor() {
     // nobody knows the length of a file in /proc
     std::string name, text;
@@ -51,8 +53,6 @@ std::string name_of_processor() {
     uname(&names);
     return names.machine;
 }
-
-}  // namespace
 
 Provenance find_provenance(const Toolchain& chain) {
     Provenance p;

@@ -18,6 +18,9 @@ std::string hash_of(const std::vector<Check>& checks);
 /// Of the lines "HASH  NAME.cpp", as sha256sum prints them, of the texts in the order of the assignment.
 std::string hash_of(const std::map<std::string, std::string>& texts, const Assignment& assignment);
 
+/// As /proc/cpuinfo has it.
+std::string name_of_processor();
+
 /// "2026-01-31T12:00:00Z"
 std::string now();
 

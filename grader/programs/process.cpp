@@ -29,22 +29,22 @@ namespace grade {
 namespace {
 
 /// A pair of sockets: one end is the grader's, one goes to the program.
-struct Way {
+struct SocketPair {
     int here = -1, there = -1;
 
-    Way() {
+    SocketPair() {
         int ends[2];
         if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
             throw std::runtime_error(fmt::format("no way to a program: {}; expected more free descriptors (ulimit -n)",
                                                  std::strerror(errno)));
         here = ends[0], there = ends[1];
     }
-    ~Way() {
+    ~SocketPair() {
         for (const int end : {here, there})
             if (end >= 0) close(end);
     }
-    Way(const Way&) = delete;
-    Way& operator=(const Way&) = delete;
+    SocketPair(const SocketPair&) = delete;
+    SocketPair& operator=(const SocketPair&) = delete;
 
     int take() { return std::exchange(here, -1); }
 };
@@ -126,7 +126,7 @@ Process::Process(const std::vector<std::string>& arguments, const Limits& limits
     std::array<char*, 6> environment{path,   language, address, undefined, walls.itself ? temporary.data() : nullptr,
                                      nullptr};
 
-    Way in, out, err, results, calls;
+    SocketPair in, out, err, results, calls;
     const bool hands_over = !walls.itself && !walls.calls.code.empty();
     if (hands_over && ::write(calls.here, walls.calls.code.data(), walls.calls.code.size() * sizeof(sock_filter)) < 0)
         throw std::runtime_error(fmt::format("no filter of system calls: {}", std::strerror(errno)));

@@ -105,7 +105,7 @@ void Judge::judge(Verdict verdict, const Comparison& c) {
 
 void Judge::advance() {
     const int have = int(truth_ ? own_.size() : std::min(own_.size(), reference_.size()));
-    while (!judgement_ && have >= wanted_) wanted_ == look_ ? look_at() : confirm();
+    while (!judgement_ && have >= wanted_) waits_for_confirmation() ? confirm() : look_at();
 }
 
 void Judge::look_at() {

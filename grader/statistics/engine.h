@@ -76,6 +76,8 @@ private:
     std::optional<double> truth_;
     std::vector<double> own_, reference_;
 
+    bool waits_for_confirmation() const { return wanted_ > look_; }
+
     int look_, wanted_;  // wanted_ is twice look_ while a failure waits for its confirmation
     double beta_left_;   // not spent yet
     double screen_tail_, confirm_tail_;

@@ -7,6 +7,9 @@
 #include <cstdint>
 #include <numbers>
 
+#include "files/stamp.h"
+#include "rt/sampler.h"
+
 namespace grade {
 
 namespace {
@@ -29,20 +32,15 @@ std::string plain(const std::string& name) {
 /// The numbers of a name, one after the other: FNV-1a, mixed as in splitmix64.
 class Draw {
 public:
-    explicit Draw(const std::string& name) {
-        for (const char c : plain(name)) state_ = (state_ ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-    }
+    explicit Draw(const std::string& name) : state_(fnv1a(plain(name))) {}
 
     /// low + k step, of `count` such numbers.
     double operator()(double low, double step, int count) {
-        std::uint64_t x = state_ += 0x9e3779b97f4a7c15ULL;
-        x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
-        x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
-        return low + step * double((x ^ (x >> 31)) % std::uint64_t(count));
+        return low + step * double(rt::mix(state_ += 0x9e3779b97f4a7c15ULL) % std::uint64_t(count));
     }
 
 private:
-    std::uint64_t state_ = 0xcbf29ce484222325ULL;
+    std::uint64_t state_;
 };
 
 Question irradiance(Draw& draw) {

@@ -32,9 +32,9 @@ struct Owned<std::span<const rt::Stratum>> {
 };
 
 template <class Fragment>
-struct Signature;
+struct TypesOf;
 template <class Value, class... Parameters>
-struct Signature<Value (*)(Parameters...)> {
+struct TypesOf<Value (*)(Parameters...)> {
     using Result = Value;
     using Arguments = std::tuple<typename Owned<std::decay_t<Parameters>>::Type...>;
 
@@ -50,7 +50,7 @@ struct Signature<Value (*)(Parameters...)> {
 /// What the fragment returned: result<rt::camera_ray>(outputs) is a Ray.
 template <auto fragment>
 auto result(const Row& outputs) {
-    return from_row<typename Signature<decltype(fragment)>::Result>(outputs);
+    return from_row<typename TypesOf<decltype(fragment)>::Result>(outputs);
 }
 
 /// f(result) of each row, for a result that several fragments have.
@@ -62,13 +62,13 @@ auto of_result(F f) {
 /// One argument: argument<rt::light_sample, 2>(inputs) is u.
 template <auto fragment, std::size_t index>
 auto argument(const Row& inputs) {
-    return std::get<index>(Signature<decltype(fragment)>::arguments(inputs));
+    return std::get<index>(TypesOf<decltype(fragment)>::arguments(inputs));
 }
 
 /// f(arguments...) of each row of inputs.
 template <auto fragment, class F>
 auto of_arguments(F f) {
-    return [f](const Row& inputs) { return std::apply(f, Signature<decltype(fragment)>::arguments(inputs)); };
+    return [f](const Row& inputs) { return std::apply(f, TypesOf<decltype(fragment)>::arguments(inputs)); };
 }
 
 /// f(result) or f(result, arguments...) of each row of inputs and outputs.
@@ -79,7 +79,7 @@ auto of_call(F f) {
         if constexpr (std::is_invocable_v<F, decltype(value)>)
             return f(value);
         else
-            return std::apply(f, std::tuple_cat(std::tuple(value), Signature<decltype(fragment)>::arguments(inputs)));
+            return std::apply(f, std::tuple_cat(std::tuple(value), TypesOf<decltype(fragment)>::arguments(inputs)));
     };
 }
 

@@ -105,7 +105,7 @@ Hint by_value(std::string what, std::vector<KnownValue> known, double near, std:
     };
 }
 
-Hint by_ratio(std::string what, std::vector<KnownRatio> known, std::string else_words) {
+Hint by_ratio(std::string what, std::vector<KnownValue> known, std::string else_words) {
     return [=](double value, double truth) {
         const double ratio = value / truth;
         return explained(fmt::format("{} is {:.3g} times what it must be", what, ratio),

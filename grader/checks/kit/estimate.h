@@ -50,8 +50,7 @@ struct KnownValue {
 Hint by_value(std::string what, std::vector<KnownValue> known, double near, std::string else_words = "");
 
 /// The same for the ratio value/truth: {{2.0, "the radius is the diameter"}, ...}.
-using KnownRatio = KnownValue;
-Hint by_ratio(std::string what, std::vector<KnownRatio> known, std::string else_words = "");
+Hint by_ratio(std::string what, std::vector<KnownValue> known, std::string else_words = "");
 
 /// A hint whose known values take a while: made where it is told.
 inline Hint hint_later(std::function<Hint()> make) {

@@ -52,7 +52,7 @@ private:
     template <class F>
     static auto from(F f) {
         return [f](const Row& inputs, const Row& right) {
-            const auto arguments = Signature<decltype(fragment)>::arguments(inputs);
+            const auto arguments = TypesOf<decltype(fragment)>::arguments(inputs);
             if constexpr (Takes<F, std::remove_const_t<decltype(arguments)>>::value)
                 return row(std::apply(f, arguments));
             else
@@ -70,7 +70,7 @@ struct Suspect {
 template <auto fragment>
 struct Circumstance {
     std::string words;
-    typename Signature<decltype(fragment)>::template Function<bool> holds;
+    typename TypesOf<decltype(fragment)>::template Function<bool> holds;
 };
 
 /// The formula of one fragment, in the types of its declaration.
@@ -78,7 +78,7 @@ template <auto fragment>
 struct Formula {
     std::string id, what;
     double tolerance = 0;
-    typename Signature<decltype(fragment)>::template Function<typename Signature<decltype(fragment)>::Result> right;
+    typename TypesOf<decltype(fragment)>::template Function<typename TypesOf<decltype(fragment)>::Result> right;
     std::vector<Suspect<fragment>> suspects;
     std::vector<Circumstance<fragment>> circumstances;
 };

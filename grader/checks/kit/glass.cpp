@@ -1,4 +1,4 @@
-#include "checks/kit/pictures.h"
+#include "checks/kit/glass.h"
 
 #include <fmt/format.h>
 

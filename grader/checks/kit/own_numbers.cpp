@@ -1,4 +1,4 @@
-#include "checks/kit/pictures.h"
+#include "checks/kit/own_numbers.h"
 
 #include <fmt/format.h>
 

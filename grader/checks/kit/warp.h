@@ -121,7 +121,7 @@ Check axes_of_the_world(RowWith row_with) {
 
 /// The density that is returned must be that of the direction or point that is returned: density(sample).
 template <auto fragment, class Density>
-Statistic right_density(Density density, double tolerance, std::vector<KnownRatio> known) {
+Statistic right_density(Density density, double tolerance, std::vector<KnownValue> known) {
     Statistic s = property({.id = "V3",
                             .what = "returned density, off by its share",
                             .violation = of_call<fragment>([density](const auto& sample) {

@@ -1,4 +1,4 @@
-#include "checks/kit/pictures.h"
+#include "checks/kit/white_medium.h"
 
 #include <fmt/format.h>
 

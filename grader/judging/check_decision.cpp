@@ -1,4 +1,4 @@
-#include "judging/check_judge.h"
+#include "judging/check_decision.h"
 
 #include <algorithm>
 
@@ -6,14 +6,14 @@
 
 namespace grade {
 
-CheckJudge::CheckJudge(const Check& check, const Settings& settings)
+CheckDecision::CheckDecision(const Check& check, const Settings& settings)
     : check_(check), judgements_(check.statistics.size()) {
     judges_.reserve(check.statistics.size());
     for (const Statistic& statistic : check.statistics)
         judges_.emplace_back(Tolerance{statistic.delta0, statistic.delta}, settings, statistic.truth);
 }
 
-void CheckJudge::add(const Scalars& scalars, const std::function<std::optional<double>(std::size_t)>& exact) {
+void CheckDecision::add(const Scalars& scalars, const std::function<std::optional<double>(std::size_t)>& exact) {
     for (std::size_t i = 0; i < judges_.size(); ++i) {
         const Statistic& statistic = check_.statistics[i];
         if (statistic.exact) {
@@ -31,7 +31,7 @@ void CheckJudge::add(const Scalars& scalars, const std::function<std::optional<d
     first_ = false;
 }
 
-void CheckJudge::add_reference(const Scalars& scalars) {
+void CheckDecision::add_reference(const Scalars& scalars) {
     for (std::size_t i = 0; i < judges_.size(); ++i) {
         if (!is_open(i) || check_.statistics[i].truth) continue;
         judges_[i].add_reference(scalars(i));
@@ -39,20 +39,20 @@ void CheckJudge::add_reference(const Scalars& scalars) {
     }
 }
 
-int CheckJudge::wanted() const {
+int CheckDecision::wanted() const {
     int most = 0;
     for (std::size_t i = 0; i < judges_.size(); ++i)
         if (is_open(i)) most = std::max(most, judges_[i].wanted());
     return most;
 }
 
-bool CheckJudge::needs_reference() const {
+bool CheckDecision::needs_reference() const {
     for (std::size_t i = 0; i < judges_.size(); ++i)
         if (is_open(i) && !check_.statistics[i].truth) return true;
     return false;
 }
 
-Verdict CheckJudge::verdict() const {
+Verdict CheckDecision::verdict() const {
     Verdict verdict = check_.statistics.empty() ? Verdict::inconclusive : Verdict::passed;
     for (const auto& judgement : judgements_)
         verdict = worse(verdict, judgement ? judgement->verdict : Verdict::inconclusive);

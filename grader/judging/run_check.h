@@ -18,7 +18,7 @@ struct CheckSettings {
 CheckRecord blank_record(const Check& check);
 
 /// Runs a check's experiment, replicate after replicate, until each statistic has its verdict.
-CheckRecord judge_check(const Check& check, Runner& runner, Reference& reference, const CheckSettings& settings);
+CheckRecord run_check(const Check& check, Runner& runner, Reference& reference, const CheckSettings& settings);
 
 /// What is wrong with a check's first observation, and the same again, before any statistic: state that is kept, levels
 /// of 8 bits. None: nothing of that kind.

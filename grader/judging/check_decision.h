@@ -10,13 +10,13 @@
 namespace grade {
 
 /// Decides on a check from the scalars of its replicates, wherever these come from: a program that runs, or a store.
-class CheckJudge {
+class CheckDecision {
 public:
     /// One scalar of a replicate, by the statistic's place in the check.
     using Scalars = std::function<double(std::size_t statistic)>;
 
     /// alpha is shared by all statistics of the assignment.
-    CheckJudge(const Check& check, const Settings& settings);
+    CheckDecision(const Check& check, const Settings& settings);
 
     /// The submission's next replicate. The first one decides what has no noise; where later ones are needed for the
     /// rest, what has a closed form must hold in them as well.

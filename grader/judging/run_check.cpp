@@ -1,4 +1,4 @@
-#include "judging/judge_check.h"
+#include "judging/run_check.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "diagnosis/divergence.h"
-#include "judging/check_judge.h"
+#include "judging/check_decision.h"
 #include "judging/picture_cost.h"
 #include "statistics/image_fault.h"
 
@@ -69,7 +69,7 @@ std::string advice(const Fault& fault, Reference& reference) {
     if (fault.verdict == Verdict::crashed) return fault.message;
     const std::string needed = solution < 0.01 ? "less than 0.01 s" : fmt::format("{:.2g} s", solution);
     return fmt::format("{}; the solution needs {}{}", fault.message, needed,
-                       fault.message.starts_with("ran longer") ? ": look for a loop that does not end" : "");
+                       fault.is_endless ? ": look for a loop that does not end" : "");
 }
 
 void add_picture(rt::Image& mean, const rt::Image& next, std::size_t count) {
@@ -262,7 +262,7 @@ private:
     Runner& runner_;
     Reference& reference_;
     const CheckSettings& settings_;
-    CheckJudge judge_;
+    CheckDecision judge_;
     CheckRecord record_;
     Observation first_;
     std::vector<rt::Image> shown_;  // the first replicates' pictures
@@ -273,7 +273,7 @@ private:
 
 }  // namespace
 
-CheckRecord judge_check(const Check& check, Runner& runner, Reference& reference, const CheckSettings& settings) {
+CheckRecord run_check(const Check& check, Runner& runner, Reference& reference, const CheckSettings& settings) {
     return Trial(check, runner, reference, settings).run();
 }
 
