@@ -58,7 +58,8 @@ std::string goals(const Summary& s) {
         row("false failures of the right variant with the most of them, replayed", "at most 1e-4",
             worst_right->variant->name + ": " + rate(worst_right->replayed.failed, worst_right->replayed.gradings));
     const long statistics = long(s.nominal.size());
-    const auto within = [&](double Nominal::*at) {
+    const auto within = [&](double Nominal::*at) -> std::string {
+        if (statistics == 0) return "not run";
         return fmt::format("{} of {} within; {} above, {} below",
                            statistics - outside(s.nominal, at, true) - outside(s.nominal, at, false), statistics,
                            outside(s.nominal, at, true), outside(s.nominal, at, false));
@@ -80,7 +81,8 @@ std::string goals(const Summary& s) {
         s.solution.gradings > 0 ? 100.0 * double(s.solution.inconclusive) / double(s.solution.gradings) : 0;
     const double wrong_open = replayed > 0 ? 100 * total(s.wrong, open_rate) / double(replayed) : 0;
     row("inconclusive at the default budget: whole solution; wrong variants, replayed", "at most 1 %",
-        fmt::format("{:.3f} %; {:.3f} %", right_open, wrong_open));
+        (s.solution.gradings > 0 ? fmt::format("{:.3f} %", right_open) : "not run") + "; " +
+            (replayed > 0 ? fmt::format("{:.3f} %", wrong_open) : "not run"));
     row("inconclusive, real gradings: whole right submissions; wrong variants", "at most 1 %",
         share(s.right_open, s.right_gradings) + "; " +
             share(total(s.wrong, [](const auto& v) { return v.open; }),
@@ -136,6 +138,8 @@ std::string variant_table(const std::vector<VariantSummary>& rows, bool wrong) {
                 "sequential | z-test | mean difference | global mean |\n|---|---|---|---|---|---|---|---|---|---|---|\n"
               : "| variant | fragment | failed | replays failed | inconclusive | CPU s | fixed / sequential | z-test | "
                 "mean difference | global mean |\n|---|---|---|---|---|---|---|---|---|---|\n";
+    if (std::ranges::none_of(rows, [](const auto& v) { return v.gradings > 0 || v.replayed.gradings > 0; }))
+        return "Not run.\n";
     for (const VariantSummary& v : rows) {
         const auto peer = [&](bool passes) {
             return v.pictures == 0 ? "–" : passes ? (wrong ? "missed" : "passed") : (wrong ? "found" : "**failed**");
@@ -255,8 +259,9 @@ std::string calibration_report(const Summary& s, const std::string& command, con
         "and decide with the same\n"
         "code; each draws from one of the stores' grading seeds. Rates are given with 95 % bounds.\n\n";
     text += "## What was to be shown\n\n" + goals(s);
-    text += fmt::format("\nA whole right submission takes {:.2f} CPU seconds in its checks (real gradings).\n",
-                        s.whole_seconds);
+    if (s.whole_seconds > 0)
+        text += fmt::format("\nA whole right submission takes {:.2f} CPU seconds in its checks (real gradings).\n",
+                            s.whole_seconds);
     for (const std::string& failure : s.false_failures) text += "\n* not passed though right: " + failure;
     if (!s.false_failures.empty()) text += "\n";
     text += fmt::format(
