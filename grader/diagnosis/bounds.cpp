@@ -61,8 +61,6 @@ private:
     std::vector<std::pair<std::size_t, Row>> more_;  // right answers for other random numbers, by call
 };
 
-std::string name_of(const Field& part) { return part.name.empty() ? "the answer" : "`" + part.name + "`"; }
-
 void look_at_vector(const Calls& calls, const Field& part, Bounds& bounds) {
     const auto vector = [at = part.at](const Row& answer) { return vector_at(answer, at); };
     bounds.look(name_of(part) + " must have length 1", 1, 1,
