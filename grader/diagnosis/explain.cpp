@@ -9,6 +9,7 @@
 #include "diagnosis/by_steps.h"
 #include "diagnosis/calls_made.h"
 #include "diagnosis/own_numbers.h"
+#include "diagnosis/right_otherwise.h"
 #include "diagnosis/rule.h"
 #include "diagnosis/shares.h"
 #include "diagnosis/simplest.h"
@@ -88,6 +89,10 @@ Finding of_samples(Finding finding, const Calls& all, const std::optional<Broken
                                            limited(ask_mine, left), limited(ask_right, left));
         finding.answer = result_in_words(all.signature, example.mine);
         add_call(finding, all.signature, example);
+        Calls known = all;  // others may be right
+        for (std::size_t i = 0; i < all.size(); ++i)
+            if (std::ranges::count(broken->calls, i) == 0) known.mine[i] = known.right[i];
+        tell_where(finding, known, broken->calls.size(), 0, true);
         return finding;
     }
     if (finding.how.empty())
@@ -155,8 +160,9 @@ void add_example(Finding& finding, const Calls& all, const Region& region, bool 
 
 }  // namespace
 
-Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_mine, const Ask& ask_right) try {
+Finding explain(const Signature& signature, const Rows& rows, const Ask& ask, const Ask& ask_right) try {
     std::size_t left = most_calls;
+    const Ask ask_mine = without_right_ones(signature, rows, ask, ask_right);
     const Ask mine = limited(ask_mine, left), right = limited(ask_right, left);
     Calls all = compared(signature, rows, mine, right);
     std::size_t wrong = 0;
@@ -199,7 +205,8 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask_min
     // as the solution does, but perhaps not in calls of one kind.
     constexpr double many = 0.2;
     const bool is_comparable = !sampled || not_numbers > 0 || double(all.size() - wrong) >= many * double(all.size());
-    if (!is_comparable && !relation) return of_samples(finding, all, broken, ask_mine, ask_right);
+    if (sampled && (broken ? not_numbers == 0 : !is_comparable && !relation))
+        return of_samples(finding, all, broken, ask_mine, ask_right);
     if (sampled && finding.how.empty()) finding.how = spread_of(only_wrong(all), all, mine, right).value_or("");
 
     const Region region =

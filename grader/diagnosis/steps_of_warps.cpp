@@ -60,6 +60,7 @@ std::vector<Steps> of_strata_2d() {
             "column divided by n, not by the number of columns",
             +[](const int&, const int&, const vec2&) { return Row(17); },
             +[](const double* s, const int& i, const int& n, const vec2& u) {
+                if (n < 1) return row(u);
                 const Real root = std::sqrt(Real(n)), low = std::floor(root), high = std::ceil(root);
                 if (s[9] != 0 || s[10] != 0 || s[11] != 0) {
                     const int c = int(s[9] != 0 ? low : s[10] != 0 ? high : std::round(root));
