@@ -140,8 +140,8 @@ the way down the tree, and what is left of their time is mostly the fragment `hi
 precision, with six divisions, on vectors half as wide as single precision's and with every ray and triangle copied into
 them. Where triangles are as small as pixels, rays part early and each goes its own way. Rays that bounce do so from the
 start: each looks at eight boxes at a time, a step of about as many instructions as Embree's, and pays for its test in
-double precision on top. No cheaper test comes before it: boxes leave so few triangles to a ray that a test in single
-precision would cost about what it saves.
+double precision on top. A cheaper test before it was not tried: boxes leave few triangles to a ray. In a tree of more
+nodes than `most_nodes` (tree/beam.h) no rays go together: they part so early that it took longer.
 """
 
 

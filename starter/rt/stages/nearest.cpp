@@ -194,7 +194,7 @@ void search_tree(const World& world, Batch& b) {
     Real far[lanes];
     std::copy(b.far, b.far + lanes, far);
     // Where any hit will do, all rays look at the root together, wherever they go.
-    const bool together = any || beam.spread <= widest_beam;
+    const bool together = world.bvh.nodes.size() <= most_nodes && (any || beam.spread <= widest_beam);
     begin(journeys, !together);
     if (together) search_together<any>(world, far, journeys, beam, meetings, b);
     search_each<any>(world, far, journeys, meetings, b);
