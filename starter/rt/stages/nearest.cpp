@@ -132,10 +132,10 @@ template <bool any>
 void search_together(const World& world, const Real* far, Journeys& journeys, Beam& beam, Meetings& meetings,
                      Batch& b) {
     // Where any hit will do, rays may leave the beam early: what is near need not come first.
-    constexpr int few = any ? 8 : 4;
+    const int few = beam.spread > widest_beam ? lanes : any ? 8 : 4;
     std::uint64_t alive = ~std::uint64_t(0);
-    while (beam.depth > 0) {
-        step(world.bvh.nodes.data(), journeys, alive, few, beam, meetings);
+    for (bool root = true; beam.depth > 0; root = false) {
+        step(world.bvh.nodes.data(), journeys, alive, root ? 0 : few, beam, meetings);
         if (meetings.count == 0 || (meetings.count < Meetings::enough && beam.depth > 0)) continue;
         settle(world, b, far, meetings, [&](int i) {
             if (any)
@@ -193,7 +193,8 @@ void search_tree(const World& world, Batch& b) {
     start(journeys, beam);
     Real far[lanes];
     std::copy(b.far, b.far + lanes, far);
-    const bool together = beam.spread <= widest_beam;
+    // Where any hit will do, all rays look at the root together, wherever they go.
+    const bool together = world.bvh.nodes.size() <= most_nodes && (any || beam.spread <= widest_beam);
     begin(journeys, !together);
     if (together) search_together<any>(world, far, journeys, beam, meetings, b);
     search_each<any>(world, far, journeys, meetings, b);

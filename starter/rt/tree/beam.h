@@ -30,6 +30,9 @@ struct Beam {
     std::uint64_t rays[(Bvh::deepest + 1) * Bvh::width];  // bit i: ray i meets it
 };
 
+/// In a tree of more nodes, shapes are so small beside the way between two rays of a batch that these part early.
+constexpr std::size_t most_nodes = 1 << 16;
+
 /// Directions may differ by so much, where the largest part of each is 1.
 constexpr float widest_beam = 0.75f;
 

@@ -9,8 +9,8 @@ namespace rt {
 /// Some of the pairs, number by number in short lists, so that a loop that calls a fragment for each becomes vectors.
 constexpr int pairs_at_once = 8;
 
-/// Which rays meet the boxes of which items, lane << 32 | item, and the distances to be found. They are tested when there
-/// are `enough`, and a step adds at most a full node for each ray; it writes a few places beyond.
+/// Which rays meet the boxes of which items, lane << 32 | item, and the distances to be found. They are tested when
+/// there are `enough`, and a step adds at most a full node for each ray; it writes a few places beyond.
 struct alignas(64) Meetings {
     static constexpr int enough = 4 * pairs_at_once, most = enough + lanes * Bvh::width;
     std::uint64_t pair[most + Bvh::width];
