@@ -96,8 +96,9 @@ TEST_CASE("reports show what a picture costs and how noisy it is, beside the sol
     CHECK(check.cost->efficiency().value() == Approx(5000));
     // what is wrong has no efficiency
     CHECK_FALSE(record.efficiency_ratio().has_value());
-    CHECK(page(record).find("One picture: RMSE 0.02 in 0.5 s of CPU time. The") != std::string::npos);
-    CHECK(page(record).find("the solution's in the median") == std::string::npos);
+    CHECK(page(record).find("One picture, yours: error 0.02 in 0.5 s of CPU time. The right one: error 0.01") !=
+          std::string::npos);
+    CHECK(page(record).find("the right one's") == std::string::npos);
     CHECK(table(record, {}).find("Efficiency") == std::string::npos);
     record.fragments[0].verdict = Verdict::passed;
     CHECK(record.efficiency_ratio().value() == Approx(0.125));
@@ -105,7 +106,7 @@ TEST_CASE("reports show what a picture costs and how noisy it is, beside the sol
     CHECK(json["fragments"][0]["checks"][0]["picture"]["mse"] == Approx(4e-4));
     CHECK(json["fragments"][0]["checks"][0]["solution_picture"]["cpu_seconds"] == Approx(0.25));
     const std::string text = page(record);
-    CHECK(text.find("One picture: RMSE 0.02 in 0.5 s of CPU time, efficiency 5e+03") != std::string::npos);
+    CHECK(text.find("Efficiency: 0.12 times the right one's.") != std::string::npos);
     CHECK(text.find("error against run time</text>") != std::string::npos);
     CHECK(table(record, {}).find("0.12 times the solution's") != std::string::npos);
 
@@ -183,7 +184,7 @@ TEST_CASE("of what fails, shared numbers are told first, then what is no image, 
     crashed.checks[1].verdict = Verdict::crashed, crashed.checks[1].message = "ended",
     crashed.checks[1].statistics.clear();
     CHECK(diagnose(crashed).words == "ended");
-    CHECK(diagnose(crashed).section == verdicts_section);
+    CHECK(diagnose(crashed).section == "lens_ray");
 }
 
 TEST_CASE("a diagnosis says where to read, in the record, in the table and as a link") {
@@ -250,6 +251,10 @@ TEST_CASE("what stands between backquotes is code, and as harmless as the rest")
     CHECK(html_with_code("`a < b` and `c`") == "<code>a &lt; b</code> and <code>c</code>");
     CHECK(html_with_code("one ` alone") == "one ` alone");
     CHECK(html_with_code("`<b>") == "`&lt;b&gt;");
+    // elsewhere powers are raised
+    CHECK(html_with_code("[pixel^2], (1 - g)^3, `x^2`, N^-1.50.") ==
+          "[pixel<sup>2</sup>], (1 - g)<sup>3</sup>, <code>x^2</code>, N<sup>-1.50</sup>.");
+    CHECK(html_with_code("[m2] ^2 a^b a^ a^-") == "[m<sup>2</sup>] ^2 a^b a^ a^-");
 }
 
 TEST_CASE("a value far off stays inside its drawing, as an arrow") {
@@ -261,6 +266,46 @@ TEST_CASE("a value far off stays inside its drawing, as an arrow") {
     CHECK(bar(statistic).find("<circle") != std::string::npos);
     statistic.value = std::nullopt;
     CHECK(bar(statistic).empty());
+}
+
+TEST_CASE("a drawing tells what is right from what is not yet wrong") {
+    StatisticRecord statistic;
+    statistic.value = 1.02, statistic.truth = 1, statistic.delta0 = 0.004, statistic.tolerance = 0.04;
+    const auto width = [](const std::string& svg, const std::string& kind) {
+        const auto at = svg.find("<rect class=\"" + kind + "\"");
+        REQUIRE(at != svg.npos);
+        return std::stod(svg.substr(svg.find("width=\"", at) + 7));
+    };
+    const std::string svg = bar(statistic);
+    CHECK(width(svg, "between") > 8 * width(svg, "band"));
+    CHECK(svg.find("right within 0.004, wrong beyond 0.04") != svg.npos);
+    // without noise there is nothing in between
+    statistic.exact = true;
+    CHECK(width(bar(statistic), "between") == width(bar(statistic), "band"));
+    CHECK(right_within(statistic) == 0.04);
+}
+
+TEST_CASE("a page says each thing once, and of what did not run that it did not") {
+    Record record;
+    record.parts = {{"one", "Part one"}};
+    record.fragments = {fragment_with(Verdict::failed, "", {failing("W1", "the far crossing is missing")})};
+    FragmentRecord& fragment = record.fragments[0];
+    fragment.part = "one";
+    fragment.checks.push_back(fragment.checks[0]);
+    fragment.checks.push_back(fragment_with(Verdict::timed_out, std::string(not_run) + "x", {}).checks[0]);
+    fragment.finding.how = "the far crossing is missing";
+    const auto count = [](const std::string& text, const std::string& words) {
+        std::size_t all = 0;
+        for (std::size_t at = 0; (at = text.find(words, at)) != text.npos; ++at) ++all;
+        return all;
+    };
+    const std::string text = page(record), section = text.substr(text.find("<section class=\"card\" id=\"lens_ray\""));
+    CHECK(count(section, "the far crossing is missing") == 1);
+    CHECK(count(section, ">not run</span>") == 1);
+    CHECK(count(section, "timed out") == 0);
+    // where it breaks down stands in the overview too
+    fragment.finding.fault = "lens_ray.cpp:18: a null pointer is followed";
+    CHECK(count(page(record), "lens_ray.cpp:18: a null pointer is followed") == 3);
 }
 
 TEST_CASE("the difference of pictures is white where they agree, blue where darker, orange where brighter") {
@@ -334,7 +379,7 @@ TEST_CASE("a report in Markdown becomes sections of a page, and what it quotes i
     CHECK(text.find("<p>first <b>words</b>\nand <code>code</code> &lt;script&gt;\n</p>") != std::string::npos);
     CHECK(text.find("<h2>A | B</h2>") != std::string::npos);
     CHECK(text.find("<img src=\"a.svg\" alt=\"alt &quot; x\">") != std::string::npos);
-    CHECK(text.find("<tr><th> a </th><th> b </th></tr>\n<tr><td> 1 </td><td> <b>2</b> </td></tr>") !=
+    CHECK(text.find("<tr><th> a </th><th> b </th></tr>\n<tr><td> 1 </td><td data-is=\"b\"> <b>2</b> </td></tr>") !=
           std::string::npos);
     CHECK(text.find("<ul><li>one</li>\n<li>two ** alone</li>\n</ul>") != std::string::npos);
 }

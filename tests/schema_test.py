@@ -1,8 +1,13 @@
 #!/usr/bin/env python3
 """The JSON schemas of scenes and of assignment.toml: they know the keys that the programs know, take what is in the project, and
-refuse what is wrong. Skipped where there is no jsonschema."""
+refuse what is wrong. The language server of the editor's settings is asked as well, where it is installed. Skipped where
+there is no jsonschema."""
 import json
+import pathlib
 import re
+import shutil
+import subprocess
+import tempfile
 import tomllib
 
 from helpers import ROOT, end, expect, skip
@@ -67,5 +72,24 @@ for new in ('{ name = "integrate_uniform" }', '{ name = "integrate_uniform", poi
             '{ name = "x", points = 1, visibility = "no" }'):
     expect(not assignments.is_valid(broken(text, first, new)), f"an assignment with {new!r} is taken")
 expect(assignments.is_valid(tomllib.loads(text + "\n[theory]\npoints = 16\n")), "a theory part is refused")
+
+# What the editor says: its TOML extension is this program's.
+taplo = shutil.which("taplo", path=f"{ROOT}/build/pages/bin:/usr/local/bin:/usr/bin")
+
+
+def editor_takes(path, files):
+    command = [taplo, "check", "--schema", (ROOT / path).as_uri(), *map(str, files)]
+    return subprocess.run(command, capture_output=True, check=False).returncode == 0
+
+
+if taplo:
+    expect(editor_takes("scenes/scene.schema.json", files), "taplo refuses a scene of the project")
+    expect(editor_takes("grader/assignment/assignment.schema.json", [ROOT / "assignment.toml"]), "taplo refuses assignment.toml")
+    with tempfile.TemporaryDirectory() as folder:
+        wrong = pathlib.Path(folder) / "ball.toml"
+        wrong.write_text(ball.replace("albedo", "albdo"))
+        expect(not editor_takes("scenes/scene.schema.json", [wrong]), "taplo takes an unknown key")
+else:
+    print("there is no taplo: what the editor itself says is not tested")
 
 end("as the programs have it")

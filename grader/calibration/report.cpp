@@ -17,6 +17,7 @@ namespace grade::calibration {
 namespace {
 
 std::string rate(long hits, long all) {
+    if (all == 0) return "not run";
     const auto [low, high] = rate_bounds(hits, all);
     if (hits == 0) return fmt::format("0 of {}: below {:.1e} with 95 %", all, high);
     return fmt::format("{} of {} = {:.2e} ({:.1e} to {:.1e})", hits, all, double(hits) / double(all), low, high);
@@ -57,7 +58,8 @@ std::string goals(const Summary& s) {
         row("false failures of the right variant with the most of them, replayed", "at most 1e-4",
             worst_right->variant->name + ": " + rate(worst_right->replayed.failed, worst_right->replayed.gradings));
     const long statistics = long(s.nominal.size());
-    const auto within = [&](double Nominal::*at) {
+    const auto within = [&](double Nominal::*at) -> std::string {
+        if (statistics == 0) return "not run";
         return fmt::format("{} of {} within; {} above, {} below",
                            statistics - outside(s.nominal, at, true) - outside(s.nominal, at, false), statistics,
                            outside(s.nominal, at, true), outside(s.nominal, at, false));
@@ -79,7 +81,8 @@ std::string goals(const Summary& s) {
         s.solution.gradings > 0 ? 100.0 * double(s.solution.inconclusive) / double(s.solution.gradings) : 0;
     const double wrong_open = replayed > 0 ? 100 * total(s.wrong, open_rate) / double(replayed) : 0;
     row("inconclusive at the default budget: whole solution; wrong variants, replayed", "at most 1 %",
-        fmt::format("{:.3f} %; {:.3f} %", right_open, wrong_open));
+        (s.solution.gradings > 0 ? fmt::format("{:.3f} %", right_open) : "not run") + "; " +
+            (replayed > 0 ? fmt::format("{:.3f} %", wrong_open) : "not run"));
     row("inconclusive, real gradings: whole right submissions; wrong variants", "at most 1 %",
         share(s.right_open, s.right_gradings) + "; " +
             share(total(s.wrong, [](const auto& v) { return v.open; }),
@@ -106,7 +109,17 @@ std::string goals(const Summary& s) {
     return text;
 }
 
+/// A table with its heading; without rows a word in its place.
+std::string table_or_none(const std::string& heading, const std::string& rows) {
+    return rows.empty() ? "None.\n" : heading + rows;
+}
+
+bool has_run(const std::vector<Budget>& budgets) {
+    return std::ranges::any_of(budgets, [](const Budget& b) { return b.right.gradings + b.wrong.gradings > 0; });
+}
+
 std::string budget_table(const std::vector<Budget>& budgets, const std::string& heading) {
+    if (!has_run(budgets)) return "Not run.\n";
     std::string text = fmt::format(
         "| {} | CPU s, whole solution | not passed | CPU s, a wrong fragment | not failed | the worst one "
         "|\n|---|---|---|---|---|---|\n",
@@ -125,6 +138,8 @@ std::string variant_table(const std::vector<VariantSummary>& rows, bool wrong) {
                 "sequential | z-test | mean difference | global mean |\n|---|---|---|---|---|---|---|---|---|---|---|\n"
               : "| variant | fragment | failed | replays failed | inconclusive | CPU s | fixed / sequential | z-test | "
                 "mean difference | global mean |\n|---|---|---|---|---|---|---|---|---|---|\n";
+    if (std::ranges::none_of(rows, [](const auto& v) { return v.gradings > 0 || v.replayed.gradings > 0; }))
+        return "Not run.\n";
     for (const VariantSummary& v : rows) {
         const auto peer = [&](bool passes) {
             return v.pictures == 0 ? "–" : passes ? (wrong ? "missed" : "passed") : (wrong ? "found" : "**failed**");
@@ -165,16 +180,17 @@ std::string peer_table(const Summary& s) {
 }
 
 std::string nominal_table(const Summary& s) {
-    std::string text =
+    const std::string heading =
         "| check | statistic | at 1e-2 | at 1e-3 | solution's deviation / Δ | beyond Δ0 [standard errors] "
         "|\n|---|---|---|---|---|---|\n";
+    std::string text;
     for (const Nominal& n : s.nominal) {
         const bool off = n.at_2 > 2 || n.at_2 < 0.5 || n.at_3 > 2 || n.at_3 < 0.5 || n.tilt > 4;
         if (off)
             text += fmt::format("| {} | {} | {:.2f} | {:.2f} | {:.3f} | {:.1f} |\n", n.check, n.what, n.at_2, n.at_3,
                                 n.bias, n.tilt);
     }
-    return text;
+    return table_or_none(heading, text);
 }
 
 /// How good hints are, over real gradings of wrong variants that were found.
@@ -204,9 +220,8 @@ std::string hint_table(const Summary& s) {
     row("by any of these", "at least 95 %", share(together, found));
     row("CPU seconds that the diagnosis of a fragment takes: mean; most", "at most 1",
         found > 0 ? fmt::format("{:.2f}; {:.2f} ({})", seconds / double(found), most, dearest) : "not run");
-    text +=
-        "\nThe first hint of each beside what is wrong, for a reader to judge:\n\n| variant | what is wrong | hint "
-        "|\n|---|---|---|\n";
+    text += "\nThe first hint of each beside what is wrong, for a reader to judge:\n\n";
+    std::string hints;
     const auto in_cell = [](const std::string& words) {
         std::string cell;
         for (const char c : words) cell += c == '\n' ? "<br>" : c == '|' ? "\\|" : std::string(1, c);
@@ -214,9 +229,9 @@ std::string hint_table(const Summary& s) {
     };
     for (const VariantSummary& v : s.wrong)
         if (!v.hints.empty())
-            text += fmt::format("| {} | {} | {} |\n", v.variant->name.substr(v.variant->name.find('/') + 1),
-                                in_cell(v.variant->what), in_cell(v.hints.front().message));
-    return text;
+            hints += fmt::format("| {} | {} | {} |\n", v.variant->name.substr(v.variant->name.find('/') + 1),
+                                 in_cell(v.variant->what), in_cell(v.hints.front().message));
+    return text + table_or_none("| variant | what is wrong | hint |\n|---|---|---|\n", hints);
 }
 
 std::string median_ratio(const std::vector<VariantSummary>& rows) {
@@ -244,8 +259,9 @@ std::string calibration_report(const Summary& s, const std::string& command, con
         "and decide with the same\n"
         "code; each draws from one of the stores' grading seeds. Rates are given with 95 % bounds.\n\n";
     text += "## What was to be shown\n\n" + goals(s);
-    text += fmt::format("\nA whole right submission takes {:.2f} CPU seconds in its checks (real gradings).\n",
-                        s.whole_seconds);
+    if (s.whole_seconds > 0)
+        text += fmt::format("\nA whole right submission takes {:.2f} CPU seconds in its checks (real gradings).\n",
+                            s.whole_seconds);
     for (const std::string& failure : s.false_failures) text += "\n* not passed though right: " + failure;
     if (!s.false_failures.empty()) text += "\n";
     text += fmt::format(
@@ -253,9 +269,11 @@ std::string calibration_report(const Summary& s, const std::string& command, con
                 "right submission does not pass, or a wrong variant does not fail;\n"
                 "inconclusive is wrong here. First with a fixed number of replicates of each check, tested once at the "
                 "same rates; then with\nthe grader's own rule, which looks at 8, 16, 32... replicates and stops when "
-                "it is certain. The default is at most {}.\n\n"
-                "![probability of a wrong verdict against CPU seconds]({})\n\n",
-                GradingSettings{}.replicates, plot) +
+                "it is certain. The default is at most {}.\n\n{}",
+                GradingSettings{}.replicates,
+                has_run(s.fixed_budgets) || has_run(s.budgets)
+                    ? fmt::format("![probability of a wrong verdict against CPU seconds]({})\n\n", plot)
+                    : "") +
             budget_table(s.fixed_budgets, "replicates, fixed") + "\n" +
             budget_table(s.budgets, "most replicates of a statistic");
     text += fmt::format(
@@ -269,18 +287,20 @@ std::string calibration_report(const Summary& s, const std::string& command, con
         "of its fragment's checks fails. Variants whose fragment draws no picture are left out.\n\n" +
         peer_table(s);
     text += "\n## Sizes of a bias\n\nShare of real gradings that find it.\n\n";
+    if (s.doses.empty()) text += "Not run.\n";
     for (const Dose& dose : s.doses) {
         text += fmt::format("* {} ({}):", dose.variant->fragment, dose.variant->what);
         for (const auto& [size, found] : dose.found)
             text += fmt::format(" {:g} %: {:g},", 100 * std::stod(size), found);
         text.back() = '\n';
     }
-    text +=
-        "\n## Faults in a few pixels\n\n| variant | fragment | pixels that change in its scene | found "
-        "|\n|---|---|---|---|\n";
+    std::string confined;
     for (const Confined& c : s.confined)
-        text += fmt::format("| {} | {} | {} of {} ({:.3f} %) | {} of {} |\n", c.variant->what, c.variant->fragment,
-                            c.changed, c.pixels, 100.0 * c.changed / c.pixels, c.found, c.gradings);
+        confined += fmt::format("| {} | {} | {} of {} ({:.3f} %) | {} of {} |\n", c.variant->what, c.variant->fragment,
+                                c.changed, c.pixels, 100.0 * c.changed / c.pixels, c.found, c.gradings);
+    text += "\n## Faults in a few pixels\n\n" +
+            table_or_none("| variant | fragment | pixels that change in its scene | found |\n|---|---|---|---|\n",
+                          confined);
     text +=
         "\n## Statistics that do not keep their nominal rate\n\nTests of 16 of the solution's replicates about their "
         "own mean; below 0.5 costs power, above 2 costs false alarms. Those that are off,\n"

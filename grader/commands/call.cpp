@@ -8,8 +8,10 @@
 #include <CLI/CLI.hpp>
 #include <cstring>
 
+#include "commands/last_run.h"
 #include "commands/words.h"
 #include "diagnosis/calls.h"
+#include "programs/cache.h"
 #include "programs/programs.h"
 #include "programs/runner.h"
 #include "protocol/protocol.h"
@@ -64,6 +66,12 @@ Row answer_in(const std::string& bytes) {
     return answer;
 }
 
+/// The arguments; without any, of what its user edits, those of the simplest call that was wrong in the last grading.
+std::string words_of(const CallArguments& arguments, bool own, const Toolchain& chain) {
+    const auto cache = own && arguments.arguments.empty() ? cache_folder(chain) : std::nullopt;
+    return cache ? last_call(*cache / last_run_file, arguments.fragment) : arguments.arguments;
+}
+
 }  // namespace
 
 CLI::App* add_call_command(CLI::App& app, CallArguments& arguments) {
@@ -72,7 +80,8 @@ CLI::App* add_call_command(CLI::App& app, CallArguments& arguments) {
     call->add_option("FRAGMENT", arguments.fragment, "its name")->required();
     call->add_option(
         "ARGUMENTS", arguments.arguments,
-        "\"d = (0, 0, -1), n = (0, 0, 1)\", fields as \"camera.focus = 2\"; what is not named has its default");
+        "\"d = (0, 0, -1), n = (0, 0, 1)\", fields as \"camera.focus = 2\"; what is not named has its default; "
+        "without: the simplest call that was wrong in the last grading of the starter");
     call->add_option("--of", arguments.submission, "a folder; default: starter")->type_name("SUBMISSION");
     call->add_flag("--trusted", arguments.trusted, "of code that is your own: it runs without a sandbox");
     call->add_flag("--gdb", arguments.debugger, "in the debugger, which stops where the fragment begins");
@@ -94,7 +103,7 @@ int run_call(const CallArguments& arguments, const std::string& toolchain) {
     if (!signature) throw rt::InputError(arguments.fragment + ": fragments.h does not declare it");
     Row row;
     try {
-        row = arguments_from_words(*signature, arguments.arguments);
+        row = arguments_from_words(*signature, words_of(arguments, chosen.own, chain));
     } catch (const std::invalid_argument& error) {
         throw rt::InputError(error.what());
     }

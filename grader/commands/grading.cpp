@@ -34,6 +34,16 @@ fs::path handout_in(const fs::path& root) {
     return root / "handout.md";
 }
 
+/// Where a page in this folder finds the handout. As a page, which needs nothing else, it comes along: the folder may be
+/// moved.
+std::string handout_for(const fs::path& folder, const fs::path& handout) {
+    if (handout.extension() != ".html") return fs::relative(handout, folder).generic_string();
+    const fs::path copy = folder / handout.filename();
+    if (!fs::exists(copy) || !fs::equivalent(copy, handout))
+        fs::copy_file(handout, copy, fs::copy_options::overwrite_existing);
+    return copy.filename().string();
+}
+
 /// Of every grading of what its user edits: what has not changed comes out as it did.
 constexpr std::uint64_t own_seed = 1;
 
@@ -87,7 +97,7 @@ public:
         Record record = grade_programs(*programs_, assignment_, chain_, checks_, settings_, *progress_);
         record.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
         record.notes = submission.notes;
-        if (chosen_.own && cache_) compare_with_last(record, *cache_ / "last_run.json");
+        if (chosen_.own && cache_) compare_with_last(record, *cache_ / last_run_file);
         if (!arguments_.json.empty()) write_text(arguments_.json, to_json(record));
         return record;
     }
@@ -117,8 +127,7 @@ public:
                 record.own_picture_scene = own_scene_.filename().string();
                 record.own_picture_fault = error.what();
             }
-        const fs::path handout = fs::relative(handout_in(chain_.source), html_);
-        grade::write_page(html_, "index.html", page(record, handout.generic_string()));
+        grade::write_page(html_, "index.html", page(record, handout_for(html_, handout_in(chain_.source))));
         line.clear();
         fmt::print("page: {}\n", (html_ / "index.html").string());
     }

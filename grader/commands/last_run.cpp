@@ -40,13 +40,22 @@ void compare_with_last(Record& record, const std::filesystem::path& file) {
                 changes.emplace_back(gained, fragment.name + ": " + change_in_words(was, verdict, gained));
             all_gained += gained;
         }
-        before = {{"verdict", verdict}, {"points", fragment.points}};
+        const Finding& finding = fragment.finding;
+        before = {{"verdict", verdict},
+                  {"points", fragment.points},
+                  {"call", finding.command.empty() ? "" : finding.arguments}};
     }
     std::ranges::stable_sort(changes, {}, [](const auto& change) { return change.first >= 0; });
     for (std::size_t i = 0; i < std::min(changes.size(), most); ++i) record.changes.push_back(changes[i].second);
     if (changes.size() > most)
         record.changes.push_back(fmt::format("and {} more; {:+g} points in all", changes.size() - most, all_gained));
     write_text(file, last.dump(1) + "\n");
+}
+
+std::string last_call(const std::filesystem::path& file, const std::string& fragment) {
+    const auto last = nlohmann::json::parse(read_text(file).value_or(""), nullptr, false);
+    const bool is_known = last.is_object() && last.contains(fragment) && last[fragment].is_object();
+    return is_known ? last[fragment].value("call", "") : "";
 }
 
 }  // namespace grade

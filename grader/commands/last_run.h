@@ -1,14 +1,21 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "record/record.h"
 
 namespace grade {
 
+/// Its name in the cache.
+constexpr const char* last_run_file = "last_run.json";
+
 /// Adds to a record what has changed since the last grading whose results are in this file: a line for each fragment
 /// whose verdict or points are others, losses first, and for all beyond some a last one. Then keeps this one's there;
 /// fragments that were not graded stay as they were. A file that is none is as good as no last grading.
 void compare_with_last(Record& record, const std::filesystem::path& file);
+
+/// The arguments of the simplest call of a fragment that was wrong then; empty: there was none.
+std::string last_call(const std::filesystem::path& file, const std::string& fragment);
 
 }  // namespace grade

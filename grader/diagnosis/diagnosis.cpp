@@ -47,8 +47,6 @@ std::string section_of(const std::string& fragment, Verdict verdict, Trouble tro
     switch (verdict) {
         case Verdict::passed:
             return {};
-        case Verdict::crashed:
-        case Verdict::timed_out:
         case Verdict::inconclusive:
             return std::string(verdicts_section);
         case Verdict::not_finite:

@@ -21,6 +21,8 @@ namespace {
 /// What is handed out, by name: nothing that somebody has put beside it.
 constexpr std::array entries = {".editorconfig", ".vscode", "LICENSE", "assignment.toml", "scenes", "starter"};
 
+constexpr const char* assignment_schema = "grader/assignment/assignment.schema.json";
+
 /// What every system with a C++ compiler has: the C and C++ libraries, and zlib, without which Debian has no dpkg.
 constexpr std::array everywhere = {"linux-vdso.", "ld-linux", "libc.so.",   "libm.so.",      "libgcc_s.so.",
                                    "libdl.so.",   "librt.so", "libpthread", "libstdc++.so.", "libz.so."};
@@ -281,6 +283,9 @@ void hand_out(const fs::path& project, const Assignment& assignment, const fs::p
 
     fs::create_directories(folder);
     copy_entries(project, folder, handout);
+    // the editor's settings name it
+    fs::create_directories(folder / "grader/assignment");
+    fs::copy_file(project / assignment_schema, folder / assignment_schema);
     write_text(folder / "handout.md", handout);
     // of this very text
     if (const fs::path page = built_toolchain.parent_path() / "handout.html";

@@ -84,7 +84,7 @@ private:
 /// The record of a check that there is no time for any more.
 void leave_out(CheckRecord& record) {
     record.verdict = Verdict::timed_out;
-    record.message = "not run, since an earlier check of this fragment timed out";
+    record.message = std::string(not_run) + "an earlier check of this fragment timed out";
     record.excerpt.clear();
     record.statistics.clear();
     record.cost = record.solution_cost = std::nullopt;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "assignment/assignment.h"
@@ -37,6 +38,9 @@ struct PictureCost {
     std::optional<double> efficiency() const;
     double rmse() const;
 };
+
+/// How the message of a check begins that did not run.
+constexpr std::string_view not_run = "not run, since ";
 
 struct CheckRecord {
     std::string name, fragment;
@@ -144,6 +148,9 @@ struct Record {
     /// none: there are none.
     std::optional<double> efficiency_ratio() const;
 };
+
+/// Whether there was no time for a check: its verdict is that of an earlier one.
+bool is_not_run(const CheckRecord& check);
 
 /// From bad to good: of two verdicts, the one to tell first.
 Verdict worse(Verdict a, Verdict b);

@@ -15,12 +15,16 @@ constexpr double bar_width = 260, bar_height = 34, middle = 15;
 
 }  // namespace
 
+double right_within(const StatisticRecord& statistic) {
+    return statistic.exact ? statistic.tolerance : statistic.delta0;
+}
+
 std::string bar(const StatisticRecord& statistic) {
     if (!statistic.value || !statistic.truth || !std::isfinite(*statistic.value) || !std::isfinite(*statistic.truth))
         return {};
     const double value = *statistic.value, truth = *statistic.truth, low = statistic.low.value_or(value),
                  high = statistic.high.value_or(value);
-    const double band = std::max(statistic.tolerance, statistic.delta0);
+    const double band = std::max(statistic.tolerance, statistic.delta0), right = right_within(statistic);
 
     // truth in the middle; a value that is very far off stands at the edge, as an arrow
     double reach = 1.25 * std::max({2 * band, std::abs(value - truth), std::abs(low - truth), std::abs(high - truth)});
@@ -35,12 +39,13 @@ std::string bar(const StatisticRecord& statistic) {
     std::string svg = fmt::format(
         "<svg class=\"bar\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" role=\"img\" "
         "aria-label=\"{2}: {3:.4g}, interval "
-        "{4:.4g} to {5:.4g}; expected {6:.4g} within {7:.3g}\">",
-        bar_width, bar_height, html(statistic.what), value, low, high, truth, band);
+        "{4:.4g} to {5:.4g}; must be {6:.4g}, right within {7:.3g}, wrong beyond {8:.3g}\">",
+        bar_width, bar_height, html(statistic.what), value, low, high, truth, right, band);
     svg +=
         fmt::format("<line class=\"axis\" x1=\"0\" x2=\"{:g}\" y1=\"{:g}\" y2=\"{:g}\"/>", bar_width, middle, middle);
-    svg += fmt::format("<rect class=\"band\" x=\"{:.1f}\" y=\"5\" width=\"{:.1f}\" height=\"20\"/>",
-                       at(truth - band) - 0.5, at(truth + band) - at(truth - band) + 1);
+    for (const auto& [kind, half] : {std::pair("between", band), {"band", right}})
+        svg += fmt::format("<rect class=\"{}\" x=\"{:.1f}\" y=\"5\" width=\"{:.1f}\" height=\"20\"/>", kind,
+                           at(truth - half) - 0.5, at(truth + half) - at(truth - half) + 1);
     svg += fmt::format("<line class=\"truth\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"2\" y2=\"28\"/>", at(truth));
     svg += fmt::format("<line class=\"interval {}\" x1=\"{:.1f}\" x2=\"{:.1f}\" y1=\"{}\" y2=\"{}\"/>", color, at(low),
                        at(high), middle, middle);

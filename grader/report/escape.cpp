@@ -1,6 +1,9 @@
 #include "report/escape.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cctype>
 
 namespace grade {
 
@@ -62,6 +65,27 @@ std::string html(std::string_view text) {
     return safe;
 }
 
+std::string with_powers(std::string_view safe, std::string_view open, std::string_view close) {
+    constexpr std::string_view digits = "0123456789", square_metres = "[m2]";
+    std::string raised;
+    for (std::size_t i = 0; i < safe.size(); ++i) {
+        const bool has_base = i > 0 && (std::isalnum(static_cast<unsigned char>(safe[i - 1])) || safe[i - 1] == ')');
+        const std::size_t first = i + 1 + safe.substr(i + 1).starts_with('-');
+        if (safe.substr(i).starts_with(square_metres)) {
+            raised += fmt::format("[m{}2{}]", open, close);
+            i += square_metres.size() - 1;
+        } else if (safe[i] == '^' && has_base && first < safe.size() && digits.find(safe[first]) != digits.npos) {
+            std::size_t end = std::min(safe.find_first_not_of("0123456789./", first), safe.size());
+            while (digits.find(safe[end - 1]) == digits.npos) --end;  // the end of a sentence
+            raised += fmt::format("{}{}{}", open, safe.substr(i + 1, end - i - 1), close);
+            i = end - 1;
+        } else {
+            raised += safe[i];
+        }
+    }
+    return raised;
+}
+
 std::string html_with_code(std::string_view text) {
     const std::string safe = html(text);
     std::string marked;
@@ -69,10 +93,11 @@ std::string html_with_code(std::string_view text) {
     for (std::size_t open = 0; (open = safe.find('`', at)) != safe.npos;) {
         const std::size_t close = safe.find('`', open + 1);
         if (close == safe.npos) break;
-        marked += safe.substr(at, open - at) + "<code>" + safe.substr(open + 1, close - open - 1) + "</code>";
+        marked += with_powers(std::string_view(safe).substr(at, open - at)) + "<code>" +
+                  safe.substr(open + 1, close - open - 1) + "</code>";
         at = close + 1;
     }
-    return marked + safe.substr(at);
+    return marked + with_powers(std::string_view(safe).substr(at));
 }
 
 }  // namespace grade

@@ -12,7 +12,10 @@ std::string printable(std::string_view text, std::size_t most = 2000);
 /// Text as it may stand in a page or in a quoted attribute; made printable first.
 std::string html(std::string_view text);
 
-/// The same, with what stands between backquotes as code.
+/// The same, with what stands between backquotes as code, and elsewhere powers raised: "pixel^2".
 std::string html_with_code(std::string_view text);
+
+/// Text that is safe already, with powers raised by these tags: "pixel^2", "N^-1.5", and the unit "[m2]".
+std::string with_powers(std::string_view safe, std::string_view open = "<sup>", std::string_view close = "</sup>");
 
 }  // namespace grade

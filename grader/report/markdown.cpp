@@ -33,24 +33,52 @@ std::string inline_html(std::string_view words) {
 }
 
 /// "| a | b |"
-std::string row_of(std::string_view line, const char* cell) {
-    std::string text = "<tr>";
+std::vector<std::string_view> cells_of(std::string_view line) {
+    std::vector<std::string_view> cells;
     line.remove_prefix(1);
     while (!line.empty()) {
         const auto end = std::min(line.find('|'), line.size());
         if (end == line.size() && line.find_first_not_of(' ') == line.npos) break;
-        text += fmt::format("<{0}>{1}</{0}>", cell, inline_html(line.substr(0, end)));
+        cells.push_back(line.substr(0, end));
         line.remove_prefix(std::min(end + 1, line.size()));
     }
+    return cells;
+}
+
+std::string_view trimmed(std::string_view text) {
+    const auto first = std::min(text.find_first_not_of(' '), text.size());
+    return text.substr(first, text.find_last_not_of(' ') + 1 - first);
+}
+
+/// Of a table's body, which narrow pages lay out as blocks: each cell knows what its column is.
+std::string row_of(std::string_view line, const std::vector<std::string_view>& headers) {
+    std::string text = "<tr>";
+    const auto cells = cells_of(line);
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        text += fmt::format("<td{}>{}</td>",
+                            i > 0 && i < headers.size() && !trimmed(headers[i]).empty()
+                                ? fmt::format(" data-is=\"{}\"", html(trimmed(headers[i])))
+                                : "",
+                            inline_html(cells[i]));
+    return text + "</tr>\n";
+}
+
+std::string header_of(const std::vector<std::string_view>& headers) {
+    std::string text = "<tr>";
+    for (const std::string_view header : headers)
+        text += trimmed(header).empty() ? "<td></td>" : fmt::format("<th>{}</th>", inline_html(header));
     return text + "</tr>\n";
 }
 
 /// number  among the page's tables: no two regions may have one name
 std::string table_of(const std::vector<std::string_view>& rows, int number) {
-    std::string text = fmt::format(
-        "<div class=\"scroll plain\" role=\"region\" tabindex=\"0\" aria-label=\"table {}\"><table>\n", number);
+    constexpr std::size_t many = 6;  // columns, for which there is room on wide pages alone
+    const auto headers = cells_of(rows.front());
+    std::string text =
+        fmt::format("<div class=\"scroll plain{}\" role=\"region\" tabindex=\"0\" aria-label=\"table {}\"><table>\n",
+                    headers.size() > many ? " many" : "", number);
     for (std::size_t i = 0; i < rows.size(); ++i)
-        if (!rows[i].starts_with("|--")) text += row_of(rows[i], i == 0 ? "th" : "td");
+        if (!rows[i].starts_with("|--")) text += i == 0 ? header_of(headers) : row_of(rows[i], headers);
     return text + "</table></div>\n";
 }
 

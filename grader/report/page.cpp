@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <sstream>
 
 #include "diagnosis/diagnosis.h"
 #include "report/escape.h"
@@ -22,10 +23,19 @@ std::string badge(Verdict verdict) {
     return fmt::format("<span class=\"badge {}\">{}</span>", name(verdict), in_words(verdict));
 }
 
-std::string figure(const std::string& source, const std::string& alt, const std::string& caption) {
-    return fmt::format("<figure><img loading=\"lazy\" src=\"{}\" alt=\"{}\"><figcaption>{}</figcaption></figure>\n",
-                       source, html(alt), caption);
+/// What no check has run for is not the fragment's: "not run" in place of the verdict that it shares.
+std::string badge(const CheckRecord& check) {
+    return is_not_run(check) ? "<span class=\"badge not_started\">not run</span>" : badge(check.verdict);
 }
+
+/// kind  "map": of differences, white where there is none
+std::string figure(const std::string& source, const std::string& alt, const std::string& caption,
+                   const char* kind = "") {
+    return fmt::format("<figure{}><img loading=\"lazy\" src=\"{}\" alt=\"{}\"><figcaption>{}</figcaption></figure>\n",
+                       *kind ? fmt::format(" class=\"{}\"", kind) : "", source, html(alt), caption);
+}
+
+constexpr const char* scale = "<span class=\"scale\" role=\"img\" aria-label=\"from blue to orange\"></span>";
 
 std::string number_in_table(std::optional<double> x) {
     if (!x) return "unknown";
@@ -34,18 +44,14 @@ std::string number_in_table(std::optional<double> x) {
 
 /// Yours, the right one, and the difference; without the right one, yours alone.
 std::string three_pictures(const rt::Image& mine, const rt::Image& right, double exposure, const std::string& what) {
-    std::string text = "<div class=\"pictures\">\n";
+    std::string text = fmt::format("<div class=\"pictures\" data-exposure=\"{:.6g}\">\n", exposure);
     text += figure(data_uri(mine, exposure), "the submission's picture " + what, "yours");
     if (!right.pixels.empty()) {
         text += figure(data_uri(right, exposure), "the solution's picture " + what, "the right one");
         const Difference map = difference(mine, right);
-        text +=
-            figure(data_uri(map.image, 1),
-                   "where the submission's picture " + what + " is darker or brighter than the solution's",
-                   fmt::format("difference: darker <span class=\"scale\" role=\"img\" aria-label=\"blue over white to "
-                               "orange\"></span> brighter; full colour "
-                               "at ±{:.2g}",
-                               map.full));
+        text += figure(data_uri(map.image, 1),
+                       "where the submission's picture " + what + " is darker or brighter than the solution's",
+                       fmt::format("difference: darker {} brighter; full colour at ±{:.2g}", scale, map.full), "map");
     }
     return text + "</div>\n";
 }
@@ -56,12 +62,15 @@ std::string tile_map(const CheckRecord& check) {
     const Difference map = significance(check.tiles, check.picture.width, check.picture.height);
     const std::size_t clearest = check.tiles.clearest();
     return "<div class=\"pictures\">\n" +
-           figure(data_uri(map.image, 1),
-                  "how sure each tile of the picture for " + check.name + " is darker or brighter",
-                  fmt::format("how sure that is, by tiles of {0} x {0} pixels: full colour where Welch's t is beyond "
-                              "±{1:g}; the clearest has t = {2:.3g}, p = {3:.2g}: {4}",
-                              Tiles::side, map.full, check.tiles.t[clearest], check.tiles.p[clearest],
-                              html(tile_in_words(check.tiles, clearest)))) +
+           figure(
+               data_uri(map.image, 1),
+               "which tiles of the picture for " + check.name + " are surely darker or brighter",
+               fmt::format("surely darker {0} surely brighter, not by chance. Most clearly, {1}"
+                           "<details><summary>figures</summary>Tiles of {2} x {2} pixels; full colour where Welch's t "
+                           "is beyond ±{3:g}; the clearest has t = {4:.3g}, p = {5:.2g}</details>",
+                           scale, html(tile_in_words(check.tiles, clearest)), Tiles::side, map.full,
+                           check.tiles.t[clearest], check.tiles.p[clearest]),
+               "map") +
            "</div>\n";
 }
 
@@ -83,59 +92,79 @@ std::string pictures(const CheckRecord& check) {
            parting(check);
 }
 
-std::string statistics(const CheckRecord& check) {
+/// A row, which narrow pages lay out as a block: data-is names what a header names on wide ones.
+std::string statistic_row(const StatisticRecord& s) {
+    const bool interval = s.low && s.high && *s.high > *s.low;
+    const auto number = [](const char* is, const std::string& value) {
+        return fmt::format("<td class=\"number\" data-is=\"{}\">{}</td>", is, value);
+    };
+    return fmt::format(
+        "<tr><td><b>{}</b> {}{}</td>{}{}{}{}<td class=\"drawing\">{}</td><td class=\"verdict\">{}</td></tr>\n",
+        html(s.id), html_with_code(s.what),
+        s.replicates > 1 ? fmt::format("<br><span class=\"soft\">measured {} times</span>", s.replicates) : "",
+        number("yours",
+               number_in_table(s.value) + (interval ? fmt::format(" <span class=\"soft\">{} to {}</span>",
+                                                                  number_in_table(s.low), number_in_table(s.high))
+                                                    : "")),
+        number("must be", number_in_table(s.truth)), number("right within", fmt::format("{:.3g}", right_within(s))),
+        number("wrong beyond", fmt::format("{:.3g}", s.tolerance)), bar(s), badge(s.verdict));
+}
+
+/// What a page tells once, however many statistics say it.
+using Told = std::set<std::string>;
+
+std::string statistics(const CheckRecord& check, Told& told) {
     if (check.statistics.empty()) return {};
-    std::string text = fmt::format(
-        "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"statistics of {}\"><table>"
-        "<tr><th>statistic</th><th class=\"number\">value</th><th class=\"number\">expected</th>"
-        "<th class=\"number\">within ±</th><th><span class=\"legend dot\"></span>measured"
-        "<span class=\"legend line\"></span>expected<span class=\"legend area\"></span>right</th>"
-        "<th class=\"number\">replicates</th><th>verdict</th></tr>\n",
-        html(check.name));
-    for (const StatisticRecord& s : check.statistics) {
-        const bool interval = s.low && s.high && *s.high > *s.low;
-        text += fmt::format(
-            "<tr><td><b>{}</b> {}</td><td class=\"number\">{}{}</td><td class=\"number\">{}</td><td "
-            "class=\"number\">{:.3g}</td><td>{}</td>"
-            "<td class=\"number\">{}</td><td>{}</td></tr>\n",
-            html(s.id), html(s.what), number_in_table(s.value),
-            interval ? fmt::format("<br><span class=\"soft\">{} to {}</span>", number_in_table(s.low),
-                                   number_in_table(s.high))
-                     : "",
-            number_in_table(s.truth), s.tolerance, bar(s), s.replicates, badge(s.verdict));
-    }
-    text += "</table></div>\n";
-    std::set<std::string> told;
+    std::string text =
+        "<table class=\"statistics\"><tr><th>measures</th><th class=\"number\">yours</th><th class=\"number\">must "
+        "be</th><th class=\"number\">right within</th><th class=\"number\">wrong beyond</th>"
+        "<th><span class=\"legend dot\"></span>yours<span class=\"legend line\"></span>must be"
+        "<span class=\"legend area\"></span>right<span class=\"legend faint\"></span>in between</th>"
+        "<th>verdict</th></tr>\n";
+    for (const StatisticRecord& s : check.statistics) text += statistic_row(s);
+    text += "</table>\n";
+    if (std::ranges::any_of(check.statistics, [](const auto& s) { return s.what.starts_with("chi squared"); }))
+        text +=
+            "<p class=\"soft\">Chi squared per degree of freedom is 1 where all is spread as chance spreads it, and "
+            "more where it is not.</p>\n";
     for (const StatisticRecord& s : check.statistics)
         if (!s.hint.empty() && told.insert(s.hint).second)
             text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(s.verdict), html_with_code(s.hint));
     return text;
 }
 
-std::string check_section(const CheckRecord& check, bool fragment_passes) {
-    std::string text =
-        fmt::format("<details class=\"check\"{}><summary><h4>{}</h4>{}</summary>\n",
-                    check.verdict == Verdict::passed ? "" : " open", html(check.name), badge(check.verdict));
-    if (!check.message.empty())
+std::string check_section(const CheckRecord& check, bool fragment_passes, Told& told) {
+    const bool folded = check.verdict == Verdict::passed || is_not_run(check);
+    std::string text = fmt::format("<details class=\"check{}\"{}><summary><h4>{}</h4>{}</summary>\n",
+                                   folded ? "" : " is_open", folded ? "" : " open", html(check.name), badge(check));
+    if (is_not_run(check))
+        text += fmt::format("<p class=\"soft\">{}</p>\n", html(check.message));
+    else if (!check.message.empty() && told.insert(check.message).second)
         text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(check.verdict), html_with_code(check.message));
     if (!check.excerpt.empty())
         text += fmt::format("<p class=\"soft\">It printed:</p><pre tabindex=\"0\">{}</pre>\n", html(check.excerpt));
-    text += pictures(check) + cost_line(check, fragment_passes) + statistics(check);
+    text += pictures(check) + cost_line(check, fragment_passes) + statistics(check, told);
     if (!check.scene.empty())
         text += fmt::format(
-            "<details><summary class=\"soft\">scene, {} samples a pixel, {}</summary><pre "
+            "<details><summary class=\"soft\">scene: <code>--samples {} --sampler {}</code></summary><pre "
             "tabindex=\"0\">{}</pre></details>\n",
             check.samples, html(check.sampler), html(check.scene));
     return text + "</details>\n";
 }
 
-std::string first_line(const std::string& words) { return words.substr(0, words.find('\n')); }
+/// The first line of the hint, and the line of code where the program breaks down.
+std::string in_a_line(const FragmentRecord& fragment) {
+    const std::string words = diagnose(fragment).words, fault = fragment.finding.fault;
+    const std::string first = words.substr(0, words.find('\n'));
+    return fault.empty() || first == fault ? first : first + "; " + fault;
+}
 
 /// Where to read about what is wrong.
 std::string read_link(const std::string& section, const std::string& handout) {
     if (section.empty()) return {};
     if (handout.empty()) return "See " + html(reading(section));
-    return fmt::format("See <a href=\"{}#{}\">{}</a>", html(handout), html(anchor(section)), html(reading(section)));
+    return fmt::format("See <a href=\"{}#{}\">handout, &quot;{}&quot;</a>", html(handout), html(anchor(section)),
+                       html(section));
 }
 
 std::string fragment_section(const FragmentRecord& fragment, const std::string& handout) {
@@ -145,13 +174,18 @@ std::string fragment_section(const FragmentRecord& fragment, const std::string& 
         "{3:g}</span></div>\n",
         html(fragment.name), badge(fragment.verdict), fragment.points, fragment.max_points,
         fragment.verdict == Verdict::passed ? " is_passed" : "");
+    Told told;
+    const auto tell = [&](const std::string& words) {
+        std::istringstream lines(words);
+        for (std::string line; std::getline(lines, line);) told.insert(line);
+        return fmt::format("<p class=\"hint {}\">{}</p>\n", name(fragment.verdict), html_with_code(words));
+    };
     if (fragment.verdict == Verdict::did_not_build)
         text += fmt::format("<pre tabindex=\"0\">{}</pre>\n", html(fragment.message));
     else if (!fragment.message.empty())
-        text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(fragment.verdict), html_with_code(fragment.message));
+        text += tell(fragment.message);
     else if (const Finding& f = fragment.finding; !f.how.empty() || !f.arguments.empty() || !f.fault.empty())
-        text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(fragment.verdict),
-                            html_with_code(diagnose(fragment).words));
+        text += tell(diagnose(fragment).words);
     if (!fragment.finding.code.empty())
         text += fmt::format(
             "<details><summary class=\"soft\">this call as C++, and in a shell</summary><pre "
@@ -164,7 +198,7 @@ std::string fragment_section(const FragmentRecord& fragment, const std::string& 
         text += fmt::format("<p class=\"soft\">{}</p>\n", link);
     if (fragment.verdict != Verdict::did_not_build && fragment.verdict != Verdict::not_started)
         for (const CheckRecord& check : fragment.checks)
-            text += check_section(check, fragment.verdict == Verdict::passed);
+            text += check_section(check, fragment.verdict == Verdict::passed, told);
     return text + "</section>\n";
 }
 
@@ -172,7 +206,7 @@ std::string fragment_section(const FragmentRecord& fragment, const std::string& 
 std::string overview_row(const FragmentRecord& fragment, const std::string& handout) {
     const bool passed = fragment.verdict == Verdict::passed;
     const Diagnosis diagnosis = passed ? Diagnosis{} : diagnose(fragment);
-    const std::string link = read_link(diagnosis.section, handout), words = first_line(diagnosis.words);
+    const std::string link = read_link(diagnosis.section, handout), words = passed ? "" : in_a_line(fragment);
     return fmt::format(
         "<tr{6} data-lost=\"{7:g}\"><td><a href=\"#{0}\">{0}</a></td><td>{1}</td><td class=\"number\">{2:g} of "
         "{3:g}</td>"
@@ -218,7 +252,7 @@ std::string next_step(const Record& record) {
     for (const FragmentRecord& fragment : record.fragments)
         if (fragment.verdict != Verdict::passed)
             return fmt::format("<p>Next: <a href=\"#{0}\">{0}</a>, {1}: {2}</p>", html(fragment.name),
-                               in_words(fragment.verdict), html_with_code(first_line(diagnose(fragment).words)));
+                               in_words(fragment.verdict), html_with_code(in_a_line(fragment)));
     return "<p>All of it passes.</p>";
 }
 

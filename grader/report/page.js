@@ -39,34 +39,42 @@ document.addEventListener("keydown", event => {
     name.focus({ preventScroll: true });
 });
 
-window.addEventListener("beforeprint", () => { for (const details of all("details")) details.open = true; });
+// In print, what is not passed is whole, and the rest as it is seen: folded, or by the button above unfolded.
+window.addEventListener("beforeprint", () => { for (const check of all("details.check.is_open")) check.open = true; });
 
-// Yours over the right one: a border that is drawn across, or both in turn; and the pixel below the pointer. Values are
-// read off the preview: 8 bits, after its exposure.
+// Yours over the right one: a border that is drawn across, or both in turn; and the radiance below the pointer, read off
+// the previews. Those have 8 bits: two digits, and what is white there may be brighter.
 const compare = pictures => {
     const [mine, right] = all("img", pictures);
     if (!right) return;
     const box = document.createElement("div"), stack = document.createElement("div");
     const canvas = document.createElement("canvas"), values = document.createElement("output");
+    const line = document.createElement("i"), labels = ["yours", "the right one"].map(text =>
+        Object.assign(document.createElement("b"), { textContent: text }));
+    const exposure = Number(pictures.dataset.exposure);
     const slider = Object.assign(document.createElement("input"),
         { type: "range", min: 0, max: 100, value: 50, ariaLabel: "how much of yours is shown over the right one, from the left [%]" });
-    const flicker = Object.assign(document.createElement("button"), { type: "button", textContent: "in turn" });
+    const flicker = Object.assign(document.createElement("button"), { type: "button", textContent: "flicker" });
     flicker.setAttribute("aria-pressed", false);
     let turn = null, shows = 0, at = null;
     const linear = byte => { const x = byte / 255; return x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4; };
+    const radiance = byte => (byte === 255 ? "≥" : "") + Number((linear(byte) / exposure).toPrecision(2));
     const texts = [mine, right].map(picture => {
         const read = Object.assign(document.createElement("canvas"), { width: mine.naturalWidth, height: mine.naturalHeight });
         const context = read.getContext("2d", { willReadFrequently: true });
         context.drawImage(picture, 0, 0);
-        return (x, y) => [...context.getImageData(x, y, 1, 1).data].slice(0, 3).map(c => linear(c).toFixed(3)).join(" ");
+        return (x, y) => [...context.getImageData(x, y, 1, 1).data].slice(0, 3).map(radiance).join(" ");
     });
     canvas.width = mine.naturalWidth, canvas.height = mine.naturalHeight;
     const draw = () => {
         const context = canvas.getContext("2d"), border = canvas.width * slider.value / 100;
         context.drawImage(turn ? [mine, right][shows] : right, 0, 0);
         if (!turn && border > 0) context.drawImage(mine, 0, 0, border, canvas.height, 0, 0, border, canvas.height);
-        values.textContent = at ? `pixel ${at}   yours ${texts[0](...at)}   right ${texts[1](...at)}`
-            : turn ? ["yours", "the right one"][shows] : "left of the border yours, right of it the right one";
+        line.className = "border", line.hidden = Boolean(turn);
+        line.style.left = `${slider.value}%`, line.style.height = `${canvas.clientHeight}px`;
+        labels[0].hidden = turn ? shows !== 0 : slider.value < 12, labels[1].hidden = turn ? shows !== 1 : slider.value > 80;
+        values.textContent = at ? `radiance of pixel ${at}: yours ${texts[0](...at)}, the right one ${texts[1](...at)}`
+            : turn ? ["yours", "the right one"][shows] : "left of the line yours, right of it the right one";
     };
     slider.addEventListener("input", draw);
     flicker.addEventListener("click", () => {
@@ -84,10 +92,11 @@ const compare = pictures => {
     canvas.setAttribute("role", "img");
     canvas.setAttribute("aria-label", "yours over the right one");
     box.className = "compare", stack.className = "stack";
-    stack.append(canvas, values);
+    stack.append(canvas, line, ...labels, values);
     box.append(slider, stack, flicker);
     pictures.after(box);
     draw();
+    new ResizeObserver(draw).observe(stack);
 };
 for (const pictures of all(".pictures")) {
     const button = Object.assign(document.createElement("button"), { type: "button", textContent: "compare" });

@@ -11,8 +11,11 @@ namespace grade {
 extern const char* const page_style;
 extern const char* const page_script;
 
-/// A statistic as a small drawing: the truth as a line, the tolerance as a band about it, the value as a dot on its
-/// confidence interval. Empty where there is no value.
+/// Deviations that are right; without noise, all that are not wrong.
+double right_within(const StatisticRecord& statistic);
+
+/// A statistic as a small drawing: the truth as a line, about it what is right as a band and what is neither right nor
+/// wrong as a fainter one, the value as a dot on its confidence interval. Empty where there is no value.
 std::string bar(const StatisticRecord& statistic);
 
 /// What one picture of a check costs and how noisy it is, beside the solution's; empty: not known. How efficient that

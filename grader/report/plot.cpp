@@ -18,6 +18,12 @@ constexpr double plot_width = 720, plot_height = 440, left = 76, right = 190, to
 // Source: Okabe and Ito, "Color Universal Design", 2008.
 constexpr std::array colors{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000"};
 
+/// What a dark page changes: the paper, the ink, and the series that its paper would swallow.
+constexpr const char* dark_style =
+    "<style>@media screen and (prefers-color-scheme:dark){.loglog .paper{fill:#1b212a}.loglog text{fill:#e6eaf0}"
+    ".loglog .grid{stroke:#363f4c}.loglog .s0{color:#62b5ee}.loglog .s1{color:#ff9a57}.loglog .s2{color:#2cc79a}"
+    ".loglog .s3{color:#e09cc4}.loglog .s4{color:#9adcf8}.loglog .s5{color:#e2c04a}.loglog .s6{color:#fff}}</style>\n";
+
 /// Whole decades about all values.
 struct Axis {
     double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
@@ -37,7 +43,7 @@ struct Axis {
 std::string text(double x, double y, const std::string& anchor, const std::string& words,
                  const std::string& more = "") {
     return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" {}>{}</text>\n", x, y, anchor, more,
-                       html(words));
+                       with_powers(html(words), "<tspan dy=\"-5\" font-size=\"9\">", "</tspan>"));
 }
 
 std::string power(double decade) {
@@ -45,8 +51,8 @@ std::string power(double decade) {
     return fmt::format("1e{:g}", decade);
 }
 
-const char* color_of_series(const Series& series, std::size_t place) {
-    return colors[(series.color >= 0 ? std::size_t(series.color) : place) % colors.size()];
+std::size_t color_of_series(const Series& series, std::size_t place) {
+    return (series.color >= 0 ? std::size_t(series.color) : place) % colors.size();
 }
 
 /// Where the values of a plot are in its picture.
@@ -88,46 +94,73 @@ std::string grid(const Frame& frame) {
     std::string svg;
     for (double decade = frame.x.low; decade <= frame.x.high; ++decade) {
         const double at = frame.at_x(std::pow(10, decade));
-        svg += fmt::format("<path d=\"M{0:.1f} {1:g}V{2:g}\" stroke=\"#ddd\"/>\n", at, top, top + tall) +
+        svg += fmt::format("<path class=\"grid\" d=\"M{0:.1f} {1:g}V{2:g}\" stroke=\"#ddd\"/>\n", at, top, top + tall) +
                text(at, top + tall + 18, "middle", power(decade));
     }
     for (double decade = frame.y.low; decade <= frame.y.high; ++decade) {
         const double at = frame.at_y(std::pow(10, decade));
-        svg += fmt::format("<path d=\"M{0:g} {1:.1f}H{2:g}\" stroke=\"#ddd\"/>\n", left, at, left + wide) +
-               text(left - 8, at + 4, "end", power(decade));
+        svg +=
+            fmt::format("<path class=\"grid\" d=\"M{0:g} {1:.1f}H{2:g}\" stroke=\"#ddd\"/>\n", left, at, left + wide) +
+            text(left - 8, at + 4, "end", power(decade));
     }
     return svg;
 }
 
 /// A series with its ribbon, and its row of the legend.
 std::string drawn(const Series& series, std::size_t place, const Frame& frame) {
-    const char* color = color_of_series(series, place);
+    const std::size_t color = color_of_series(series, place);
     const std::string dashes = series.dashed ? " stroke-dasharray=\"5 4\"" : "";
-    const auto dot = [&](double x, double y) {
-        return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" fill=\"{}\"/>\n", x, y, color);
+    const auto dot = [](double x, double y, const std::string& name = "") {
+        const std::string title = name.empty() ? "" : "<title>" + html(name) + "</title>";
+        return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" fill=\"currentColor\">{}</circle>\n", x, y,
+                           title);
     };
     std::string line, upper, lower, dots;
     for (const auto& point : series.points) {
         if (!(point.x > 0 && point.y > 0)) continue;
         const double x = frame.at_x(point.x), y = frame.at_y(point.y);
         line += fmt::format("{}{:.1f} {:.1f}", line.empty() ? "M" : "L", x, y);
-        if (series.dots && !series.dashed) dots += dot(x, y);
+        if (series.dots && !series.dashed) dots += dot(x, y, point.name);
         if (point.high > point.low && point.low > 0) {
             upper += fmt::format("{:.1f},{:.1f} ", x, frame.at_y(point.high));
             lower = fmt::format("{:.1f},{:.1f} ", x, frame.at_y(point.low)) + lower;
         }
     }
-    std::string svg;
+    std::string svg = fmt::format("<g class=\"s{}\" color=\"{}\">\n", color, colors[color]);
     if (!upper.empty())
-        svg += fmt::format("<polygon points=\"{}{}\" fill=\"{}\" opacity=\"0.18\"/>\n", upper, lower, color);
+        svg += fmt::format("<polygon points=\"{}{}\" fill=\"currentColor\" opacity=\"0.18\"/>\n", upper, lower);
     if (series.joined)
-        svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"{}/>\n", line, color, dashes);
+        svg +=
+            fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"currentColor\" stroke-width=\"2\"{}/>\n", line, dashes);
     svg += dots;
     const double row = top + 8 + 20 * double(place), at = plot_width - right + 14;
-    svg += series.joined ? fmt::format("<path d=\"M{0:g} {1:g}h22\" stroke=\"{2}\" stroke-width=\"2\"{3}/>\n", at, row,
-                                       color, dashes)
+    svg += series.joined ? fmt::format("<path d=\"M{0:g} {1:g}h22\" stroke=\"currentColor\" stroke-width=\"2\"{2}/>\n",
+                                       at, row, dashes)
                          : dot(at + 11, row);
-    return svg + text(at + 28, row + 4, "start", series.name);
+    return svg + "</g>\n" + text(at + 28, row + 4, "start", series.name);
+}
+
+/// Lines between what belongs together, with as many names as do not cover each other.
+std::string pairs(const std::vector<Pair>& all, const Frame& frame) {
+    constexpr double letter = 6.2, height = 12, gap = 8;
+    struct Box {
+        double x, y, wide;
+    };
+    std::vector<Box> taken;
+    std::string svg;
+    for (const Pair& pair : all) {
+        const double x = frame.at_x(pair.to.x), y = frame.at_y(pair.to.y);
+        svg += fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"#888\"/>\n", frame.at_x(pair.from.x),
+                           frame.at_y(pair.from.y), x, y);
+        const Box box{x + gap, y, letter * double(pair.name.size())};
+        const bool is_free = std::ranges::none_of(taken, [&](const Box& other) {
+            return std::abs(box.y - other.y) < height && box.x < other.x + other.wide && other.x < box.x + box.wide;
+        });
+        if (pair.name.empty() || !is_free) continue;
+        taken.push_back(box);
+        svg += text(box.x, y + 4, "start", pair.name, "font-size=\"11\"");
+    }
+    return svg;
 }
 
 }  // namespace
@@ -136,16 +169,18 @@ std::string log_log(const Plot& plot) {
     const Frame frame(plot);
     const double wide = plot_width - left - right, tall = plot_height - top - bottom;
     std::string svg = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" "
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"loglog\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" "
+        "height=\"{1:g}\" "
         "role=\"img\" "
         "aria-label=\"{2}: {4} against {3}\" font-family=\"sans-serif\" font-size=\"13\">\n"
-        "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-        plot_width, plot_height, html(plot.title), html(plot.x), html(plot.y));
+        "{5}<rect class=\"paper\" width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
+        plot_width, plot_height, html(plot.title), html(plot.x), html(plot.y), dark_style);
     svg += text(left, 24, "start", plot.title, "font-size=\"15\" font-weight=\"bold\"");
     svg += grid(frame);
     svg += text(left + wide / 2, plot_height - 14, "middle", plot.x);
     svg += text(0, 0, "middle", plot.y, fmt::format("transform=\"translate(18 {:.1f}) rotate(-90)\"", top + tall / 2));
     for (const Guide& guide : plot.guides) svg += guide_line(guide, frame);
+    svg += pairs(plot.pairs, frame);
     for (std::size_t i = 0; i < plot.series.size(); ++i) svg += drawn(plot.series[i], i, frame);
     return svg + "</svg>\n";
 }

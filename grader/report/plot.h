@@ -10,6 +10,7 @@ struct Series {
     struct Point {
         double x, y;
         double low = 0, high = 0;  // an interval of y, drawn as a ribbon where it is not empty
+        std::string name{};        // below the pointer
     };
     std::string name;
     std::vector<Point> points;
@@ -25,15 +26,22 @@ struct Guide {
     std::string name;
 };
 
+/// Two points that belong together.
+struct Pair {
+    Series::Point from, to;
+    std::string name;  // at `to`, where there is room; empty: none
+};
+
 struct Plot {
     std::string title, x, y;  // with units
     std::vector<Series> series;
     std::vector<Guide> guides{};  // from the upper left corner of what the series take
     double least_y = 0;           // above 0: what is below stands on it
+    std::vector<Pair> pairs{};
 };
 
 /// A picture with logarithmic axes, as an SVG file of its own: no script, no font, colours that colour-blind readers
-/// tell apart, an alternative text.
+/// tell apart, dark on a dark page, an alternative text.
 std::string log_log(const Plot& plot);
 
 }  // namespace grade

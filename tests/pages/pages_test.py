@@ -9,7 +9,9 @@ width.
 """
 
 import argparse
+import base64
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -48,13 +50,53 @@ def make_pages(grade, folder):
     run(example, *FRAGMENTS, "--seed", "1", "--html", folder / "grade")
     run("stress", "solution", "--only", "phong", "--html", folder / "stress")
     run("lesson", "solution", "--out", folder / "stress")
+    run("converge", "solution", "scenes/penumbra.toml", "--samples", "1,4", "--replicates", "2", "--side", "16", "--out",
+        folder / "stress", "--folder", folder / "kept")
+    run("calibrate", "phong", "--report", "--folder", folder / "empty", "--out", folder / "stress")
     for student in ("anna", "ben"):  # twins, and alike in what is wrong
         (folder / f"export/hw1-{student}").mkdir(parents=True)
         for name in ("phong", "whitted"):
             shutil.copy(example / f"fragments/{name}.cpp", folder / f"export/hw1-{student}")
     (folder / "export/hw1-a-name-as-long-as-names-of-repositories-and-groups-are-at-some-schools.zip").write_text("no archive")
     run("class", folder / "export", "-o", folder / "class", "--seed", "1")
+    (folder / "grade/handout.html").unlink(missing_ok=True)  # has a test of its own
     return sorted(folder.glob("*/*.html"))
+
+
+# What stands beyond the edge, or in a box that scrolls on a narrow page: nobody sees that digits are missing.
+CUT = """[...document.querySelectorAll('td, th, .score, figcaption, svg.bar, .points')].filter(e => {
+    const box = e.getBoundingClientRect(), scroll = e.closest('.scroll, .wide');
+    if (!box.width) return false;
+    return box.right > innerWidth + 1 || (scroll && innerWidth <= 640 && scroll.scrollWidth > scroll.clientWidth + 1);
+}).map(e => e.textContent.trim().slice(0, 60))"""
+
+
+def share_of_white(page, element):
+    """Of an element's pixels as they are seen."""
+    shot = base64.b64encode(element.screenshot()).decode()
+    return page.evaluate("""async shot => {
+        const image = new Image();
+        image.src = 'data:image/png;base64,' + shot;
+        await image.decode();
+        const canvas = Object.assign(document.createElement('canvas'), { width: image.width, height: image.height });
+        const context = canvas.getContext('2d');
+        context.drawImage(image, 0, 0);
+        const bytes = context.getImageData(0, 0, image.width, image.height).data;
+        let white = 0;
+        for (let i = 0; i < bytes.length; i += 4) white += Math.min(bytes[i], bytes[i + 1], bytes[i + 2]) > 245;
+        return 4 * white / bytes.length;
+    }""", shot)
+
+
+def check_dark(page, name):
+    """Maps of differences, their scales and plots are dark on a dark page."""
+    page.evaluate("for (const image of document.images) image.loading = 'eager'")
+    page.wait_for_function("[...document.images].every(image => image.complete)")
+    for what in (".map img", ".scale", ".plot svg", ".plot img", ".plots svg"):
+        for element in page.locator(what).all()[:3]:
+            if element.is_visible():
+                white = share_of_white(page, element)
+                expect(white < 0.2, f"{name}: {white:.0%} of {what} is white")
 
 
 def check_widths(browser, page_file, keep):
@@ -69,6 +111,10 @@ def check_widths(browser, page_file, keep):
             expect(wide <= width, f"{name}: {wide} wide")
             outside = [url for url in asked if not url.startswith(("file:", "data:"))]
             expect(not outside, f"{name}: asks for {outside}")
+            cut = page.evaluate(CUT)
+            expect(not cut, f"{name}: cut off: {cut[:3]}")
+            if (width, scheme) == (768, "dark"):
+                check_dark(page, name)
             if (width, scheme) in ((320, "light"), (1280, "dark")):
                 page.evaluate("for (const d of document.querySelectorAll('details')) d.open = true")
                 found = Axe().run(page).response["violations"]
@@ -91,7 +137,7 @@ def check_links(browser, folder):
     shown = page.evaluate("[...document.images].every(image => image.naturalWidth > 0)")
     expect(shown and page.locator("img").count() == 3, "the lesson's plots")
     page.locator("nav.pages summary").click()
-    expect("./grade converge" in page.locator("nav.pages ul").inner_text(), "pages of one folder: how to make the others")
+    expect("./grade SUBMISSION --html DIR" in page.locator("nav.pages ul").inner_text(), "pages of one folder: how to make the others")
     page.get_by_role("link", name="extreme cases").click()
     expect(page.url.endswith("stress.html"), f"pages of one folder: the lesson leads to {page.url}")
     page.close()
@@ -125,20 +171,67 @@ def check_comforts(browser, page_file):
     page.get_by_role("button", name="compare").first.press("Enter")
     canvas = page.locator(".stack canvas").first
     canvas.hover()
-    expect(page.locator(".stack output").first.inner_text().startswith("pixel "), "compare: the pixel's values")
-    page.get_by_role("button", name="in turn").first.press("Enter")
+    check_radiance(page)
+    expect(page.locator(".stack .border").first.bounding_box()["width"] == 2, "compare: a line at the border")
+    labels = page.locator(".stack").first.locator("b")
+    expect(labels.all_inner_texts() == ["yours", "the right one"], "compare: which side is which")
+    page.get_by_role("button", name="flicker").first.press("Enter")
     page.wait_for_timeout(700)
+    expect(labels.first.is_visible() != labels.last.is_visible(), "compare: flicker names the one that is shown")
     page.close()
+
+
+def check_radiance(page):
+    """What the pointer shows are the numbers of the caption below, of the same tile."""
+    page.locator("#light_sample").get_by_role("button", name="compare").first.press("Enter")
+    place = page.locator("#light_sample details.check:has(.stack)").first
+    words = place.locator("figcaption").filter(has_text="Most clearly").first.inner_text()
+    left, top = (int(n) for n in re.search(r"pixels (\d+) to .* and (\d+) to", words).groups())
+    mine, right = (float(n) for n in re.search(r"are (\S+) bright, must be (\S+)", words).groups())
+    canvas = place.locator(".stack canvas")
+    box, size = canvas.bounding_box(), canvas.evaluate("c => c.width")
+    canvas.hover(position={"x": (left + 4) * box["width"] / size, "y": (top + 4) * box["width"] / size})
+    shown = place.locator(".stack output").inner_text()
+    numbers = [float(n) for n in re.findall(r"[0-9.e-]+", shown.split(":")[1].replace("≥", ""))]
+    expect(len(numbers) == 6, f"compare: the radiance of a pixel, in {shown!r}")
+    for value, of_tile in ((numbers[1], mine), (numbers[4], right)):
+        expect(abs(value - of_tile) <= 0.5 * of_tile + 1e-3, f"compare: {shown!r} where {words!r}")
 
 
 def check_print(browser, page_file):
     page = browser.new_page()
     page.goto(page_file.as_uri())
+    page.evaluate("for (const d of document.querySelectorAll('details.check')) d.open = false")
     page.evaluate("window.dispatchEvent(new Event('beforeprint'))")
-    expect(page.evaluate("[...document.querySelectorAll('details')].every(d => d.open)"), "print: all is unfolded")
+    opened = page.evaluate("[...document.querySelectorAll('details.check')].map(d => [d.open, !d.querySelector('.badge.passed')])")
     page.emulate_media(media="print")
     expect(page.locator("header").bounding_box()["y"] < 100, "print: the first page begins with the score")
-    expect(page.pdf().startswith(b"%PDF"), "print: a PDF")
+    # what passes stays folded
+    expect(not page.locator("#phong table").first.is_visible(), "print: a check that passes is folded")
+    expect(page.locator("#shadow_ray table").first.is_visible(), "print: a check that fails is whole")
+    expect(any(is_open for is_open, _ in opened), "print: what fails is unfolded again")
+    pages = len(re.findall(rb"/Type\s*/Page\b", page.pdf(format="A4")))
+    expect(2 <= pages <= 2 * len(FRAGMENTS), f"print: {pages} pages of A4 for {len(FRAGMENTS)} fragments")
+    page.close()
+
+
+def check_words(browser, page_file):
+    """What is wrong is said once in a fragment, also in the overview; the words are the handout's."""
+    page = browser.new_page()
+    page.goto(page_file.as_uri())
+    for text in page.locator("#overview tr:has-text('integrate_stratified')").all_inner_texts() + [
+            page.locator("header").inner_text()]:
+        expect("a null pointer is followed" in text, f"the line that crashes is in {text!r}")
+    link = page.locator("#integrate_stratified a").first
+    expect(link.get_attribute("href").endswith("#integrate_stratified"), f"a crash leads to {link.get_attribute('href')}")
+    for section in page.locator("section.card[id]:not(#overview)").all():
+        hints = [line for hint in section.locator(".hint").all_inner_texts() for line in hint.splitlines()]
+        expect(len(hints) == len(set(hints)), f"{section.get_attribute('id')}: told twice: {sorted(hints)}")
+    headers = page.locator(".statistics").first.locator("th").all_inner_texts()
+    expect(headers[:5] == ["measures", "yours", "must be", "right within", "wrong beyond"], f"headers {headers}")
+    text = page.locator("main").inner_text()
+    for word in ("RMSE", "Welch", "replicates", "m2]", "^2"):
+        expect(word not in text, f"the page says {word}")
     page.close()
 
 
@@ -151,13 +244,13 @@ def main():
         words.keep.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
         pages = make_pages(words.grade, pathlib.Path(folder))
-        expect(len(pages) == 4, f"four pages are written, not {len(pages)}")
+        expect(len(pages) == 6, f"six kinds of pages are written, not {len(pages)}")
         browser = playwright.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
         for page_file in pages:
             check_widths(browser, page_file, words.keep)
         check_links(browser, pathlib.Path(folder) / "stress")
         graded = pathlib.Path(folder) / "grade/index.html"
-        for check in (check_without_script, check_comforts, check_print):
+        for check in (check_without_script, check_comforts, check_words, check_print):
             check(browser, graded)
         browser.close()
     print(f"{len(faults)} faults" if faults else "all as expected")

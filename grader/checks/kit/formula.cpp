@@ -56,7 +56,8 @@ double deviation(const Row& outputs, const Row& right) {
         if (std::isfinite(x)) scale = std::max(scale, std::abs(x));
     for (std::size_t k = 0; k < right.size(); ++k) {
         if (std::isnan(right[k]) && std::isnan(outputs[k])) continue;
-        if (outputs[k] != right[k]) worst = worse(std::abs(outputs[k] - right[k]) / scale, worst);
+        const double larger = std::isfinite(outputs[k]) ? std::max(scale, std::abs(outputs[k])) : scale;
+        if (outputs[k] != right[k]) worst = worse(std::abs(outputs[k] - right[k]) / larger, worst);
     }
     return worst;
 }
@@ -102,10 +103,24 @@ bool all_within(const Observation& seen, const RowNumber& violation, double tole
 
 }  // namespace
 
+namespace {
+
+std::function<double(const Observation&)> wrong_calls(const RowFunction& right) {
+    return [right](const Observation& seen) {
+        double count = 0;
+        for (std::size_t k = 0; k < seen.inputs.size(); ++k)
+            count += deviation(seen.outputs[k], right(seen.inputs[k])) != 0;
+        return count;
+    };
+}
+
+}  // namespace
+
 Statistic formula(const RowFormula& f) {
+    const auto off = [right = f.right](const Row& in, const Row& out) { return deviation(out, right(in)); };
     return {.id = f.id,
             .what = f.what,
-            .measure = largest([right = f.right](const Row& in, const Row& out) { return deviation(out, right(in)); }),
+            .measure = f.tolerance > 0 ? largest(off) : wrong_calls(f.right),
             .truth = 0,
             .delta = f.tolerance,
             .exact = true,

@@ -5,8 +5,9 @@
 /// Fragments that are formulas: each row of outputs has one right value.
 namespace grade {
 
-/// How far two rows are apart, relative to the larger of 1e-3 and the largest number of the right one; nan or inf where
-/// a number is not finite and the right one is another. Numbers beyond those of the right one do not count.
+/// How far two rows are apart, relative to the larger of 1e-3, the largest number of the right one and the number that is
+/// off: at most 2, so that 1 in place of 0 is off by 1. nan or inf where a number is not finite and the right one is
+/// another. Numbers beyond those of the right one do not count.
 double deviation(const Row& outputs, const Row& right);
 
 /// A mistake that is known to be made, as the outputs to which it leads.
@@ -29,7 +30,7 @@ struct RowFormula {
     std::vector<RowCircumstance> circumstances;
 };
 
-/// The largest deviation of any row, which must stay below the tolerance. Single precision reaches 1e-4 where the
+/// The largest deviation of any row, which must stay below the tolerance; without one, how many rows are wrong. Single precision reaches 1e-4 where the
 /// inputs are ordinary. The cause is the first suspect whose outputs are those of the rows; else the first circumstance
 /// that nearly all wrong rows have in common, and other rows have not; the worst row is shown as well.
 Statistic formula(const RowFormula& of_rows);
