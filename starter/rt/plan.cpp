@@ -16,7 +16,7 @@ constexpr std::size_t shapes_without_tree = 100;
 constexpr int deepest_split = 24;
 
 /// Paths of so many scatterings or bounces end at random if less than this is left of their light: see
-/// tests/bench/walks.md.
+/// tests/bench/walks.py.
 constexpr Real fewest_scatterings = 4, fewest_bounces = 12, little = 0.5;
 
 std::vector<char> materials_in_use(const Scene& scene) {

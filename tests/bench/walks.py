@@ -23,13 +23,13 @@ def ball(extinction, albedo, g, lamp):
     """A ball before the eye, and a lamp that gives it as much light whatever its size."""
     return f"""environment = 0.05
 [render]
-samples = 256
+samples = 128
 depth = 64
 [camera]
 eye = [0, 0, 5]
 target = [0, 0, 0]
 vfov = 25
-size = [48, 48]
+size = [24, 24]
 [materials.milk]
 transmittance = 1
 medium = {{ extinction = {extinction}, albedo = {albedo}, g = {g} }}
@@ -56,14 +56,14 @@ def cases():
             name = f"lamp of radius {lamp}, extinction {extinction}, g {g}"
             yield name, "media_lit", ball(extinction, 0.98, g, lamp), []
     candle = (root / "scenes/gallery/candle.toml").read_text()
-    wax = ["--samples", "64", "--crop", "139,83,129,159"]
+    wax = ["--samples", "16", "--crop", "139,83,129,159"]
     yield "candle", "media_lit", candle, wax
     yield "scattering", "media_lit", (root / "scenes/scattering.toml").read_text(), []
     yield "candle", "roulette", candle, wax
     for extinction in 6, 20, 60:
         for albedo in 0.3, 0.8, 0.95:
             yield f"extinction {extinction}, albedo {albedo}", "roulette", ball(extinction, albedo, 0, 0.5), []
-    box = re.sub(r"size = \[.*\]", "size = [64, 64]", (root / "scenes/gallery/cornell.toml").read_text())
+    box = re.sub(r"size = \[.*\]", "size = [32, 32]", (root / "scenes/gallery/cornell.toml").read_text())
     for bounces in 4, 6, 12, 24:
         text = re.sub(r"bounces = \d+", f"bounces = {bounces}", box)
         yield f"cornell, {bounces} bounces", "roulette", text, ["--samples", "64"]

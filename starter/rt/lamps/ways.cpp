@@ -27,7 +27,7 @@ constexpr Real noise_of_bounces = 0.1;
 constexpr Real worth_weighing = 0.15, worth_weighing_one = 0.55;
 
 /// From where on lamps are sampled where media scatter: for each lamp, which takes a shadow ray; and where one is
-/// chosen. See tests/bench/walks.md.
+/// chosen. See tests/bench/walks.py.
 constexpr Real worth_lighting_media = 0.6, worth_lighting_media_by_one = 1;
 
 /// Lines of sight times shapes, and points times parts of lamps: a plan takes milliseconds.
