@@ -4,11 +4,11 @@ namespace rt {
 
 /// The irradiance at a surface from a light without extent, unless something is in between.
 ///
-///     H = I max(0, n . d) / r^2        a point light: d the unit direction to it, r its distance
-///     H = E max(0, n . d)              a directional one: the limit for a light far away
+///     E = I max(0, n . d) / r^2        a point light: d the unit direction to it, r its distance
+///     E = H max(0, n . d)              a directional one: the limit for a light far away
 ///
 /// light    position [world] and intensity I [W/sr]; or, where light.directional is set, position is the unit vector d
-///          towards the light and intensity its irradiance E on a surface that faces it [W/m2]
+///          towards the light and intensity its irradiance H on a surface that faces it [W/m2]
 /// p        point of the surface [world]
 /// n        unit surface normal [world]
 /// returns  irradiance [W/m2]

@@ -104,6 +104,7 @@ Real looks(int level) {
             b.set_ray(i, {eye, unit(0.9 * random.in_cube() - eye), 0, inf});
         }
         start(bvh, b, journeys);
+        begin(journeys, true);
         for (;;) {
             int rays[lanes], n = 0;
             for (int i = 0; i < lanes; ++i)

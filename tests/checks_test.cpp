@@ -51,7 +51,7 @@ TEST_CASE("the scenes of ten grading seeds can be read, and another seed draws o
     }
 }
 
-TEST_CASE("pictures of checks find lamps as fragments do: all, by light_sample or by the lobe alone") {
+TEST_CASE("pictures of checks find lamps as fragments do: by light_sample or by rays alone; no path ends early") {
     for (std::uint64_t seed = 1; seed <= 10; ++seed)
         for (const Check& check : all_checks(seed))
             if (const auto* render = std::get_if<Render>(&check.experiment)) {
@@ -60,6 +60,8 @@ TEST_CASE("pictures of checks find lamps as fragments do: all, by light_sample o
                 CHECK(!plan.solid_angle);
                 CHECK(!plan.one_lamp);
                 CHECK(!plan.weigh);
+                CHECK(!plan.media_lit);
+                CHECK(!plan.roulette);
             }
 }
 

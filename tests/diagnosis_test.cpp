@@ -248,6 +248,106 @@ TEST_CASE("what calls that are no number have in common is told in steps of the 
                ContainsSubstring("are nan, those where `1 - e^2 * (1 - c^2) < 0`"));
 }
 
+TEST_CASE("that a length is taken to be 1 is told as such") {
+    const Rows spheres = calls([](Generator& random) {
+        const rt::Sphere sphere{box(random, -1, 1), between(random, 0.5, 1)};
+        const rt::vec3 origin = sphere.center + between(random, 2, 5) * direction(random);
+        const double length = chance(random, 0.5) ? 1 : between(random, 0.2, 3);
+        return row(sphere, rt::Ray{origin, length * rt::unit(sphere.center - origin)});
+    });
+    // no formula with |d| = 1, but right for it alone
+    const Ask of_unit_length = [](const Rows& rows) {
+        Rows all = answers("hit_sphere")(rows);
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            const double length = glm::length(rt::vec3(rows[k][7], rows[k][8], rows[k][9]));
+            all[k][0] += 0.3 * std::sin(7 * (length - 1));
+        }
+        return all;
+    };
+    CHECK_THAT(found("hit_sphere", spheres, of_unit_length).how,
+               ContainsSubstring("the length of `ray.direction` is taken to be 1"));
+    // the textbook's formula, of which it is a step
+    const Ask without_a = [](const Rows& rows) {
+        Rows all;
+        for (const Row& in : rows) {
+            const rt::vec3 f = rt::vec3(in[4], in[5], in[6]) - rt::vec3(in[0], in[1], in[2]), d(in[7], in[8], in[9]);
+            const double b = rt::dot(f, d), c = rt::dot(f, f) - in[3] * in[3], squared = b * b - c;
+            const double t = -b - std::sqrt(squared);
+            all.push_back({squared >= 0 && t > in[10] && t < in[11] ? t : rt::inf});
+        }
+        return all;
+    };
+    CHECK_THAT(found("hit_sphere", spheres, without_a).how, ContainsSubstring("`1` in place of `a`"));
+}
+
+TEST_CASE("a mistake by which every ray misses is found by rays that start near the shape") {
+    const Rows rays = calls([](Generator& random) {
+        const rt::Triangle triangle{box(random, -1, 1), box(random, -1, 1), box(random, -1, 1)};
+        const rt::vec3 to = (triangle.a + triangle.b + triangle.c) / 3.0, origin = 4.0 * direction(random);
+        return row(triangle, rt::Ray{origin, to - origin});
+    });
+    const Ask reversed = [](const Rows& rows) {
+        Rows all;
+        for (const Row& in : rows) {
+            const auto at = [&](std::size_t i) { return rt::vec3(in[i], in[i + 1], in[i + 2]); };
+            const rt::vec3 e1 = at(3) - at(0), e2 = at(6) - at(0), s = at(9) - at(0), d = at(12);
+            const rt::vec3 p = rt::cross(d, e2), q = rt::cross(e1, s);
+            const double det = rt::dot(e1, p), u = rt::dot(s, p) / det, v = rt::dot(d, q) / det,
+                         t = rt::dot(e2, q) / det;
+            all.push_back({u >= 0 && v >= 0 && u + v <= 1 && t > in[15] && t < in[16] ? t : rt::inf});
+        }
+        return all;
+    };
+    CHECK_THAT(found("hit_triangle", rays, reversed).how, ContainsSubstring("`-q` in place of `q`"));
+}
+
+TEST_CASE("of a sum it is told which values it takes, and how often") {
+    const Rows sums = calls([](Generator& random) {
+        const Integrand f{Integrand::Kind::polynomial, {between(random, 1, 2), between(random, 1, 2)}};
+        return row(f, between(random, -1, 0), between(random, 1, 2), whole_between(random, 2, 9));
+    });
+    const Ask half_the_first = [](const Rows& rows) {
+        Rows all;
+        for (const Row& in : rows) {
+            RowReader reader(in);
+            const auto f = read(reader, Tag<Integrand>{});
+            const double a = in[in.size() - 3], step = (in[in.size() - 2] - a) / in.back();
+            double sum = 0;
+            for (int i = 0; i < in.back(); ++i) sum += (i == 0 ? 0.5 : 1) * step * f(a + (i + 0.5) * step);
+            all.push_back(answers("integrate_uniform")({in}).front());
+            all.back()[0] = sum;
+        }
+        return all;
+    };
+    CHECK_THAT(found("integrate_uniform", sums, half_the_first).how,
+               ContainsSubstring("the sum is 0.5 * f(0.5) + f(1.5) + f(2.5); it must be f(0.5) + f(1.5) + f(2.5)"));
+}
+
+TEST_CASE("parts of an answer that have a mistake each are told one after the other") {
+    const Ask both =
+        answers("cosine_hemisphere", {}, [](Row& answer) { std::swap(answer[0], answer[1]), answer[3] *= 2; });
+    const std::string how = found("cosine_hemisphere", squares(), both).how;
+    CHECK_THAT(how, ContainsSubstring("`direction`") && ContainsSubstring("`density` is 2 times too large"));
+}
+
+TEST_CASE("directions that are spread in a usual way are told as such") {
+    const Ask isotropic = [](const Rows& rows) {
+        Rows all;
+        for (const Row& in : rows) {
+            const double z = 1 - 2 * in[5], sine = std::sqrt(std::max(0.0, 1 - z * z)), g = in[3];
+            const rt::vec2 circle = rt::unit_circle(in[4]);
+            const rt::vec3 to{sine * circle.x, z, sine * circle.y};
+            const double base = 1 + g * g - 2 * g * rt::dot(to, rt::vec3(in[0], in[1], in[2]));
+            all.push_back(row(rt::DirectionSample{to, (1 - g * g) / (4 * rt::pi * base * std::sqrt(base))}));
+        }
+        return all;
+    };
+    const Rows scattered =
+        calls([](Generator& random) { return row(direction(random), between(random, 0.3, 0.8), square(random)); });
+    CHECK_THAT(found("scatter_direction", scattered, isotropic).how,
+               ContainsSubstring("the directions are uniform on the whole sphere"));
+}
+
 namespace {
 
 /// Lamps of any kind, seen from any side.
@@ -316,8 +416,11 @@ TEST_CASE("of a lamp of one kind, the others' fields are not told") {
                 for (const std::size_t at : {in.size() - 2, in.size() - 1}) in[at] = (1 + in[at]) / 2;
         return answers("light_sample")(moved);
     };
-    CHECK_THAT(found("light_sample", lamps(), whole_edges).how,
-               ContainsSubstring("u in place of 2 * u - 1, which covers a quarter of the quad"));
+    const Finding quarter = found("light_sample", lamps(), whole_edges);
+    CHECK_THAT(quarter.how, ContainsSubstring("u in place of 2 * u - 1, which covers a quarter of the quad") &&
+                                ContainsSubstring("in `of a quad, point = "));
+    CHECK_THAT(quarter.where, ContainsSubstring("`light.kind` is quad"));
+    CHECK(quarter.how.find("disc") == quarter.how.npos);
 }
 
 TEST_CASE("a change that spoils right calls is no cause") {
@@ -447,7 +550,7 @@ TEST_CASE("of flags and choices, all that are wrong are told") {
         return all;
     };
     const Finding finding = found("emission_counts", table, two_forgotten);
-    CHECK(finding.how.empty());
+    CHECK(finding.how == "where `previous` is lobe or medium, the answer is `!sampled`; it must be true");
     CHECK_THAT(finding.where, ContainsSubstring("those where `previous` is lobe or medium and `sampled` is true"));
 }
 

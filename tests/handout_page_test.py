@@ -137,11 +137,17 @@ def check_page(folder):
         expect(alt.strip(), where, "a picture without words; expected what it shows")
     for tag, found in (("details", source.count("<details>")), ("table", source.count("\n|---"))):
         expect(page.count[tag] == found, where, f"{page.count[tag]} <{tag}>; expected {found}")
-    display = len(re.findall(r"\$\$.*?\$\$", source))
+    formulas = re.findall(r"\$\$.*?\$\$", source)
+    display = len(formulas) + sum(len(re.findall(r"\\qquad|\\quad(?= [=+])", formula)) for formula in formulas)
     shown = text.count('<math display="block"')
     expect(shown == display, where, f"{shown} formulas in lines of their own; expected {display}")
     expect("$" not in "".join(page.words), where, "a $ is left; expected MathML")
     expect("prefers-color-scheme: dark" in text, where, "no dark mode; expected page.css")
+    expect("url(data:font/woff2" in text and "url(math" not in text, where, "no font of formulas; expected math.woff2 within the page")
+    last = [rule for rule in re.findall(r"\bhtml\s*\{([^}]*)\}", text) if "background" in rule][-1:]
+    expect(last and "var(--paper)" in last[0], where, "margins of another colour than the text's; expected html in page.css")
+    words = set(re.findall(r'<mi mathvariant="italic">([^<]{2,})</mi>', text))
+    expect(not words, where, f"words in letters that stand apart: {', '.join(sorted(words))}; expected \\text{{...}}")
 
 
 if sys.argv[1:] == ["--page"]:

@@ -48,6 +48,14 @@ TEST_CASE("the handout has a section with a table for each fragment, in the orde
     CHECK(sections == names);
 }
 
+TEST_CASE("each fragment of the handout has a question, and those who teach an answer") {
+    const auto names = read_assignment("assignment.toml").names();
+    std::vector<std::string> answers = found(read_text("grader/THINK.md").value(), "\n### (\\w+)\n\n[^\n#]");
+    CHECK(found(handout(), "\n(\\*\\*Think:\\*\\*) ").size() == answers.size());
+    std::erase_if(answers, [&](const std::string& name) { return std::ranges::count(names, name) == 0; });
+    CHECK(answers == names);
+}
+
 TEST_CASE("the handout explains each kind of statistic") {
     for (const Check& check : all_checks(1))
         for (const Statistic& statistic : check.statistics) {

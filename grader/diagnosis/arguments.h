@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -51,6 +52,16 @@ struct Signature {
 
 /// From the text of fragments.h, which has one declaration a line. None: it declares no such fragment.
 std::optional<Signature> signature_of(const std::string& fragment, const std::string& header);
+
+/// "Emitter::Kind", and the names of its values; none for what is no choice.
+std::string choice_type(const Field& part);
+const std::vector<std::string>& choices_of(const Field& part);
+
+/// Whether a type is a struct that has fields.
+bool is_structure(const std::string& type);
+
+/// A function's formula, as Integrand has it, whose parameters stand there.
+std::string formula_in_words(const Row& row, std::size_t at, const std::function<std::string(double)>& number);
 
 /// "0.5", "inf", "1e-06"; digits 0: as many as it takes.
 std::string number_in_words(double x, int digits = 6);

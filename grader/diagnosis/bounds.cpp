@@ -37,6 +37,7 @@ public:
         constexpr double room = 1e-4;
         double worst = room;
         std::size_t where = 0;
+        std::vector<std::size_t> broken;
         for (const auto& [k, answer] : more_)
             if (is_void(calls_.result, answer))
                 continue;
@@ -47,9 +48,10 @@ public:
             const double due = f(k, calls_.right[k]), x = f(k, calls_.mine[k]);
             if (!(due >= low - 1e-9) || !(due <= high + 1e-9)) return;
             const double off = std::isnan(x) ? 0 : std::max(low - x, x - high);  // that is another mistake
+            if (off > room) broken.push_back(k);
             if (off > worst) worst = off, where = k;
         }
-        if (worst > room && !first) first = Broken{words, where};
+        if (worst > room && !first) first = Broken{words, where, std::move(broken)};
     }
 
     bool is_sampled() const { return !more_.empty(); }
@@ -60,8 +62,6 @@ private:
     const Calls& calls_;
     std::vector<std::pair<std::size_t, Row>> more_;  // right answers for other random numbers, by call
 };
-
-std::string name_of(const Field& part) { return part.name.empty() ? "the answer" : "`" + part.name + "`"; }
 
 void look_at_vector(const Calls& calls, const Field& part, Bounds& bounds) {
     const auto vector = [at = part.at](const Row& answer) { return vector_at(answer, at); };

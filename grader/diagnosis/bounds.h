@@ -8,8 +8,9 @@ namespace grade {
 
 /// What holds for all right answers, whatever random numbers they were made with, and not for mine.
 struct Broken {
-    std::string words;  // "`direction` must have length 1"
-    std::size_t call;   // where it is broken most
+    std::string words;               // "`direction` must have length 1"
+    std::size_t call;                // where it is broken most
+    std::vector<std::size_t> calls;  // all in which it is
 };
 
 std::optional<Broken> broken_bound(const Calls& calls, const Ask& right);

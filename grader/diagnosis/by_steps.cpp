@@ -107,6 +107,66 @@ std::optional<Relation> relation_of_steps(const Calls& calls, const Ask& right, 
     return best ? best : some;
 }
 
+namespace {
+
+/// The first calls that are wrong, with their arguments changed, once for each of the changes.
+std::vector<Calls> changed_calls(const Calls& calls, const std::vector<Change>& changes, const Ask& right) {
+    constexpr std::size_t few = 4;
+    const Calls wrong =
+        those_of(calls, [&](std::size_t k) { return !is_equal(calls.result, calls.mine[k], calls.right[k]); });
+    const std::size_t step = std::max<std::size_t>(wrong.size() / few, 1);
+    const Calls some = those_of(wrong, [&](std::size_t k) { return k % step == 0 && k / step < few; });
+    std::vector<Calls> all;
+    Rows rows;
+    for (const Change& change : changes) {
+        all.push_back(some);
+        for (std::size_t k = 0; k < some.size(); ++k) {
+            if (!change.make(all.back().rows[k], some.layouts[k]) || all.back().rows[k].size() != some.rows[k].size())
+                all.back().rows[k] = some.rows[k];
+            rows.push_back(all.back().rows[k]);
+        }
+    }
+    const Rows answers = right(rows);
+    if (answers.size() != rows.size()) return {};
+    for (std::size_t i = 0; i < answers.size(); ++i) all[i / some.size()].right[i % some.size()] = answers[i];
+    return all;
+}
+
+bool are_equal(const Calls& calls, const Change& change, const Steps& steps) {
+    for (std::size_t k = 0; k < calls.size(); ++k) {
+        Row row = calls.rows[k];
+        if (!change.make(row, calls.layouts[k])) return false;
+        const Row answer = steps.finish(row);
+        if (answer.size() > calls.mine[k].size() || !is_equal(calls.result, answer, calls.mine[k])) return false;
+    }
+    return calls.size() > 0;
+}
+
+}  // namespace
+
+std::optional<Relation> relation_of_both(const Calls& calls, const Ask& right) {
+    constexpr double dearest = 1.5;
+    std::vector<Change> bases = changes_of(calls.layouts.front(), calls.told);
+    std::erase_if(bases, [](const Change& change) { return change.cost > dearest; });
+    const std::vector<Calls> some = changed_calls(calls, bases, right);
+    for (std::size_t b = 0; b < some.size(); ++b)
+        for (const Steps& steps : steps_of(calls.signature.fragment)) {
+            const Calls few = with_steps(some[b], steps);
+            if (few.size() < some[b].size() || few.size() < 2) continue;
+            for (const Change& change : changes_of(few.layouts.front(), few.told, few.changeable)) {
+                if (change.cost > dearest) break;
+                if (!are_equal(few, change, steps)) continue;
+                const Calls all = with_steps(with_numbers(calls, bases[b], right), steps);
+                if (all.size() < calls.size() || !are_equal(all, change, steps)) continue;
+                Relation both{std::string(as_changed) + bases[b].words + ", and " + change.words};
+                if (!steps.formula.empty()) both.words += fmt::format(", in `{}`", steps.formula);
+                both.by_arguments = both.by_steps = true;
+                return both;
+            }
+        }
+    return std::nullopt;
+}
+
 Region where_wrong_in_steps(const Calls& calls, Region otherwise) {
     for (const Steps& steps : steps_of(calls.signature.fragment)) {
         Calls all = calls;

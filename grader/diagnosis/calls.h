@@ -98,4 +98,20 @@ inline bool is_alike(const Layout& result, const Row& a, const Row& b, double wi
     return true;
 }
 
+/// Whether there is more in an answer than 0 and inf.
+inline bool is_something(const Row& answer) {
+    return std::ranges::any_of(answer, [](double x) { return std::isfinite(x) && x != 0; });
+}
+
+/// Whether mine is no number where the right one is.
+inline bool is_nan(const Row& mine, const Row& right) {
+    const auto has_nan = [](const Row& row) {
+        return std::ranges::any_of(row, [](double x) { return std::isnan(x); });
+    };
+    return has_nan(mine) && !has_nan(right);
+}
+
+/// "`density`", "the answer"
+inline std::string name_of(const Field& part) { return part.name.empty() ? "the answer" : "`" + part.name + "`"; }
+
 }  // namespace grade

@@ -1,53 +1,17 @@
-#include "diagnosis/changes.h"
+#include "diagnosis/changes_made.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <regex>
 
+#include "diagnosis/expressions.h"
 #include "diagnosis/functions.h"
 #include "diagnosis/quantities.h"
-#include "diagnosis/scalars.h"
 
 namespace grade {
 
 namespace {
-
-/// As an operand.
-std::string bracketed(const std::string& name) {
-    int depth = 0;
-    bool is_sum = false;
-    for (std::size_t i = 0; i < name.size(); ++i) {
-        depth += (name[i] == '(') - (name[i] == ')');
-        is_sum = is_sum || (depth == 0 && i > 0 &&
-                            (name.substr(i, 2) == "+ " || name.substr(i, 2) == "- " || name.substr(i, 2) == "/ "));
-    }
-    return is_sum ? "(" + name + ")" : name;
-}
-
-/// As a person writes it: "n + 1" for "(n + 2) - 1", "x" for "1 - (1 - x)", "length(u)" for "sqrt(dot(u, u))".
-std::string simplified(const std::string& text) {
-    static const std::regex sum("\\(([^()]+) \\+ ([0-9]+)\\) ([-+]) ([0-9]+)"), rest("1 - \\(1 - ([^()]+)\\)"),
-        length("sqrt\\(dot\\((\\w+), \\1\\)\\)"), alone("\\(([^()]+)\\)");
-    std::smatch found;
-    if (std::regex_match(text, found, alone) && text.find(',') == text.npos) return found[1];
-    if (std::regex_match(text, found, rest)) return found[1];
-    if (std::regex_match(text, found, length)) return fmt::format("length({})", found[1].str());
-    if (!std::regex_match(text, found, sum)) return text;
-    const int more = std::stoi(found[2]) + (found[3] == "+" ? 1 : -1) * std::stoi(found[4]);
-    return more == 0 ? found[1].str() : fmt::format("{} {} {}", found[1].str(), more < 0 ? '-' : '+', std::abs(more));
-}
-
-template <class... Names>
-std::string filled(const char* words, const Names&... names) {
-    return simplified(fmt::format(fmt::runtime(words), bracketed(names)...));
-}
-
-/// "`2 * x` in place of `x`"
-std::string in_place(const std::string& expression, const std::string& name) {
-    return fmt::format("`{}` in place of `{}`", expression, name);
-}
 
 /// A whole number that a fragment can be given.
 bool fits(double& x, double before, bool whole) {
@@ -57,301 +21,168 @@ bool fits(double& x, double before, bool whole) {
     return before <= 0 || x > 0 || before == 1;
 }
 
-class Changes {
-public:
-    Changes(const Layout& layout, const std::vector<bool>& told, const std::vector<bool>& changeable)
-        : layout_(layout), told_(told), scalars_(scalars_of(layout, told)), changeable_(changeable) {
-        for (std::size_t i = 0; i < layout.parts.size(); ++i) {
-            if (!is_told(i)) continue;
-            if (layout.parts[i].kind == Kind::vector) vectors_.push_back(i);
-            if (layout.parts[i].kind == Kind::color) colors_.push_back(i);
-            if (layout.parts[i].kind == Kind::flag && may_change(i)) add_flag(i);
-        }
-        for (const Scalar& s : scalars_)
-            if (may_change(s.part)) add_scalar(s);
-        for (const std::size_t i : changed(vectors_)) add_vector(i, vectors_, vector_functions, of_two_vectors);
-        for (const std::size_t i : changed(colors_)) add_vector(i, colors_, color_functions, of_two_colors);
-        for (const std::size_t i : changed(vectors_)) add_scaled(i, 2.2);
-        if (!of_arguments())
-            for (const std::size_t i : changed(vectors_)) add_made_of_two(i);
-        for (const std::size_t i : changed(colors_)) add_scaled(i, 1.9);
-        if (of_arguments())
-            add_joint();
-        else
-            add_same_to_two();
-        add_pairs();
-        if (of_arguments()) add_lists();
-        std::ranges::stable_sort(all_, {}, &Change::cost);
+}  // namespace
+
+Changes::Changes(const Layout& layout, const std::vector<bool>& told, const std::vector<bool>& changeable)
+    : layout_(layout), told_(told), scalars_(scalars_of(layout, told)), changeable_(changeable) {
+    for (std::size_t i = 0; i < layout.parts.size(); ++i) {
+        if (!is_told(i)) continue;
+        if (layout.parts[i].kind == Kind::vector) vectors_.push_back(i);
+        if (layout.parts[i].kind == Kind::color) colors_.push_back(i);
+        if (layout.parts[i].kind == Kind::flag && may_change(i)) add_flag(i);
     }
+    for (const Scalar& s : scalars_)
+        if (may_change(s.part)) add_scalar(s);
+    for (const std::size_t i : changed(vectors_)) add_vector(i, vectors_, vector_functions, of_two_vectors);
+    for (const std::size_t i : changed(colors_)) add_vector(i, colors_, color_functions, of_two_colors);
+    for (const std::size_t i : changed(vectors_)) add_scaled(i, 2.2);
+    if (!of_arguments())
+        for (const std::size_t i : changed(vectors_)) add_made_of_two(i);
+    for (const std::size_t i : changed(colors_)) add_scaled(i, 1.9);
+    if (of_arguments())
+        add_joint();
+    else
+        add_same_to_two();
+    add_pairs();
+    if (of_arguments()) add_lists();
+    std::ranges::stable_sort(all_, {}, &Change::cost);
+}
 
-    std::vector<Change> take() { return std::move(all_); }
-
-private:
-    void add(std::string words, double cost, std::function<bool(Row&, const Layout&)> make) {
-        all_.push_back({std::move(words), cost, std::move(make), {}});
-    }
-
-    const std::string& name(std::size_t part) const { return layout_.parts[part].name; }
-
-    bool of_arguments() const { return changeable_.empty(); }
-    bool is_told(std::size_t part) const { return part >= told_.size() || told_[part]; }
-    bool may_change(std::size_t part) const { return changeable_.empty() || changeable_[part]; }
-
-    std::vector<std::size_t> changed(std::vector<std::size_t> parts) const {
-        std::erase_if(parts, [this](std::size_t i) { return !may_change(i); });
-        return parts;
-    }
-
-    void add_flag(std::size_t i) {
-        if (!of_arguments()) {
-            add(name(i), 1.2, [i](Row& row, const Layout& l) {
-                row[l.parts[i].at] = 1;
-                return true;
-            });
-            return;
-        }
-        add(in_place("!" + name(i), name(i)), 1, [i](Row& row, const Layout& l) {
-            row[l.parts[i].at] = 1 - row[l.parts[i].at];
+void Changes::add_flag(std::size_t i) {
+    if (!of_arguments()) {
+        add(name(i), 1.2, [i](Row& row, const Layout& l) {
+            row[l.parts[i].at] = 1;
             return true;
         });
-        for (const double value : {0.0, 1.0})
-            add(in_place(value != 0 ? "true" : "false", name(i)), 1.1, [i, value](Row& row, const Layout& l) {
-                row[l.parts[i].at] = value;
-                return true;
-            });
+        return;
     }
+    add(in_place("!" + name(i), name(i)), 1, [i](Row& row, const Layout& l) {
+        row[l.parts[i].at] = 1 - row[l.parts[i].at];
+        return true;
+    });
+    for (const double value : {0.0, 1.0})
+        add(in_place(value != 0 ? "true" : "false", name(i)), 1.1, [i, value](Row& row, const Layout& l) {
+            row[l.parts[i].at] = value;
+            return true;
+        });
+}
 
-    void add_scalar(const Scalar& s) {
-        for (const Function& f : scalar_functions) {
-            const bool of_index = s.whole && s.name == "i";
-            add(in_place(s.whole && std::string(f.words) == "{} / 2" ? s.name + " / 2 (of whole numbers)"
-                                                                     : filled(f.words, s.name),
-                         s.name),
-                f.cost, [s, f, of_index](Row& row, const Layout& l) {
+void Changes::add_scalar(const Scalar& s) {
+    for (const Function& f : scalar_functions) {
+        const bool of_index = s.whole && s.name == "i";
+        add(in_place(s.whole && std::string(f.words) == "{} / 2" ? s.name + " / 2 (of whole numbers)"
+                                                                 : filled(f.words, s.name),
+                     s.name),
+            f.cost, [s, f, of_index](Row& row, const Layout& l) {
+                double& x = row[s.at(l)];
+                const double before = x;
+                x = f.value(x);
+                if (of_index && !(x >= 0)) return false;
+                return fits(x, of_index ? 0 : before, s.whole);
+            });
+        if (of_arguments()) all_.back().usually = f.usually;
+    }
+    for (const Scalar& other : scalars_) {
+        if (other.name == s.name || (s.whole != other.whole && (of_arguments() || s.whole))) continue;
+        const double near = s.owner() == other.owner() ? -0.3 : 0;
+        for (const TwoScalars& f : of_two_scalars)
+            add(in_place(filled(f.words, s.name, other.name), s.name), f.cost + near,
+                [s, other, f](Row& row, const Layout& l) {
                     double& x = row[s.at(l)];
                     const double before = x;
-                    x = f.value(x);
-                    if (of_index && !(x >= 0)) return false;
-                    return fits(x, of_index ? 0 : before, s.whole);
+                    x = f.value(x, row[other.at(l)]);
+                    return fits(x, before, s.whole);
                 });
-            if (of_arguments()) all_.back().usually = f.usually;
-        }
-        for (const Scalar& other : scalars_) {
-            if (other.name == s.name || (s.whole != other.whole && (of_arguments() || s.whole))) continue;
-            const double near = s.owner() == other.owner() ? -0.3 : 0;
-            for (const TwoScalars& f : of_two_scalars)
-                add(in_place(filled(f.words, s.name, other.name), s.name), f.cost + near,
-                    [s, other, f](Row& row, const Layout& l) {
-                        double& x = row[s.at(l)];
-                        const double before = x;
-                        x = f.value(x, row[other.at(l)]);
-                        return fits(x, before, s.whole);
-                    });
-            if (s.owner() == "u" && other.owner() == "u")
-                all_[all_.size() - std::size(of_two_scalars)].usually = ": one number is used for both";
-            if (s.name < other.name && may_change(other.part))
-                add(fmt::format("`{}` and `{}` exchanged", s.name, other.name), of_arguments() ? 1.1 : 1.7,
-                    [s, other](Row& row, const Layout& l) {
-                        std::swap(row[s.at(l)], row[other.at(l)]);
-                        return true;
-                    });
-        }
+        if (s.owner() == "u" && other.owner() == "u")
+            all_[all_.size() - std::size(of_two_scalars)].usually = ": one number is used for both";
+        if (s.name < other.name && may_change(other.part))
+            add(fmt::format("`{}` and `{}` exchanged", s.name, other.name), of_arguments() ? 1.1 : 1.7,
+                [s, other](Row& row, const Layout& l) {
+                    std::swap(row[s.at(l)], row[other.at(l)]);
+                    return true;
+                });
     }
+}
 
-    /// A step in place of which stands what else is made of two vectors: one mirrored at another, or between both.
-    void add_made_of_two(std::size_t i) {
-        for (const std::size_t a : vectors_)
-            for (const std::size_t b : vectors_) {
-                if (a == b || a == i || b == i) continue;
-                add(in_place(filled("2 * dot({0}, {1}) * {0} - {1}", name(a), name(b)), name(i)), 1.9,
+void Changes::add_made_of_two(std::size_t i) {
+    for (const std::size_t a : vectors_)
+        for (const std::size_t b : vectors_) {
+            if (a == b || a == i || b == i) continue;
+            add(in_place(filled("2 * dot({0}, {1}) * {0} - {1}", name(a), name(b)), name(i)), 1.9,
+                [=](Row& row, const Layout& l) {
+                    const vec3 n = vector_at(row, l.parts[a].at), v = vector_at(row, l.parts[b].at);
+                    put(row, l.parts[i].at, 2 * rt::dot(n, v) * n - v);
+                    return true;
+                });
+            if (a < b)
+                add(in_place(filled("unit({0} + {1})", name(a), name(b)), name(i)), 1.9,
                     [=](Row& row, const Layout& l) {
-                        const vec3 n = vector_at(row, l.parts[a].at), v = vector_at(row, l.parts[b].at);
-                        put(row, l.parts[i].at, 2 * rt::dot(n, v) * n - v);
+                        put(row, l.parts[i].at,
+                            rt::unit(vector_at(row, l.parts[a].at) + vector_at(row, l.parts[b].at)));
                         return true;
                     });
-                if (a < b)
-                    add(in_place(filled("unit({0} + {1})", name(a), name(b)), name(i)), 1.9,
-                        [=](Row& row, const Layout& l) {
-                            put(row, l.parts[i].at,
-                                rt::unit(vector_at(row, l.parts[a].at) + vector_at(row, l.parts[b].at)));
-                            return true;
-                        });
-            }
-    }
+        }
+}
 
-    template <class Functions, class TwoFunctions>
-    void add_vector(std::size_t i, const std::vector<std::size_t>& others, const Functions& functions,
-                    const TwoFunctions& of_two) {
-        for (const VectorFunction& f : functions)
-            add(in_place(filled(f.words, name(i)), name(i)), f.cost, [i, f](Row& row, const Layout& l) {
-                put(row, l.parts[i].at, f.value(vector_at(row, l.parts[i].at)));
+template <class Functions, class TwoFunctions>
+void Changes::add_vector(std::size_t i, const std::vector<std::size_t>& others, const Functions& functions,
+                         const TwoFunctions& of_two) {
+    for (const VectorFunction& f : functions)
+        add(in_place(filled(f.words, name(i)), name(i)), f.cost, [i, f](Row& row, const Layout& l) {
+            put(row, l.parts[i].at, f.value(vector_at(row, l.parts[i].at)));
+            return true;
+        });
+    for (const std::size_t j : others) {
+        if (j == i) continue;
+        for (const TwoVectors& f : of_two)
+            add(in_place(filled(f.words, name(i), name(j)), name(i)), f.cost, [i, j, f](Row& row, const Layout& l) {
+                put(row, l.parts[i].at, f.value(vector_at(row, l.parts[i].at), vector_at(row, l.parts[j].at)));
                 return true;
             });
-        for (const std::size_t j : others) {
-            if (j == i) continue;
-            for (const TwoVectors& f : of_two)
-                add(in_place(filled(f.words, name(i), name(j)), name(i)), f.cost, [i, j, f](Row& row, const Layout& l) {
-                    put(row, l.parts[i].at, f.value(vector_at(row, l.parts[i].at), vector_at(row, l.parts[j].at)));
-                    return true;
-                });
-            if (i < j && may_change(j))
-                add(fmt::format("`{}` and `{}` exchanged", name(i), name(j)), 1.1, [i, j](Row& row, const Layout& l) {
-                    const vec3 v = vector_at(row, l.parts[i].at), w = vector_at(row, l.parts[j].at);
-                    put(row, l.parts[i].at, w), put(row, l.parts[j].at, v);
-                    return true;
-                });
+        if (i < j && may_change(j))
+            add(fmt::format("`{}` and `{}` exchanged", name(i), name(j)), 1.1, [i, j](Row& row, const Layout& l) {
+                const vec3 v = vector_at(row, l.parts[i].at), w = vector_at(row, l.parts[j].at);
+                put(row, l.parts[i].at, w), put(row, l.parts[j].at, v);
+                return true;
+            });
+    }
+}
+
+void Changes::add_scaled(std::size_t i, double cost) {
+    const auto factor = [&](const std::string& words, double more,
+                            std::function<double(const Row&, const Layout&)> value) {
+        add(in_place(fmt::format("{} * {}", name(i), words), name(i)), cost + more,
+            [i, value](Row& row, const Layout& l) {
+                const double x = value(row, l);
+                put(row, l.parts[i].at, x * vector_at(row, l.parts[i].at));
+                return std::isfinite(x);
+            });
+    };
+    std::vector<Quantity> list;
+    const bool is_color = layout_.parts[i].kind == Kind::color;
+    for (const Scalar& s : scalars_)
+        list.push_back({s.name, [s](const Row& row, const Layout& l, const Row&) { return row[s.at(l)]; }});
+    for (std::size_t a = 0; is_color && a < vectors_.size(); ++a)
+        for (std::size_t b = a + 1; b < vectors_.size(); ++b)
+            list.push_back({fmt::format("dot({}, {})", name(vectors_[a]), name(vectors_[b])),
+                            [v = vectors_[a], w = vectors_[b]](const Row& row, const Layout& l, const Row&) {
+                                return rt::dot(vector_at(row, l.parts[v].at), vector_at(row, l.parts[w].at));
+                            }});
+    for (std::size_t a = 0; a < list.size(); ++a) {
+        const auto p = list[a].value;
+        factor(list[a].words, 0, [p](const Row& row, const Layout& l) { return p(row, l, {}); });
+        factor("1 / " + list[a].words, 0, [p](const Row& row, const Layout& l) { return 1 / p(row, l, {}); });
+        for (std::size_t b = 0; b < list.size(); ++b) {
+            if (a == b) continue;
+            const auto q = list[b].value;
+            const std::string ratio = fmt::format("{} / {}", list[a].words, list[b].words);
+            factor(ratio, 0.4, [p, q](const Row& row, const Layout& l) { return p(row, l, {}) / q(row, l, {}); });
+            if (!is_color)
+                factor(fmt::format("({})^2", ratio), 0.6,
+                       [p, q](const Row& row, const Layout& l) { return rt::sqr(p(row, l, {}) / q(row, l, {})); });
         }
     }
-
-    /// A vector or colour times a power of a quantity, or of the ratio of two.
-    void add_scaled(std::size_t i, double cost) {
-        const auto factor = [&](const std::string& words, double more,
-                                std::function<double(const Row&, const Layout&)> value) {
-            add(in_place(fmt::format("{} * {}", name(i), words), name(i)), cost + more,
-                [i, value](Row& row, const Layout& l) {
-                    const double x = value(row, l);
-                    put(row, l.parts[i].at, x * vector_at(row, l.parts[i].at));
-                    return std::isfinite(x);
-                });
-        };
-        std::vector<Quantity> list;
-        const bool is_color = layout_.parts[i].kind == Kind::color;
-        for (const Scalar& s : scalars_)
-            list.push_back({s.name, [s](const Row& row, const Layout& l, const Row&) { return row[s.at(l)]; }});
-        for (std::size_t a = 0; is_color && a < vectors_.size(); ++a)
-            for (std::size_t b = a + 1; b < vectors_.size(); ++b)
-                list.push_back({fmt::format("dot({}, {})", name(vectors_[a]), name(vectors_[b])),
-                                [v = vectors_[a], w = vectors_[b]](const Row& row, const Layout& l, const Row&) {
-                                    return rt::dot(vector_at(row, l.parts[v].at), vector_at(row, l.parts[w].at));
-                                }});
-        for (std::size_t a = 0; a < list.size(); ++a) {
-            const auto p = list[a].value;
-            factor(list[a].words, 0, [p](const Row& row, const Layout& l) { return p(row, l, {}); });
-            factor("1 / " + list[a].words, 0, [p](const Row& row, const Layout& l) { return 1 / p(row, l, {}); });
-            for (std::size_t b = 0; b < list.size(); ++b) {
-                if (a == b) continue;
-                const auto q = list[b].value;
-                const std::string ratio = fmt::format("{} / {}", list[a].words, list[b].words);
-                factor(ratio, 0.4, [p, q](const Row& row, const Layout& l) { return p(row, l, {}) / q(row, l, {}); });
-                if (!is_color)
-                    factor(fmt::format("({})^2", ratio), 0.6,
-                           [p, q](const Row& row, const Layout& l) { return rt::sqr(p(row, l, {}) / q(row, l, {})); });
-            }
-        }
-    }
-
-    /// The same to each vector of one struct; to each of a camera's axes.
-    void add_joint() {
-        std::vector<std::vector<std::size_t>> groups;
-        for (const std::size_t i : vectors_) {
-            const std::string owner = name(i).substr(0, name(i).rfind('.'));
-            if (owner == name(i)) continue;
-            if (groups.empty() ||
-                name(groups.back().front()).substr(0, name(groups.back().front()).rfind('.')) != owner)
-                groups.emplace_back();
-            groups.back().push_back(i);
-        }
-        for (auto group : groups) {
-            // a place is no direction
-            std::erase_if(group,
-                          [&](std::size_t i) { return name(i).ends_with("center") || name(i).ends_with("eye"); });
-            if (group.size() < 2) continue;
-            std::string names;
-            for (const std::size_t i : group) names += (names.empty() ? "`" : ", `") + name(i) + "`";
-            for (const VectorFunction& f : vector_functions) {
-                if (f.cost > 1.3) continue;
-                add(fmt::format("{} in place of each of {}", filled(f.words, "itself"), names), f.cost + 0.3,
-                    [group, f](Row& row, const Layout& l) {
-                        for (const std::size_t i : group)
-                            put(row, l.parts[i].at, f.value(vector_at(row, l.parts[i].at)));
-                        return true;
-                    });
-            }
-            if (group.size() == 3)
-                add(fmt::format("the axes of the world in place of {}", names), 1.2,
-                    [group](Row& row, const Layout& l) {
-                        for (std::size_t k = 0; k < 3; ++k)
-                            put(row, l.parts[group[k]].at, vec3(k == 0, k == 1, k == 2));
-                        return true;
-                    });
-        }
-    }
-
-    /// The same mistake made in two steps.
-    void add_same_to_two() {
-        constexpr double dearest = 1.5;
-        for (const Scalar& s : scalars_)
-            for (const Scalar& other : scalars_)
-                for (const Function& f : scalar_functions) {
-                    if (s.name >= other.name || s.whole || other.whole || f.cost > dearest) continue;
-                    if (!may_change(s.part) || !may_change(other.part)) continue;
-                    const std::string first = filled(f.words, s.name), second = filled(f.words, other.name);
-                    const double natural = first.starts_with("length(") ? 0.2 : 0;
-                    add(in_place(first, s.name) + ", and " + in_place(second, other.name), f.cost + 0.7 - natural,
-                        [s, other, f](Row& row, const Layout& l) {
-                            for (const Scalar& one : {s, other}) row[one.at(l)] = f.value(row[one.at(l)]);
-                            return true;
-                        });
-                }
-    }
-
-    /// A pair changed in both coordinates, or another one in its place, as of an extent's corners.
-    void add_pairs() {
-        for (std::size_t i = 0; i < layout_.parts.size(); ++i) {
-            if (!may_change(i) || !is_told(i) || layout_.parts[i].kind != Kind::pair) continue;
-            for (std::size_t j = 0; j < layout_.parts.size(); ++j) {
-                if (layout_.parts[j].kind != Kind::pair) continue;
-                for (const Function& f : pair_functions) {
-                    if (i != j && f.cost > 1.6) continue;
-                    // what stands in the formula in their place says more
-                    const double unusual = of_arguments() && i == j && name(i) == "u" ? 0.5 : 0;
-                    add(in_place(filled(f.words, name(j)), name(i)), f.cost + unusual + (i != j ? 0.2 : 0),
-                        [i, j, f](Row& row, const Layout& l) {
-                            for (std::size_t c = 0; c < 2; ++c)
-                                row[l.parts[i].at + c] = f.value(row[l.parts[j].at + c]);
-                            return true;
-                        });
-                }
-            }
-        }
-    }
-
-    void add_lists() {
-        if (layout_.lists.empty() || layout_.lists.front().stride == 0) return;
-        for (const bool first : {true, false})
-            add(first ? "the first element left out" : "the last element left out", 1.2,
-                [first](Row& row, const Layout& l) {
-                    for (auto list = l.lists.rbegin(); list != l.lists.rend(); ++list) {
-                        if (list->count < 1 || list->stride == 0) return false;
-                        const auto start =
-                            row.begin() + std::ptrdiff_t(list->at + 1 + (first ? 0 : (list->count - 1) * list->stride));
-                        row.erase(start, start + std::ptrdiff_t(list->stride));
-                        row[list->at] -= 1;
-                    }
-                    return true;
-                });
-        for (std::size_t which = 0; which < layout_.lists.size(); ++which)
-            for (const Function& f : scalar_functions) {
-                if (f.cost > 1.3) continue;
-                const std::string each = layout_.lists[which].name + "[k]";
-                add(in_place(filled(f.words, each), each), f.cost + 0.2, [which, f](Row& row, const Layout& l) {
-                    const List& list = l.lists[which];
-                    for (std::size_t k = 0; k < list.count * list.stride; ++k)
-                        row[list.at + 1 + k] = f.value(row[list.at + 1 + k]);
-                    return true;
-                });
-            }
-    }
-
-    const Layout& layout_;
-    const std::vector<bool>& told_;
-    std::vector<Scalar> scalars_;
-    std::vector<std::size_t> vectors_, colors_;
-    const std::vector<bool>& changeable_;
-    std::vector<Change> all_;
-};
-
-}  // namespace
+}
 
 std::vector<Change> changes_of(const Layout& layout, const std::vector<bool>& told,
                                const std::vector<bool>& changeable) {

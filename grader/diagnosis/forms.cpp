@@ -24,11 +24,12 @@ public:
         if (equals([&](std::size_t k, std::size_t c) { return right(k, c); })) return Form{};
         if (equals([&](std::size_t k, std::size_t c) { return -right(k, c); }))
             return Form{part_.kind == Kind::vector ? "points the opposite way" : "has the opposite sign", 1};
-        return factor();
+        auto form = factor();
+        return form ? form : not_unit();
     }
 
     std::optional<Form> any() const {
-        if (auto form = simple()) return form;
+        if (auto form = simple(); form && form->words != right_way) return form;
         if (auto form = first_of(*this)) return form;
         // logarithms of what is not 0; what is 0 may be a second mistake, but not most of it
         std::vector<std::size_t> shining;
@@ -89,14 +90,29 @@ private:
                     is_named(ratio) ? 1.3 : 2.2};
     }
 
+    /// Of a vector that must have length 1, the right way, with other lengths.
+    std::optional<Form> not_unit() const {
+        if (part_.kind != Kind::vector) return std::nullopt;
+        const auto length = [&](const Row& row) {
+            return std::hypot(row[part_.at], row[part_.at + 1], row[part_.at + 2]);
+        };
+        const auto all = [&](auto holds) { return std::ranges::all_of(scope_, holds); };
+        const bool is_other = all([&](std::size_t k) { return std::isfinite(length(calls_.mine[k])); }) &&
+                              !all([&](std::size_t k) { return is_close(length(calls_.mine[k]), 1, 1, 1e-3); });
+        if (!is_other || !all([&](std::size_t k) { return is_close(length(right_[k]), 1, 1); }) ||
+            !equals([&](std::size_t k, std::size_t c) { return length(calls_.mine[k]) * right(k, c); }))
+            return std::nullopt;
+        return Form{std::string(right_way), 1.9};
+    }
+
     std::optional<Form> constant_value() const {
         const std::size_t first = scope_.front();
         if (!equals([&](std::size_t, std::size_t c) { return mine(first, c); })) return std::nullopt;
         for (std::size_t c = 0; c < size_; ++c)
             if (std::isnan(mine(first, c))) return std::nullopt;
         if (size_ == 1 && part_.kind == Kind::number && is_named(mine(first, 0)))
-            return Form{"is always " + constant(mine(first, 0)), 1.5};
-        return Form{"is always " + value_in_words(part_, calls_.mine[first]), 1.5};
+            return Form{std::string(always) + constant(mine(first, 0)), 1.5};
+        return Form{std::string(always) + value_in_words(part_, calls_.mine[first]), 1.5};
     }
 
     /// By which factor, where the right one has a length.
@@ -124,7 +140,7 @@ private:
                         fmt::format("points the right way, but is `{}` long: its length must be 1", parts[i].name),
                         1.5};
             }
-            return Form{"points the right way, but does not have length 1", 1.9};
+            return Form{std::string(right_way), 1.9};
         }
         std::vector<std::size_t> some;
         for (const std::size_t k : scope_)

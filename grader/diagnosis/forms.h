@@ -10,6 +10,12 @@ struct Form {
     double cost = 0;
 };
 
+/// How a form is told that says nothing of a cause.
+constexpr std::string_view always = "is always ";
+
+/// Of a vector that is not normalised.
+constexpr std::string_view right_way = "points the right way, but does not have length 1";
+
 /// One part of the answers to some calls.
 struct PartOfCalls {
     const Calls& calls;

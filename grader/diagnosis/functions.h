@@ -33,7 +33,7 @@ inline constexpr Function scalar_functions[] = {
     {"0", 1.25, [](double) { return 0.0; }},
     {"1", 1.25, [](double) { return 1.0; }},
     {"0.5", 1.4, [](double) { return 0.5; }},
-    {"inf", 1.4, [](double) { return rt::inf; }},
+    {"inf", 1.6, [](double) { return rt::inf; }},
     {"{} * 180 / pi", 1.5, [](double x) { return x * 180 / rt::pi; }, ": angles are in radians"},
     {"{} * pi / 180", 1.5, [](double x) { return x * rt::pi / 180; }, ": it is in radians already"},
     {"tan({})", 1.5, [](double x) { return std::tan(x); }},
@@ -55,6 +55,7 @@ inline constexpr Function scalar_functions[] = {
     {"{} + 2", 1.7, [](double x) { return x + 2; }},
     {"{} - 2", 1.7, [](double x) { return x - 2; }},
     {"2 * {} - 1", 1.7, [](double x) { return 2 * x - 1; }},
+    {"(1 + {}) / 2", 1.7, [](double x) { return (1 + x) / 2; }},
     {"sqrt(sqrt({}))", 1.9, [](double x) { return std::sqrt(std::sqrt(x)); }},
     {"sqrt(1 - {0} * {0})", 1.8, [](double x) { return std::sqrt(1 - x * x); }},
     {"1 - {0} * {0}", 1.9, [](double x) { return 1 - x * x; }},
@@ -67,7 +68,7 @@ inline constexpr Function scalar_functions[] = {
 
 /// Of both coordinates of a pair.
 inline constexpr Function pair_functions[] = {
-    {"{}", 1.4, [](double x) { return x; }},
+    {"{}", 1.15, [](double x) { return x; }},
     {"{} + 1", 1.4, [](double x) { return x + 1; }},
     {"2 * {} - 1", 1.5, [](double x) { return 2 * x - 1; }},
     {"{} - 0.5", 1.6, [](double x) { return x - 0.5; }},

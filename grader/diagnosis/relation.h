@@ -12,6 +12,9 @@ constexpr std::string_view as_changed = "the answers are exactly what the right 
 /// How the words of a relation that does not explain all calls end.
 constexpr std::string_view other_mistakes = "; in the others something else is wrong";
 
+/// How the words of one begin that is looked for where it is clearest.
+constexpr std::string_view where_not_nothing = "where the right answer is not 0 or inf, ";
+
 /// What wrong answers have to do with right ones, in every call that was looked at.
 struct Relation {
     std::string words;
@@ -25,6 +28,7 @@ struct Relation {
     bool other_numbers = false;                   // the answers are the right fragment's for other random numbers
     double share = 1;                             // of what is wrong that is explained
     bool by_arguments = false, by_steps = false;  // explained exactly by a change of these
+    Rows others{};                                // of the calls that were looked at, those that are not explained
 };
 
 /// The simplest one; none: none was found.

@@ -1,170 +1,14 @@
 #include "diagnosis/simplest.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "rt/math.h"
+#include "diagnosis/invariants.h"
+#include "diagnosis/simpler.h"
 
 namespace grade {
 
 namespace {
-
-using rt::vec3;
-
-double rounded(double x, int digits) { return std::isfinite(x) ? std::stod(fmt::format("{:.{}g}", x, digits)) : x; }
-
-vec3 at(const Row& row, const Field& part) { return {row[part.at], row[part.at + 1], row[part.at + 2]}; }
-
-/// What all calls have in common.
-class Invariants {
-public:
-    explicit Invariants(const Calls& calls) : signature_(calls.signature) {
-        const auto& parts = calls.layouts.front().parts;
-        const auto all = [&](auto holds) {
-            for (std::size_t k = 0; k < calls.size(); ++k)
-                if (!holds(calls.rows[k], calls.layouts[k].parts)) return false;
-            return true;
-        };
-        const auto matters = [&](std::size_t i) { return i >= calls.told.size() || calls.told[i]; };
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-            if (!matters(i)) continue;
-            for (std::size_t c = 0; c < size_of(parts[i].kind); ++c) {
-                Range range{i, c, rt::inf, -rt::inf};
-                for (std::size_t k = 0; k < calls.size(); ++k) {
-                    const double x = calls.rows[k][calls.layouts[k].parts[i].at + c];
-                    range.low = std::min(range.low, x), range.high = std::max(range.high, x);
-                }
-                if (parts[i].kind != Kind::vector) ranges_.push_back(range);
-            }
-            if (parts[i].kind != Kind::vector) continue;
-            if (all([&](const Row& row, const auto& p) { return std::abs(glm::length(at(row, p[i])) - 1) < 1e-9; }))
-                unit_.push_back(i);
-            if (all([&](const Row& row, const auto& p) { return at(row, p[i]) != vec3(0); })) not_zero_.push_back(i);
-            for (std::size_t j = 0; j < i; ++j)
-                if (parts[j].kind == Kind::vector && matters(j)) {
-                    const auto is_right_angle = [&](const Row& row, const auto& p) {
-                        const vec3 v = at(row, p[i]), w = at(row, p[j]);
-                        return std::abs(rt::dot(v, w)) <= 1e-9 * glm::length(v) * glm::length(w);
-                    };
-                    if (all(is_right_angle)) right_angles_.emplace_back(i, j);
-                    for (const double sign : {1.0, -1.0})
-                        if (all([&](const Row& row, const auto& p) {
-                                return sign * rt::dot(at(row, p[i]), at(row, p[j])) > 0;
-                            }))
-                            sides_.push_back({i, j, sign});
-                    const auto is_same = [&](const Row& row, const auto& p) { return at(row, p[i]) == at(row, p[j]); };
-                    if (all(is_same)) same_.emplace_back(i, j);
-                }
-        }
-        for (std::size_t i = 0; i < parts.size(); ++i)
-            for (std::size_t j = 0; j < parts.size(); ++j)
-                for (std::size_t c = 0; c < size_of(parts[i].kind); ++c)
-                    if (i != j && matters(i) && matters(j) && parts[i].kind == parts[j].kind &&
-                        parts[i].kind != Kind::vector &&
-                        all([&](const Row& row, const auto& p) { return row[p[i].at + c] <= row[p[j].at + c]; }))
-                        ordered_.push_back({i, j, c, all([&](const Row& row, const auto& p) {
-                                                return row[p[i].at + c] < row[p[j].at + c];
-                                            })});
-    }
-
-    /// With what must be the same made so.
-    bool mend(Row& row, std::size_t changed) const {
-        const auto parts = signature_.of_arguments(row).parts;
-        for (const auto& [i, j] : same_)
-            if (changed == i || changed == j)
-                for (std::size_t c = 0; c < 3; ++c)
-                    row[parts[changed == i ? j : i].at + c] = row[parts[changed].at + c];
-        for (const Range& r : ranges_)
-            if (const double x = row[parts[r.part].at + r.component]; !(x >= r.low && x <= r.high)) return false;
-        for (const std::size_t i : unit_)
-            if (std::abs(glm::length(at(row, parts[i])) - 1) > 1e-9) return false;
-        for (const std::size_t i : not_zero_)
-            if (at(row, parts[i]) == vec3(0)) return false;
-        for (const auto& [i, j] : right_angles_) {
-            const vec3 v = at(row, parts[i]), w = at(row, parts[j]);
-            if (std::abs(rt::dot(v, w)) > 1e-9 * glm::length(v) * glm::length(w)) return false;
-        }
-        for (const auto& [i, j, sign] : sides_)
-            if (!(sign * rt::dot(at(row, parts[i]), at(row, parts[j])) > 0)) return false;
-        return std::ranges::all_of(ordered_, [&](const Ordered& o) {
-            const double a = row[parts[o.a].at + o.component], b = row[parts[o.b].at + o.component];
-            return o.strictly ? a < b : a <= b;
-        });
-    }
-
-private:
-    struct Range {
-        std::size_t part, component;
-        double low, high;
-    };
-    struct Ordered {
-        std::size_t a, b, component;
-        bool strictly;  // a < b, else a <= b
-    };
-    struct Side {
-        std::size_t a, b;
-        double sign;  // of their dot product
-    };
-    const Signature& signature_;
-    std::vector<Range> ranges_;
-    std::vector<Side> sides_;
-    std::vector<std::size_t> unit_, not_zero_;
-    std::vector<std::pair<std::size_t, std::size_t>> right_angles_, same_;
-    std::vector<Ordered> ordered_;
-};
-
-/// The simpler the earlier; those that are no simpler than what stands there are left out.
-std::vector<std::vector<double>> simpler_values(const Field& part, const Row& row) {
-    std::vector<std::vector<double>> list;
-    const std::size_t n = size_of(part.kind);
-    const std::vector<double> now(row.begin() + std::ptrdiff_t(part.at), row.begin() + std::ptrdiff_t(part.at + n));
-    const auto add = [&](std::vector<double> value) { list.push_back(std::move(value)); };
-    if (part.kind == Kind::vector || part.kind == Kind::color) {
-        for (const double s : {0.0, 1.0, 0.5})
-            if (part.kind == Kind::color || s == 0) add({s, s, s});
-        if (part.kind == Kind::vector) {
-            for (const double s : {1.0, -1.0})
-                for (int axis : {2, 1, 0}) {
-                    std::vector<double> value(3);
-                    value[std::size_t(axis)] = s;
-                    add(value);
-                }
-            for (const double s : {1.0, -1.0})
-                add({0, 0.6, s * 0.8}), add({0.6, 0, s * 0.8}), add({0.6, s * 0.8, 0}), add({-0.6, 0, s * 0.8});
-            add({0, 0, 2}), add({0, 0, -2}), add({1, 2, 2});
-        } else
-            add({1, 0, 0}), add({0.2, 0.5, 1});
-    } else if (part.kind == Kind::whole || part.kind == Kind::whole_pair) {
-        if (n == 1)
-            for (const double x : {0.0, 1.0, 2.0, 3.0, 4.0, 5.0}) add({x});
-        else
-            add({2, 2}), add({4, 2}), add({2, 4}), add({100, 100}), add({200, 100});
-    } else if (part.kind == Kind::flag) {
-        add({0});
-    } else if (part.kind != Kind::choice) {
-        for (const double x : {0.0, 1.0, 0.5, 2.0, -1.0, 0.25, 3.0, 10.0, 100.0, rt::inf})
-            add(std::vector<double>(n, x));
-        if (n == 2)
-            for (const double x : {0.0, 0.5, 0.25}) add({x, now[1]}), add({now[0], x});
-        if (n == 2) add({0.25, 0.5}), add({0.5, 0.25});
-    }
-    const double length = std::hypot(now[0], n > 1 ? now[1] : 0, n > 2 ? now[2] : 0);
-    const bool is_unit = part.kind == Kind::vector && std::abs(length - 1) < 1e-9;
-    for (int digits = 1; digits < 4 && !is_unit; ++digits) {
-        std::vector<double> value;
-        for (const double x : now) value.push_back(rounded(x, digits));
-        add(value);
-    }
-    // what stands there is as good as what comes after it
-    if (const auto place = std::ranges::find(list, now); place != list.end()) list.erase(place, list.end());
-    return list;
-}
-
-bool has_nan(const Row& row) {
-    return std::ranges::any_of(row, [](double x) { return std::isnan(x); });
-}
 
 /// Wrong by a hundredth or more, so that it shows.
 bool shows(const Calls& calls, const Row& mine, const Row& right) {
@@ -322,8 +166,6 @@ private:
                 row[to[i].at + c] = defaults[from[i].at + c];
         take({row});
     }
-
-    static bool is_nan(const Row& mine, const Row& right) { return has_nan(mine) && !has_nan(right); }
 
     /// What does not matter in this call: with its default, the answers are the same.
     void leave_out() {

@@ -20,6 +20,20 @@ constexpr double dearest = 2;      // change that is tried
 struct Projection {
     std::string words;
     std::function<double(const Row& row, const Row& answer)> value;
+    std::string axis{};  // whose cosine with a direction it is
+};
+
+/// How a direction's cosine with an axis may be spread, by its quantiles.
+struct Usual {
+    const char* words;
+    double (*quantile)(double);
+};
+
+constexpr Usual usual_spreads[] = {
+    {"uniform on the whole sphere", [](double q) { return 2 * q - 1; }},
+    {"uniform on the hemisphere about {}", [](double q) { return q; }},
+    {"on the hemisphere about {}, with a density proportional to the cosine", [](double q) { return std::sqrt(q); }},
+    {"on the hemisphere about {}, uniform in the angle", [](double q) { return std::sin(q * rt::pi / 2); }},
 };
 
 std::vector<Projection> projections(const Calls& calls) {
@@ -35,18 +49,29 @@ std::vector<Projection> projections(const Calls& calls) {
             list.push_back({"|" + name + "|",
                             [at](const Row&, const Row& answer) { return std::hypot(answer[at], answer[at + 1]); }});
         if (part.kind != Kind::vector) continue;
-        std::size_t given = 0;
+        std::vector<std::size_t> given;
         for (std::size_t i = 0; i < parts.size(); ++i)
-            if (parts[i].kind == Kind::vector && calls.told[i]) {
-                ++given;
-                list.push_back({fmt::format("dot({}, {})", parts[i].name, name),
-                                [at, from = parts[i].at](const Row& row, const Row& answer) {
-                                    return rt::dot(vector_at(row, from), vector_at(answer, at));
-                                }});
-            }
-        for (std::size_t c = 0; given == 0 && c < 3; ++c)
+            if (parts[i].kind == Kind::vector && calls.told[i]) given.push_back(i);
+        const auto along = [&](const std::string& axis, auto at_row) {
+            list.push_back(
+                {fmt::format("dot({}, {})", axis, name),
+                 [=](const Row& row, const Row& answer) { return rt::dot(at_row(row), vector_at(answer, at)); },
+                 part.name == "direction" ? axis : ""});
+        };
+        for (const std::size_t i : given)
+            along(parts[i].name, [from = parts[i].at](const Row& row) { return vector_at(row, from); });
+        for (const std::size_t i : given)
+            for (const std::size_t j : given)
+                if (i < j)
+                    along(fmt::format("({} mirrored at {})", parts[i].name, parts[j].name),
+                          [from = parts[i].at, to = parts[j].at](const Row& row) {
+                              const rt::vec3 d = vector_at(row, from), n = vector_at(row, to);
+                              return d - 2 * rt::dot(d, n) * n;
+                          });
+        for (std::size_t c = 0; given.empty() && c < 3; ++c)
             list.push_back({fmt::format("{}.{}", name, "xyz"[c]),
-                            [at, c](const Row&, const Row& answer) { return answer[at + c]; }});
+                            [at, c](const Row&, const Row& answer) { return answer[at + c]; },
+                            c == 2 && part.name == "direction" ? "the z axis" : ""});
     }
     return list;
 }
@@ -100,6 +125,31 @@ double most_apart(const Spreads& a, const Spreads& b) {
     return most;
 }
 
+/// Whether numbers are spread so: in steps as a grid has them, or evenly.
+bool is_spread(const std::vector<double>& x, const Usual& as) {
+    std::vector<double> steps, even;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        steps.push_back(as.quantile((double(i / side) + 0.5) / (double(x.size()) / side)));
+        even.push_back(as.quantile((double(i) + 0.5) / double(x.size())));
+    }
+    // evenly as far as so many points can be
+    return apart(x, steps) <= as_good || apart(x, even) <= 5 * as_good;
+}
+
+/// A usual spread of directions that all calls have, and that the right ones do not have; empty: none.
+std::string usual_spread(const Spreads& own, const Spreads& due, const std::vector<Projection>& list) {
+    for (const Usual& usual : usual_spreads)
+        for (std::size_t p = 0; p < list.size(); ++p) {
+            bool is_so = !list[p].axis.empty(), is_right = true;
+            for (std::size_t i = p; is_so && i < own.size(); i += list.size())
+                is_so = is_spread(own[i], usual), is_right = is_right && is_spread(due[i], usual);
+            const bool is_axis = list[p].axis.find(' ') == std::string::npos;
+            if (is_so && !is_right)
+                return fmt::format(fmt::runtime(usual.words), is_axis ? "`" + list[p].axis + "`" : list[p].axis);
+        }
+    return {};
+}
+
 std::string mean_and_range(const std::vector<double>& x) {
     double sum = 0;
     for (const double v : x) sum += v;
@@ -138,7 +188,9 @@ std::optional<std::string> spread_of(const Calls& calls, const Calls& all, const
     for (std::size_t i = 0; i < own.size(); ++i)
         if (apart(own[i], due[i]) > apart(own[worst], due[worst])) worst = i;
     if (own[worst].back() == 1e300) return std::nullopt;
-    return fmt::format("over all random numbers {} is {}; it must be {}", list[worst % list.size()].words,
+    const std::string so = usual_spread(own, due, list);
+    return fmt::format("{}over all random numbers {} is {}; it must be {}",
+                       so.empty() ? so : "the directions are " + so + ": ", list[worst % list.size()].words,
                        mean_and_range(own[worst]), mean_and_range(due[worst]));
 }
 

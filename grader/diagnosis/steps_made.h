@@ -57,10 +57,16 @@ inline Steps normalised(Steps of) {
     return of;
 }
 
+/// A point of the unit circle, at a share of a turn, and of the unit disk, as the solution puts it there.
+inline rt::vec2 circle_of(double turn) { return {std::cos(2 * rt::pi * turn), std::sin(2 * rt::pi * turn)}; }
+inline rt::vec2 on_disk(rt::vec2 u) { return std::sqrt(u.x) * circle_of(u.y); }
+
 std::vector<Steps> steps_of_integrals(const std::string& fragment);
 std::vector<Steps> steps_of_rays(const std::string& fragment);
 std::vector<Steps> steps_of_light(const std::string& fragment);
 std::vector<Steps> steps_of_warps(const std::string& fragment);
+std::vector<Steps> steps_of_lamps(const std::string& fragment);
+std::vector<Steps> steps_of_lobes(const std::string& fragment);
 std::vector<Steps> steps_of_distribution(const std::string& fragment);
 
 }  // namespace grade

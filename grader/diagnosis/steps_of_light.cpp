@@ -48,7 +48,8 @@ struct Surface {
 
 Row steps_of_surface(vec3 n, vec3 to_light, vec3 to_viewer) {
     Row taken = row(dot(n, to_light), dot(n, to_light), cosine_of_highlight(n, to_light, to_viewer));
-    taken.resize(16);
+    taken.resize(18);
+    taken[16] = dot(n, unit(to_light + to_viewer));
     return taken;
 }
 
@@ -58,6 +59,7 @@ Color reflected_by_steps(const double* s, const Material& material, Color light)
     const Surface surface{material, s[1] > 0 ? s[0] : 0, s[2]};
     const Real a = material.shininess, power = s[3] != 0    ? std::max(s[2], 0.0) * a
                                                : s[15] != 0 ? std::pow(s[2], a)
+                                               : s[17] != 0 ? std::pow(a, std::max(s[2], 0.0))
                                                             : surface.power_of(s[2]);
     const Real before = s[5] != 0   ? (a + 2) / (2 * pi)
                         : s[6] != 0 ? (a + 1) / (2 * pi)
@@ -79,7 +81,8 @@ constexpr const char* surface_names =
     "highlight; bool the highlight not multiplied by the light; bool the diffuse part not multiplied by the light; "
     "bool "
     "nothing at all returned where dot(n, d) <= 0, not even ambient light; bool albedo before the highlight as well; "
-    "bool specular before the diffuse part as well; bool dot(r, c) not cut off at 0 before the power";
+    "bool specular before the diffuse part as well; bool dot(r, c) not cut off at 0 before the power; Real dot(n, h) "
+    "with the half vector h = unit(d + c); bool pow(shininess, max(dot(r, c), 0)), base and exponent exchanged";
 
 constexpr const char* surface_formula = "dot(n, d) / pi * albedo + pow(max(dot(r, c), 0), shininess) * specular";
 
@@ -116,13 +119,16 @@ std::vector<Steps> of_surface() {
                     return row(all.glow + reflected_by_steps(s, all.material, all.light));
                 }),
             steps<Arguments...>(
-                "r = 2 * dot(n, d) * n - d", "vec3 r; Real cosine",
+                "r = 2 * dot(n, d) * n - d", "vec3 r; Real cosine; Real 2 * dot(n, d)",
                 +[](const Arguments&... arguments) {
                     const Lit all = lit(arguments...);
-                    return row(2 * dot(all.n, all.d) * all.n - all.d, dot(all.n, all.d));
+                    const Real cosine = dot(all.n, all.d);
+                    return row(2 * cosine * all.n - all.d, cosine, 2 * cosine);
                 },
                 +[](const double* s, const Arguments&... arguments) {
-                    return lit(arguments...).with(s[3], vec3(s[0], s[1], s[2]));
+                    const Lit all = lit(arguments...);
+                    const Real twice = 2 * dot(all.n, all.d);
+                    return all.with(s[3], s[4] != twice ? s[4] * all.n - all.d : vec3(s[0], s[1], s[2]));
                 }),
             steps<Arguments...>(
                 "", "Real dot(n, d)",
@@ -133,6 +139,26 @@ std::vector<Steps> of_surface() {
                 })};
 }
 
+/// The light of a sample, before the diffuse part and before the highlight.
+std::vector<Steps> of_light_sample() {
+    std::vector<Steps> all = of_surface<Material, Color, LightSample, vec3, vec3>();
+    all.push_back(steps(
+        "dot(n, d) / pi * albedo * L / density + pow(max(dot(r, c), 0), shininess) * specular * L / density",
+        "Color L of the diffuse part; Color L of the highlight; Real density of the diffuse part; Real density of the "
+        "highlight",
+        +[](const Material&, const Color& radiance, const LightSample& light, const vec3&, const vec3&) {
+            return row(radiance, radiance, light.density, light.density);
+        },
+        +[](const double* s, const Material& m, const Color&, const LightSample& light, const vec3& n, const vec3& c) {
+            const Real cosine = dot(n, light.direction), along = cosine_of_highlight(n, light.direction, c);
+            if (!(cosine > 0) || !(light.density > 0)) return row(Color(0));
+            const Color diffuse = cosine / pi * m.albedo * Color(s[0], s[1], s[2]) / s[6];
+            const Color highlight = (along > 0 ? std::pow(along, m.shininess) : 0) * m.specular;
+            return row(diffuse + highlight * Color(s[3], s[4], s[5]) / s[7]);
+        }));
+    return all;
+}
+
 Real fresnel_of(Real s, Real p) { return (s * s + p * p) / 2; }
 
 /// To the amplitudes s and p.
@@ -141,9 +167,9 @@ std::vector<Steps> of_amplitudes() {
         steps(
             "c2 = sqrt(1 - e^2 * (1 - c1^2)), e = e1 / e2",
             "Real e^2; Real 1 - c1^2; Real c1^2; bool 0 at total internal reflection; bool no root: c2 = 1 - e^2 * (1 "
-            "- c1^2)",
+            "- c1^2); Real (1 - c1)^2",
             +[](const Real& c1, const Real& e1, const Real& e2) {
-                return row(sqr(e1 / e2), 1 - c1 * c1, c1 * c1, false, false);
+                return row(sqr(e1 / e2), 1 - c1 * c1, c1 * c1, false, false, sqr(1 - c1));
             },
             +[](const double* s, const Real& c1, const Real& e1, const Real& e2) {
                 const Real squared = 1 - s[0] * (s[2] != c1 * c1 ? 1 - s[2] : s[1]);
@@ -255,7 +281,7 @@ std::vector<Steps> of_whitted() {
 std::vector<Steps> steps_of_light(const std::string& fragment) {
     if (fragment == "point_irradiance") return of_point_light();
     if (fragment == "phong") return of_surface<Material, Color, Color, vec3, vec3, vec3>();
-    if (fragment == "direct_light") return of_surface<Material, Color, LightSample, vec3, vec3>();
+    if (fragment == "direct_light") return of_light_sample();
     if (fragment == "fresnel_dielectric") return of_fresnel();
     if (fragment == "whitted") return of_whitted();
     return {};

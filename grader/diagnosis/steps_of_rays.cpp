@@ -33,10 +33,12 @@ std::vector<Steps> of_camera() {
                 }),
             steps(
                 "x = (2 * film.x / camera.size.x - 1) * aspect * tan_half_fov, aspect = camera.size.x / camera.size.y",
-                "Real aspect", +[](const Camera& c, const vec2&) { return row(Real(c.size.x) / c.size.y); },
+                "Real aspect; Real y",
+                +[](const Camera& c, const vec2& film) {
+                    return row(Real(c.size.x) / c.size.y, (1 - 2 * film.y / c.size.y) * c.tan_half_fov);
+                },
                 +[](const double* s, const Camera& c, const vec2& film) {
-                    return camera_direction(c, (2 * film.x / c.size.x - 1) * s[0] * c.tan_half_fov,
-                                            (1 - 2 * film.y / c.size.y) * c.tan_half_fov);
+                    return camera_direction(c, (2 * film.x / c.size.x - 1) * s[0] * c.tan_half_fov, s[1]);
                 })};
 }
 
@@ -49,16 +51,23 @@ Row first_root(Real near_root, Real far_root, const Ray& ray) {
 std::vector<Steps> of_sphere() {
     return {
         steps(
-            "(b -+ sqrt(b * b - a * c)) / a, a = dot(d, d), b = -dot(f, d), c = dot(f, f) - r^2, f = origin - center",
-            "Real a; Real b; Real c",
+            "(b -+ root) / a, root = sqrt(b * b - a * c), a = dot(d, d), b = -dot(f, d), c = dot(f, f) - r^2, f = "
+            "origin - center",
+            "Real a; Real b; Real c; Real root",
             +[](const Sphere& sphere, const Ray& ray) {
                 const vec3 f = ray.origin - sphere.center;
-                return row(dot(ray.direction, ray.direction), -dot(f, ray.direction), dot(f, f) - sqr(sphere.radius));
+                const Real a = dot(ray.direction, ray.direction), b = -dot(f, ray.direction),
+                           c = dot(f, f) - sqr(sphere.radius);
+                return row(a, b, c, std::sqrt(b * b - a * c));
             },
-            +[](const double* s, const Sphere&, const Ray& ray) {
-                const Real d = s[1] * s[1] - s[0] * s[2];
-                if (!(d >= 0)) return row(inf);
-                return first_root((s[1] - std::sqrt(d)) / s[0], (s[1] + std::sqrt(d)) / s[0], ray);
+            +[](const double* s, const Sphere& sphere, const Ray& ray) {
+                const vec3 f = ray.origin - sphere.center;
+                const Real a = dot(ray.direction, ray.direction), b = -dot(f, ray.direction),
+                           c = dot(f, f) - sqr(sphere.radius);
+                const bool is_other = s[0] != a || s[1] != b || s[2] != c;
+                const Real root = is_other ? std::sqrt(s[1] * s[1] - s[0] * s[2]) : s[3];
+                if (!(root == root)) return row(inf);
+                return first_root((s[1] - root) / s[0], (s[1] + root) / s[0], ray);
             }),
         steps(
             "(-b -+ sqrt(b^2 - 4 * a * c)) / (2 * a), b = 2 * dot(f, d), c = dot(f, f) - r^2, f = origin - center",
@@ -161,10 +170,14 @@ Steps of_triangle_vectors() {
 std::vector<Steps> of_quad() {
     return {
         steps(
-            "t = dot(center - origin, n) / dot(d, n), n = cross(u, v)", "Real dot(center - origin, n); Real dot(d, n)",
+            "t = dot(center - origin, n) / dot(d, n), n = cross(u, v)",
+            "Real dot(center - origin, n); Real dot(d, n); Real dot(center - origin, unit(n)); Real dot(d, unit(n)); "
+            "Real "
+            "dot(center, n); Real dot(origin, n)",
             +[](const Quad& quad, const Ray& ray) {
-                const vec3 n = cross(quad.u, quad.v);
-                return row(dot(quad.center - ray.origin, n), dot(ray.direction, n));
+                const vec3 n = cross(quad.u, quad.v), to = quad.center - ray.origin, d = ray.direction;
+                return row(dot(to, n), dot(d, n), dot(to, unit(n)), dot(d, unit(n)), dot(quad.center, n),
+                           dot(ray.origin, n));
             },
             +[](const double* s, const Quad& quad, const Ray& ray) {
                 const Real t = s[0] / s[1];
@@ -243,31 +256,34 @@ std::vector<Steps> of_mirror() {
 }
 
 std::vector<Steps> of_refraction() {
-    return {steps(
-                "e * d + (e * c - root) * n, e = ior_from / ior_to, c = -dot(d, n), root = sqrt(1 - e^2 * (1 - c^2))",
-                "Real e; Real e * c; Real c; Real root; bool d returned at total internal reflection; bool d mirrored "
-                "at total internal reflection",
-                +[](const vec3& d, const vec3& n, const Real& from, const Real& to) {
-                    const Real e = from / to, c = -dot(d, n);
-                    return row(e, e * c, c, std::sqrt(1 - e * e * (1 - c * c)), false, false);
-                },
-                +[](const double* s, const vec3& d, const vec3& n, const Real&, const Real&) {
-                    const vec3 nothing = s[4] != 0 ? d : s[5] != 0 ? d - 2 * dot(d, n) * n : vec3(0);
-                    return row(s[3] >= 0 || s[3] < 0 ? s[0] * d + (s[1] - s[3]) * n : nothing);
-                }),
-            steps(
-                "root = sqrt(1 - e^2 * (1 - c^2)), e = ior_from / ior_to, c = -dot(d, n)",
-                "Real e^2; Real c^2; Real 1 - c^2; Real 1 - e^2 * (1 - c^2)",
-                +[](const vec3& d, const vec3& n, const Real& from, const Real& to) {
-                    const Real e = from / to, c = -dot(d, n);
-                    return row(e * e, c * c, 1 - c * c, 1 - e * e * (1 - c * c));
-                },
-                +[](const double* s, const vec3& d, const vec3& n, const Real& from, const Real& to) {
-                    const Real e = from / to, c = -dot(d, n);
-                    const Real inner = s[1] != c * c ? 1 - s[1] : s[2], whole = 1 - s[0] * inner;
-                    const Real squared = s[3] != 1 - e * e * (1 - c * c) ? s[3] : whole;
-                    return row(squared < 0 ? vec3(0) : e * d + (e * c - std::sqrt(squared)) * n);
-                })};
+    return {
+        steps(
+            "e * d + (e * c - root) * n, e = ior_from / ior_to, c = -dot(d, n), root = sqrt(1 - e^2 * (1 - c^2))",
+            "Real e; Real e * c; Real c; Real root; bool d returned at total internal reflection; bool d mirrored "
+            "at total internal reflection; bool the test for total internal reflection the wrong way round: nothing "
+            "returned where light passes",
+            +[](const vec3& d, const vec3& n, const Real& from, const Real& to) {
+                const Real e = from / to, c = -dot(d, n);
+                return row(e, e * c, c, std::sqrt(1 - e * e * (1 - c * c)), false, false, false);
+            },
+            +[](const double* s, const vec3& d, const vec3& n, const Real&, const Real&) {
+                if (s[6] != 0) return row(s[3] > 0 ? vec3(0) : s[0] * d + s[1] * n);
+                const vec3 nothing = s[4] != 0 ? d : s[5] != 0 ? d - 2 * dot(d, n) * n : vec3(0);
+                return row(s[3] >= 0 || s[3] < 0 ? s[0] * d + (s[1] - s[3]) * n : nothing);
+            }),
+        steps(
+            "root = sqrt(1 - e^2 * (1 - c^2)), e = ior_from / ior_to, c = -dot(d, n)",
+            "Real e^2; Real c^2; Real 1 - c^2; Real 1 - e^2 * (1 - c^2)",
+            +[](const vec3& d, const vec3& n, const Real& from, const Real& to) {
+                const Real e = from / to, c = -dot(d, n);
+                return row(e * e, c * c, 1 - c * c, 1 - e * e * (1 - c * c));
+            },
+            +[](const double* s, const vec3& d, const vec3& n, const Real& from, const Real& to) {
+                const Real e = from / to, c = -dot(d, n);
+                const Real inner = s[1] != c * c ? 1 - s[1] : s[2], whole = 1 - s[0] * inner;
+                const Real squared = s[3] != 1 - e * e * (1 - c * c) ? s[3] : whole;
+                return row(squared < 0 ? vec3(0) : e * d + (e * c - std::sqrt(squared)) * n);
+            })};
 }
 
 std::vector<Steps> joined(std::vector<Steps> all, Steps one) {

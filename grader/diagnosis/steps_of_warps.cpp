@@ -56,9 +56,11 @@ std::vector<Steps> of_strata_2d() {
             "cells are left empty; bool a grid of round(sqrt(n)) columns and ceil(n / columns) rows, of which some "
             "cells are left empty; bool a strip of 1 / n for each cell, as high as the square; bool x and y both in "
             "the strip of cell i: cells along the diagonal alone; bool u alone, whichever cell it is; "
-            "bool cells i / c and i % c with c = floor(sqrt(n)), which fill the square for a square n alone",
-            +[](const int&, const int&, const vec2&) { return Row(16); },
+            "bool cells i / c and i % c with c = floor(sqrt(n)), which fill the square for a square n alone; bool the "
+            "column divided by n, not by the number of columns",
+            +[](const int&, const int&, const vec2&) { return Row(17); },
             +[](const double* s, const int& i, const int& n, const vec2& u) {
+                if (n < 1) return row(u);
                 const Real root = std::sqrt(Real(n)), low = std::floor(root), high = std::ceil(root);
                 if (s[9] != 0 || s[10] != 0 || s[11] != 0) {
                     const int c = int(s[9] != 0 ? low : s[10] != 0 ? high : std::round(root));
@@ -76,6 +78,10 @@ std::vector<Steps> of_strata_2d() {
                 if (s[4] != 0 || s[5] != 0) {
                     const Real rows = s[4] != 0 ? std::floor(n / low) : n / low, column = std::floor(i / rows);
                     return row(below(vec2((column + u.x) / low, (i - column * rows + u.y) / rows)));
+                }
+                if (s[16] != 0) {
+                    const OfColumn own(i, n, low);
+                    return row(below(vec2((own.column + u.x) / n, (i - own.first + u.y) / own.count)));
                 }
                 const Real whole = (s[2] != 0 ? high : low) + (s[7] != 0) - (s[8] != 0);
                 const OfColumn own(i, n, s[6] != 0 ? root : std::max(1.0, whole));
@@ -214,18 +220,26 @@ std::vector<Steps> of_scattering() {
     const auto take = +[](const vec3&, const Real& g, const vec2& u) {
         const Real s = 2 * u.x - 1;
         const Real c = (2 * s + g * (3 + s * s) + 2 * g * g * s + g * g * g * (s * s - 1)) / (2 * sqr(1 + g * s));
-        return row(c, c, 2 * pi * u.y, 1 - g * g, 1 + g * g - 2 * g * c, 1.5);
+        return row(c, c, 2 * pi * u.y, 1 - g * g, 1 + g * g - 2 * g * c, 1.5, false, false,
+                   std::sqrt(std::max(0.0, 1 - c * c)));
     };
     return {steps(
                 "density = (1 - g * g) / (4 * pi * pow(1 + g * g - 2 * g * c, 1.5))",
-                "Real c; Real c in the density; Real phi; Real 1 - g * g; Real 1 + g * g - 2 * g * c; Real 1.5", take,
-                +[](const double* s, const vec3& d, const Real& g, const vec2&) {
-                    const Real sine = std::sqrt(std::max(0.0, 1 - s[0] * s[0]));
-                    const Real usual = 1 + g * g - 2 * g * s[0];
-                    const Real base = s[1] != s[0]                        ? 1 + g * g - 2 * g * s[1]
+                "Real c; Real c in the density; Real phi; Real 1 - g * g; Real 1 + g * g - 2 * g * c; Real 1.5; bool "
+                "directions uniform on the sphere, whatever g is, and the density that these would have with g; bool "
+                "directions uniform on the sphere, whatever g is; Real sin(theta)",
+                take,
+                +[](const double* s, const vec3& d, const Real& g, const vec2& u) {
+                    const bool is_uniform = s[6] != 0 || s[7] != 0;
+                    const Real c = is_uniform ? 2 * u.x - 1 : s[0];
+                    // of the right c, the sine that is given
+                    const Real sine = !is_uniform && s[1] == c ? s[8] : std::sqrt(std::max(0.0, 1 - c * c));
+                    const Real usual = 1 + g * g - 2 * g * c;
+                    const Real base = s[6] != 0                           ? usual
+                                      : s[1] != s[0]                      ? 1 + g * g - 2 * g * s[1]
                                       : std::abs(s[4] / usual - 1) < 1e-9 ? usual
                                                                           : s[4];
-                    return row(DirectionSample{frame_about(d).to_world(lifted(sine, turned(s[2]), s[0], 0).direction),
+                    return row(DirectionSample{frame_about(d).to_world(lifted(sine, turned(s[2]), c, 0).direction),
                                                s[3] / (4 * pi * std::pow(base, s[5]))});
                 }),
             steps(

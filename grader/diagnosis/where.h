@@ -16,4 +16,8 @@ struct Region {
 /// of_answers  what the right answers are may set them apart as well, not the arguments alone
 Region where_wrong(const Calls& calls, bool of_answers = true);
 
+/// Of a choice and a flag, what is answered and what must be: "where `previous` is lobe, the answer is `!sampled`; it
+/// must be true". Empty for other arguments.
+std::string wrong_answers(const Calls& calls);
+
 }  // namespace grade

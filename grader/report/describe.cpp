@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 #include <sstream>
 
@@ -59,6 +60,12 @@ std::string experiment(const Check& check) {
 
 std::string rounded_points(double x) { return fmt::format("{:g}", std::round(100 * x) / 100); }
 
+/// As a fraction: decimals of thirds do not add up.
+std::string share_of(int part, int all) {
+    const int common = std::gcd(part, all);
+    return part == all ? "1" : fmt::format("{}/{}", part / common, all / common);
+}
+
 /// Where a block's text ends: at its end marker.
 constexpr std::string_view opening = "<!-- ", end_marker = "<!-- end -->";
 
@@ -93,8 +100,7 @@ std::string describe_checks(const Assignment& assignment, const std::string& fra
     for (const Check& check : checks_of_seeds().front()) shares += check.fragment == fragment ? check.share : 0;
     for (const Check& check : checks_of_seeds().front()) {
         if (check.fragment != fragment) continue;
-        std::string name = fmt::format("`{}` ({}): {}", check.name, rounded_points(entry.points * check.share / shares),
-                                       experiment(check));
+        std::string name = fmt::format("`{}` ({}): {}", check.name, share_of(check.share, shares), experiment(check));
         for (std::size_t k = 0; k < check.statistics.size(); ++k) {
             Statistics same;
             for (const auto& checks : checks_of_seeds()) {
@@ -107,7 +113,7 @@ std::string describe_checks(const Assignment& assignment, const std::string& fra
         }
     }
     return fmt::format("{} point{}.\n\n", rounded_points(entry.points), entry.points == 1 ? "" : "s") +
-           "| check (points) | id | measures | must be | right within | wrong beyond |\n|---|---|---|---|---|---|\n" +
+           "| check (share) | id | measures | must be | right within | wrong beyond |\n|---|---|---|---|---|---|\n" +
            rows;
 }
 

@@ -30,8 +30,10 @@ struct alignas(64) Batch {
     Index event[lanes];   // where the ray comes from: an Event
     Index depth[lanes];   // mirrors, glass and lobes so far
     Index bounce[lanes];  // diffuse bounces so far
-    // With which a lobe took the ray, where it is weighed against lamps, else 0; only after lobes [1/sr].
+    // With which a lobe or a medium took the ray, where it is weighed against lamps, else 0; only after these. After a
+    // medium, times the share of light that its straight way here has left [1/sr].
     Real density[lanes];
+    Real way[lanes];     // that is behind it since the medium; only where density is of one [m]
     Bits inside[lanes];  // the regions that the ray is in: see media/nesting.h; 0: none
 
     Ray ray(int i) const { return {origin.at(i), direction.at(i), near[i], far[i]}; }

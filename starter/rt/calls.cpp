@@ -9,7 +9,7 @@ std::vector<Calls> calls_of(const RenderPlan& plan) {
         if (called) all.back().fragments.push_back(fragment);
     };
     const bool cells = plan.sampling.sampler == Sampler::uniform || plan.sampling.sampler == Sampler::stratified;
-    const bool reflects = plan.diffuse || plan.phong,
+    const bool reflects = plan.diffuse || plan.phong, lamps = plan.light && (reflects || plan.weigh),
                follows = plan.mirrors || plan.glass || plan.glossy || plan.translucent;
 
     stage("camera");
@@ -25,6 +25,8 @@ std::vector<Calls> calls_of(const RenderPlan& plan) {
     stage("medium");
     call("free_flight", plan.medium);
     call("scatter_direction", plan.medium);
+    call("light_sample", plan.media_lit);
+    call("shadow_ray", plan.media_lit);
     stage("surface");
     call("moved", plan.time);
     stage("emission");
@@ -32,10 +34,10 @@ std::vector<Calls> calls_of(const RenderPlan& plan) {
     stage("direct");
     call("point_irradiance", plan.point_lights && reflects);
     call("phong", plan.ambient || (plan.point_lights && plan.phong));
-    call("light_sample", plan.light);
-    call("direct_light", plan.light && reflects);
+    call("light_sample", lamps);
+    call("direct_light", lamps && reflects);
     call("cosine_hemisphere", plan.environment_lit);
-    call("shadow_ray", (plan.point_lights && reflects) || plan.light || plan.environment_lit);
+    call("shadow_ray", (plan.point_lights && reflects) || lamps || plan.environment_lit);
     stage("scatter");
     call("whitted", follows);
     call("fresnel_dielectric", plan.glass || plan.translucent);

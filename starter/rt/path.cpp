@@ -60,9 +60,9 @@ void Worker::add_found(const Batch& batch, bool in_order) {
 
 void Worker::follow(Batch& batch, Pattern pattern, int wave) {
     nearest_stage(world, batch);
-    medium_stage(world, pattern, wave, batch, next, chunk);
-    surface_stage(world, batch, surfaces);
     found = Colors{};
+    medium_stage(world, pattern, wave, batch, shadow, next, found, chunk);
+    surface_stage(world, batch, surfaces);
     emission_stage(world, batch, surfaces, found);
     direct_stage(world, pattern, wave, batch, surfaces, shadow, found, chunk);
     add_found(batch, wave == 0);

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "rt/calls.h"
+#include "rt/media/bodies.h"
 
 namespace rt {
 namespace {
@@ -13,6 +14,10 @@ constexpr std::size_t shapes_without_tree = 100;
 
 /// Both ways on at each surface may be 2^depth rays.
 constexpr int deepest_split = 24;
+
+/// Paths of so many scatterings or bounces end at random if less than this is left of their light: see
+/// tests/bench/walks.md.
+constexpr Real fewest_scatterings = 4, fewest_bounces = 12, little = 0.5;
 
 std::vector<char> materials_in_use(const Scene& scene) {
     std::vector<char> used(scene.materials.size(), 0);
@@ -82,12 +87,46 @@ void add_shapes(const Scene& scene, RenderPlan& plan) {
     plan.bvh = count > shapes_without_tree;
 }
 
+/// Whether a medium scatters from where shadow rays get out.
+bool scatters_into_the_open(const Scene& scene) {
+    const std::vector<Body> bodies = scattering_bodies(scene);
+    return std::any_of(bodies.begin(), bodies.end(),
+                       [](const Body& body) { return goes_straight_through(*body.material); });
+}
+
+/// Whether paths end at random: where the brightest of those that are long lose most of what they carry.
+void decide_roulette(const Scene& scene, RenderPlan& plan) {
+    Real longest = 0, left = 1;
+    const auto follow = [&](Real steps, Color albedo, Real fewest) {
+        longest = std::max(longest, steps);
+        if (steps >= fewest) left = std::min(left, std::pow(largest(albedo), steps));
+    };
+    for (const Body& body : scattering_bodies(scene))
+        follow(mean_scatterings(body), body.material->medium.albedo, fewest_scatterings);
+    if (plan.bounce) {
+        Color albedo{0};
+        for (const Material& m : scene.materials) albedo = glm::max(albedo, largest_albedo(m));
+        follow(scene.bounces, albedo, fewest_bounces);
+    }
+    plan.roulette = longest > 0 && scene.roulette.value_or(left < little);
+    plan.ends_early = scene.roulette && longest > 0 ? "the scene says so"
+                      : longest == 0                ? "no path bounces or is scattered in media"
+                      : left < 1                    ? fmt::format(
+                                                          "{:.2g} of the light is left after {:.3g} scatterings or bounces; "
+                                                                             "worth it below {:g}",
+                                                          left, longest, little)
+                                 : fmt::format("{:.3g} scatterings or bounces; worth it from {} or {}", longest,
+                                               fewest_scatterings, fewest_bounces);
+}
+
 /// Whether lamps are sampled, and how.
 void decide_lamps(const Scene& scene, RenderPlan& plan) {
     const bool lobe = plan.lobe && !plan.lamps.empty(), lit = (plan.diffuse || plan.phong) && !plan.lamps.empty();
-    if (lobe || lit) plan.ways = choose_ways(scene, plan.lamps);
+    const bool media = scatters_into_the_open(scene) && !plan.lamps.empty();
+    if (lobe || lit || media) plan.ways = choose_ways(scene, plan.lamps);
     plan.weigh = lobe && plan.ways.multiple_importance.on;
-    plan.light = lit || plan.weigh;
+    plan.media_lit = media && plan.ways.media_lit.on;
+    plan.light = lit || plan.weigh || plan.media_lit;
     plan.solid_angle = plan.light && plan.ways.solid_angle.on && has_quad_lamp(plan, scene);
     plan.one_lamp = plan.light && plan.ways.one_lamp.on && plan.lamps.size() > 1;
 }
@@ -110,6 +149,7 @@ void number_pairs(RenderPlan& plan) {
     number(choice_dimension, plan.choice);
     number(flight_dimension, plan.medium);
     number(phase_dimension, plan.medium);
+    number(roulette_dimension, plan.roulette);
     plan.pairs_of_wave = next - before;
 }
 
@@ -123,12 +163,16 @@ std::string describe_lamps(const RenderPlan& plan, const Scene& scene) {
     const LampWays& ways = plan.ways;
     const bool quad = plan.light && has_quad_lamp(plan, scene), several = plan.light && plan.lamps.size() > 1,
                lobe = plan.lobe && !plan.lamps.empty();
+    const bool media = scatters_into_the_open(scene) && !plan.lamps.empty();
     return row("solid angle", plan.solid_angle, "of quads: " + ways.solid_angle.why,
                quad ? "quads by area: " + ways.solid_angle.why : "no quad that is sampled") +
            row("one lamp", plan.one_lamp, "chosen at each point: " + ways.one_lamp.why,
                several ? "all at each point: " + ways.one_lamp.why : "no two lamps") +
            row("weigh", plan.weigh, "lamps against glossy lobes: " + ways.multiple_importance.why,
-               lobe ? "lobes alone find lamps: " + ways.multiple_importance.why : "no glossy lobe, or no emitter");
+               lobe ? "lobes alone find lamps: " + ways.multiple_importance.why : "no glossy lobe, or no emitter") +
+           row("media lit", plan.media_lit, "lamps against scatterings: " + ways.media_lit.why,
+               media ? "paths alone find lamps: " + ways.media_lit.why
+                     : "no medium that scatters behind a boundary of ior 1, or no emitter");
 }
 
 std::string describe_integrals(const RenderPlan& plan, const Scene& scene) {
@@ -141,7 +185,7 @@ std::string describe_integrals(const RenderPlan& plan, const Scene& scene) {
            row("time", plan.time, fmt::format("{:g} s to {:g} s", scene.shutter.open, scene.shutter.close),
                "nothing moves while the shutter is open") +
            row("light", plan.light, fmt::format("{} emitters", plan.lamps.size()),
-               "no emitter that lights a diffuse surface") +
+               "no emitter that lights a diffuse surface or a medium") +
            describe_lamps(plan, scene) +
            row("environment", plan.environment_lit, "lights the diffuse surfaces",
                "no environment that lights a diffuse surface") +
@@ -150,7 +194,8 @@ std::string describe_integrals(const RenderPlan& plan, const Scene& scene) {
                "no diffuse surface, or no bounces asked for") +
            row("medium", plan.medium, "random walks", "no medium") +
            row("through", plan.through, "shadow rays go through boundaries of ior 1",
-               "no such boundary, or no shadow ray");
+               "no such boundary, or no shadow ray") +
+           row("roulette", plan.roulette, "paths that carry little end at random: " + plan.ends_early, plan.ends_early);
 }
 
 std::string describe_stages(const RenderPlan& plan, const Scene& scene) {
@@ -166,6 +211,7 @@ std::string describe_stages(const RenderPlan& plan, const Scene& scene) {
                plan.checker ? "with checkers" : "", "nothing to hit") +
            row("emission", plan.emission || plan.environment || scene.background != Color(0),
                plan.counts_twice ? "what shadow rays have gathered counts once"
+               : plan.media_lit  ? "what media find is weighed; nothing bounces"
                                  : "all that is seen counts: nothing bounces",
                "nothing shines that a ray can hit") +
            row("direct", plan.point_lights || plan.light || plan.environment_lit || scene.ambient != Color(0),
@@ -186,7 +232,7 @@ std::string describe_costs(const RenderPlan& plan, const Scene& scene) {
     const int camera = 2 * plan.pixel + 2 * plan.lens + plan.time;
     const int lamps = plan.light ? plan.one_lamp ? 1 : int(plan.lamps.size()) : 0;
     const int wave = 2 * lamps + plan.one_lamp + 2 * plan.environment_lit + 2 * (plan.lobe || plan.bounce) +
-                     plan.choice + 3 * plan.medium;
+                     plan.choice + 3 * plan.medium + plan.roulette;
     const std::string text = fmt::format("dimensions       {} for the camera, {} for each wave\n", camera, wave);
     const std::size_t shadow = scene.lights.size() + std::size_t(lamps) + plan.environment_lit;
     const int waves = 1 + (plan.bounce ? scene.bounces : 0);
@@ -224,6 +270,7 @@ RenderPlan make_plan(const Scene& scene, const Sampling& sampling) {
     plan.split = plan.specular && scene.depth <= deepest_split && !plan.lobe && !plan.bounce && !plan.medium &&
                  !plan.light && !plan.environment_lit;
     plan.choice = plan.choice && !plan.split;
+    decide_roulette(scene, plan);
     plan.camera_dimensions = camera_dimensions;
     plan.wave_dimensions = light_dimension + (plan.one_lamp ? 2 : int(plan.lamps.size()));
     number_pairs(plan);

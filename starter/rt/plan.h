@@ -20,6 +20,7 @@ enum WaveDimension : int {
     environment_dimension,
     light_dimension  // and those of further lamps
 };
+constexpr int roulette_dimension = -1;
 constexpr int most_new_dimensions = 16;
 
 /// How the pixels of a picture are sampled.
@@ -64,6 +65,8 @@ struct RenderPlan {
     bool spheres = false, triangles = false, quads = false, discs = false;
     bool smooth = false;        // meshes with normals
     bool checker = false;       // an albedo in every other square
+    bool media_lit = false;     // lamps are sampled where a medium scatters, and weighed against its phase function
+    bool roulette = false;      // paths that carry little end at random
     bool through = false;       // shadow rays go through boundaries that bend no light
     bool counts_twice = false;  // a diffuse ray may find what shadow rays have gathered; else all that is seen counts
 
@@ -73,6 +76,7 @@ struct RenderPlan {
 
     std::vector<int> lamps;  // the shapes that shadow rays look for, by their places in the scene
     LampWays ways;           // why they are sampled so
+    std::string ends_early;  // why paths that carry little end at random, or why not
 
     // the dimensions of one sample: where each integral's random numbers start
     int camera_dimensions = 0;  // pixel, lens, time

@@ -59,6 +59,8 @@ struct Scene {
     std::optional<bool> multiple_importance;  // for glossy lobes too, and both ways are weighed
     std::optional<bool> solid_angle;          // quads by solid angle, not by area
     std::optional<bool> one_lamp;             // of many lamps one is chosen at each point, at random
+    std::optional<bool> media_lit;            // lamps are looked for where a medium scatters
+    std::optional<bool> roulette;             // paths that carry little end at random
     Real exposure = 1;                        // factor for previews only
 };
 

@@ -59,7 +59,46 @@ Batch rays_through(Random& random, Real scale = 1) {
     return b;
 }
 
+/// Rays side by side, all of which may have a part of their direction that is 0, or so small that it might as well be.
+Batch beam_through(Random& random, Real width, bool flat) {
+    const vec3 target = random.in_cube(), eye = random.integer(0, 1) ? random.in_cube() : random.vector(2, 1e3);
+    const Real tiny[] = {0.0, -0.0, 1e-300, -1e-300, 1e-30, -1e-12};
+    Batch b{};
+    b.count = lanes - random.integer(0, 5);
+    const int axis = random.integer(0, 2);
+    for (int i = 0; i < b.count; ++i) {
+        vec3 d = unit(target - eye + width * random.in_cube());
+        if (flat) d[axis] = tiny[random.integer(0, 5)];
+        b.set_ray(i, {eye + 0.1 * width * random.in_cube(), d, 0, random.integer(0, 7) ? inf : random.number()});
+    }
+    return b;
+}
+
 }  // namespace
+
+TEST_CASE("10 likewise for rays that run side by side", "[extremes]") {
+    Random random(102);
+    std::int64_t different = 0, rays = 0, hits = 0, occluded = 0;
+    const std::int64_t wanted = count_of(4e5, 4e6);
+    for (int round = 0; round < 16; ++round) {
+        World world = make_world(crowd(round % 4 ? 400 : 4000, random));
+        REQUIRE(world.plan.bvh);
+        for (std::int64_t k = 0; k < wanted / 16 / lanes + 1; ++k) {
+            const Batch b = beam_through(random, random.scale(1e-4, 0.5), k % 3 == 0);
+            different += differences(world, b), rays += b.count;
+            Batch nearest = b, any = b;
+            nearest_stage(world, nearest), any_hit_stage(world, any);
+            for (int i = 0; i < b.count; ++i) {
+                hits += nearest.shape[i] != nothing;
+                occluded += (nearest.shape[i] == nothing) != (any.shape[i] == nothing);
+            }
+        }
+    }
+    CHECK(hits > rays / 50);
+    figure(10, "rays side by side that the tree answers in another way, of " + std::to_string(rays), double(different),
+           0);
+    figure(10, "of these, rays that meet something in one stage alone", double(occluded), 0);
+}
 
 TEST_CASE("10 the tree finds what brute force finds, bit by bit", "[extremes]") {
     Random random(10);

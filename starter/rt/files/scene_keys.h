@@ -108,6 +108,12 @@ inline constexpr Key<Scene> render[] = {
     {"one_lamp", flag, &Scene::one_lamp, any, "the plan decides",
      "at each point one lamp with extent is chosen at random, likely a bright one that is near, in place of all of "
      "them: for hundreds of lamps. Less time, which grows with the logarithm of their number, and more noise"},
+    {"media_lit", flag, &Scene::media_lit, any, "the plan decides",
+     "lamps with extent are looked for at each scattering in a medium whose boundary bends no light, and weighed "
+     "against the directions of `scatter_direction`: less noise where lamps are small"},
+    {"roulette", flag, &Scene::roulette, any, "the plan decides",
+     "a path that carries little ends at random after a bounce or a scattering; those that go on carry more in its "
+     "place. Less time, and more noise"},
     {"exposure", number, &Scene::exposure, positive, "1", "factor for the PNG preview; the EXR does not change"},
 };
 

@@ -4,6 +4,7 @@
 
 #include "rt/lamps/importance.h"
 #include "rt/lamps/lamp_tree.h"
+#include "rt/media/bodies.h"
 #include "rt/sampler.h"
 
 /// Which way is the best depends on the noise that each adds. That is reckoned at some points that are seen, from what
@@ -24,6 +25,10 @@ constexpr Real noise_of_bounces = 0.1;
 
 /// From where on lamps are sampled for lobes, too: for each lamp, which takes a shadow ray; and where one is chosen.
 constexpr Real worth_weighing = 0.15, worth_weighing_one = 0.55;
+
+/// From where on lamps are sampled where media scatter: for each lamp, which takes a shadow ray; and where one is
+/// chosen. See tests/bench/walks.md.
+constexpr Real worth_lighting_media = 0.6, worth_lighting_media_by_one = 1;
 
 /// Lines of sight times shapes, and points times parts of lamps: a plan takes milliseconds.
 constexpr Real most_work = 2e5;
@@ -206,6 +211,45 @@ Noise noise_of(const Scene& scene, const std::vector<Emitter>& lamps) {
     return {noise.by_area / all, noise.by_lobes / all, noise.of_all / all + for_any, noise.of_one / all + for_any};
 }
 
+/// The share of all directions in which a lamp is seen.
+Real share_of_directions(const Emitter& lamp, vec3 p) {
+    constexpr int side = 4;
+    const Quad quad = as_quad(lamp, p);
+    const vec3 n = unit(cross(quad.u, quad.v));
+    Real angle = 0;
+    for (int k = 0; k < side * side; ++k) {
+        const vec2 at{(2 * (k % side) + 1.0) / side - 1, (2 * (k / side) + 1.0) / side - 1};
+        const vec3 to = quad.center + at.x * quad.u + at.y * quad.v - p;
+        const Real square = dot(to, to);
+        angle += area(lamp) / (side * side) * std::max<Real>(-dot(n, to), 0) / (square * std::sqrt(square));
+    }
+    return std::min<Real>(angle / (4 * pi), 0.5);
+}
+
+/// The variance of the light that a random direction finds at places below the surface of bodies whose scatterings
+/// shadow rays can leave. Lamps stand out against the environment.
+Real noise_in_media(const Scene& scene, const std::vector<Emitter>& lamps) {
+    const std::vector<Body> bodies = scattering_bodies(scene);
+    const std::size_t step = 1 + std::size_t(Real(bodies.size() * lamps.size()) * 6 * 16 / most_work);
+    const Real around = sum(scene.environment);
+    Real noise = 0, all = 0;
+    for (std::size_t k = 0; k < bodies.size(); k += step) {
+        if (!goes_straight_through(*bodies[k].material)) continue;
+        const vec3 center = (bodies[k].box.low + bodies[k].box.high) / 2.0, half = bodies[k].box.high - center;
+        for (int side = 0; side < 6; ++side) {
+            vec3 place = center;
+            place[side / 2] += (side % 2 ? 0.8 : -0.8) * half[side / 2];
+            Real mean = around;
+            for (const Emitter& lamp : lamps) {
+                const Real share = share_of_directions(lamp, place), brighter = sum(lamp.radiance) - around;
+                mean += share * brighter, noise += share * (1 - share) * sqr(brighter);
+            }
+            all += sqr(mean);
+        }
+    }
+    return all > 0 ? noise / all : 0;
+}
+
 Emitter emitter_of(const Scene& scene, int lamp) {
     const Shape& shape = scene.shapes[std::size_t(lamp)];
     Emitter emitter;
@@ -226,11 +270,9 @@ LampWays::Way way(std::optional<bool> said, bool rule, const std::string& why) {
 
 LampWays choose_ways(const Scene& scene, const std::vector<int>& lamps) {
     Noise noise;
-    if (!scene.solid_angle || !scene.multiple_importance || !scene.one_lamp) {
-        std::vector<Emitter> emitters;
-        for (const int lamp : lamps) emitters.push_back(emitter_of(scene, lamp));
-        noise = noise_of(scene, emitters);
-    }
+    std::vector<Emitter> emitters;
+    for (const int lamp : lamps) emitters.push_back(emitter_of(scene, lamp));
+    if (!scene.solid_angle || !scene.multiple_importance || !scene.one_lamp) noise = noise_of(scene, emitters);
     LampWays ways;
     const Real most = worth_one_lamp * Real(lamps.size()) * noise.of_all;
     const bool several = lamps.size() >= fewest_to_choose;
@@ -244,6 +286,12 @@ LampWays choose_ways(const Scene& scene, const std::vector<int>& lamps) {
     ways.multiple_importance =
         way(scene.multiple_importance, noise.by_lobes > least_of_lobes,
             fmt::format("without, a variance of {:.2g} more; worth it from {:.2g}", noise.by_lobes, least_of_lobes));
+    const Real in_media = scene.media_lit ? 0 : noise_in_media(scene, emitters),
+               least_in_media =
+                   ways.one_lamp.on ? worth_lighting_media_by_one : worth_lighting_media * Real(lamps.size());
+    ways.media_lit =
+        way(scene.media_lit, in_media > least_in_media,
+            fmt::format("without, a variance of {:.2g} more; worth it from {:.2g}", in_media, least_in_media));
     return ways;
 }
 

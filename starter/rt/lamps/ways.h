@@ -18,6 +18,7 @@ struct LampWays {
     Way solid_angle;          // quads by solid angle, not by area
     Way one_lamp;             // one of them at each point
     Way multiple_importance;  // for glossy lobes too
+    Way media_lit;            // where media scatter
 };
 
 /// lamps  their places in the scene's shapes; at least one

@@ -33,13 +33,24 @@ void see_emitters(const World& world, const Batch& b, const Surfaces& s, Colors&
         const SurfaceRecord& lamp = world.surfaces[std::size_t(b.shape[i])];
         const bool sampled = lamp.emitter != nothing;
         if (world.plan.counts_twice && !emission_counts(Event(b.event[i]), sampled)) continue;
-        const bool weighed = world.plan.weigh && Event(b.event[i]) == Event::lobe && b.density[i] > 0 && sampled;
-        const Real share = weighed ? power_heuristic(b.density[i], light_density(world, lamp, b.ray(i), b.far[i])) : 1;
+        const Real share = share_of_found(world, lamp, b, i).value_or(1);
         found.set(i, found.at(i) + share * b.weight.at(i) * world.scene.materials[std::size_t(s.material[i])].emission);
     }
 }
 
 }  // namespace
+
+std::optional<Real> share_of_found(const World& world, const SurfaceRecord& lamp, const Batch& b, int i) {
+    const Event from = Event(b.event[i]);
+    const bool of_medium = world.plan.media_lit && from == Event::medium,
+               of_lobe = world.plan.weigh && from == Event::lobe;
+    if (lamp.emitter == nothing || !(of_medium || of_lobe) || !(b.density[i] > 0)) return std::nullopt;
+    Ray ray = b.ray(i);
+    if (of_lobe) return power_heuristic(b.density[i], light_density(world, lamp, ray, b.far[i]));
+    ray.origin -= b.way[i] * ray.direction;
+    return power_heuristic(b.density[i] * left_around(world, b.inside[i], b.far[i]),
+                           light_density(world, lamp, ray, b.way[i] + b.far[i]));
+}
 
 void emission_stage(const World& world, const Batch& batch, const Surfaces& surfaces, Colors& found) {
     if (world.plan.environment || world.scene.background != Color(0))

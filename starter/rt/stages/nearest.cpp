@@ -1,5 +1,6 @@
 #include "rt/fragments.h"
 #include "rt/stages/stages.h"
+#include "rt/tree/beam.h"
 #include "rt/tree/meetings.h"
 #include "rt/tree/shaft.h"
 #include "rt/tree/traverse.h"
@@ -108,53 +109,94 @@ void measure_all(const World& world, const Batch& b, const Real* far, Meetings& 
     measure<hit_disc, time>(world, world.discs, firsts[3], b, far, m, ends[2], ends[3]);
 }
 
-constexpr int enough = 2 * pairs_at_once;  // pairs, to test them
-
-template <bool any>
-void search_tree(const World& world, Batch& b) {
-    Journeys journeys;
-    Meetings meetings;
-    start(world.bvh, b, journeys);
-    Real far[lanes];  // a test's interval stays as it is: the lowest number wins a tie, whichever is tried first
-    int on_the_way[lanes], n = 0;
-    for (int i = 0; i < b.count; ++i) {
-        far[i] = b.far[i];
-        if (journeys.depth[i] > 0) on_the_way[n++] = i;
+/// Tests the pairs that have come together, and calls found(ray) for each ray that has met something nearer.
+///
+/// far  of the rays as they came: the lowest number wins a tie, whichever is tried first
+template <class F>
+void settle(const World& world, Batch& b, const Real* far, Meetings& meetings, F found) {
+    with_flag(world.plan.time, [&](auto time) { measure_all<time()>(world, b, far, meetings); });
+    for (int k = 0; k < meetings.count; ++k) {
+        const int i = int(meetings.lane(k));
+        const Real t = meetings.distance[k];
+        const Index id = meetings.item(k);
+        if (!(t < b.far[i] || (t == b.far[i] && id < b.shape[i]))) continue;
+        b.far[i] = t;
+        b.shape[i] = id;
+        found(i);
     }
+    meetings.count = 0;
+}
+
+/// Rays side by side.
+template <bool any>
+void search_together(const World& world, const Real* far, Journeys& journeys, Beam& beam, Meetings& meetings,
+                     Batch& b) {
+    // Where any hit will do, rays may leave the beam early: what is near need not come first.
+    constexpr int few = any ? 8 : 4;
+    std::uint64_t alive = ~std::uint64_t(0);
+    while (beam.depth > 0) {
+        step(world.bvh.nodes.data(), journeys, alive, few, beam, meetings);
+        if (meetings.count == 0 || (meetings.count < Meetings::enough && beam.depth > 0)) continue;
+        settle(world, b, far, meetings, [&](int i) {
+            if (any)
+                journeys.far[i] = -1, alive &= ~(std::uint64_t(1) << i);
+            else
+                set_far(journeys, i, b.far[i]);
+        });
+        find_far(journeys, beam);
+    }
+    turn_stacks(journeys);
+}
+
+/// Rays that go different ways.
+template <bool any>
+void search_each(const World& world, const Real* far, Journeys& journeys, Meetings& meetings, Batch& b) {
+    const Bvh::Node* const nodes = world.bvh.nodes.data();
+    int on_the_way[lanes], n = 0;
+    for (int i = 0; i < b.count; ++i)
+        if (journeys.depth[i] > 0 && journeys.far[i] >= 0) on_the_way[n++] = i;
     // A ray that has met items waits until there are enough of them for vectors, or no ray can go on.
     int waiting[lanes], waits = 0;
-    meetings.count = 0;
     while (n > 0 || waits > 0) {
-        step(world.bvh.nodes.data(), journeys, on_the_way, n, meetings);
+        step(nodes, journeys, on_the_way, n, meetings);
         int left = 0;
         for (int k = 0; k < n; ++k) {
             const int i = on_the_way[k];
+            fetch(nodes[std::uint32_t(journeys.stack[i][journeys.depth[i]])]);  // while other rays make their steps
             const bool goes_on = journeys.depth[i] > 0, waits_now = goes_on && journeys.met_items[i];
             on_the_way[left] = i, waiting[waits] = i;
             left += goes_on && !waits_now, waits += waits_now;
         }
         n = left;
-        if (meetings.count < enough && n > 0) continue;
-        with_flag(world.plan.time, [&](auto time) { measure_all<time()>(world, b, far, meetings); });
-        for (int k = 0; k < meetings.count; ++k) {
-            const int i = int(meetings.lane(k));
-            const Real t = meetings.distance[k];
-            const Index id = meetings.item(k);
-            if (!(t < b.far[i] || (t == b.far[i] && id < b.shape[i]))) continue;
-            b.far[i] = t;
-            b.shape[i] = id;
+        if (meetings.count < Meetings::enough && n > 0) continue;
+        settle(world, b, far, meetings, [&](int i) {
             if (any)
                 journeys.depth[i] = 0;
             else
-                shorten(journeys, i, t);
-        }
-        meetings.count = 0;
+                shorten(journeys, i, b.far[i]);
+        });
         for (int k = 0; k < waits; ++k) {
             on_the_way[n] = waiting[k];
             n += journeys.depth[waiting[k]] > 0;
         }
         waits = 0;
     }
+}
+
+template <bool any>
+void search_tree(const World& world, Batch& b) {
+    Journeys journeys;
+    Meetings meetings;
+    Beam beam;
+    meetings.count = 0;
+    start(world.bvh, b, journeys);
+    start(journeys, beam);
+    Real far[lanes];
+    std::copy(b.far, b.far + lanes, far);
+    const bool together = beam.spread <= widest_beam;
+    begin(journeys, !together);
+    if (together) search_together<any>(world, far, journeys, beam, meetings, b);
+    search_each<any>(world, far, journeys, meetings, b);
 }
 
 template <bool any>

@@ -194,7 +194,7 @@ void append(const World& world, Sampler sampler, const Batch& b, const Surfaces&
             int count, Batch& to) {
     constexpr bool bounces = way == WayOn::bounce, enters = leads_inside(way);
     constexpr Event event = bounces ? Event::diffuse : is_sharp(way) ? Event::specular : Event::lobe;
-    const bool media = world.plan.medium, through = world.plan.through;
+    const bool media = world.plan.medium, through = world.plan.through, media_lit = world.plan.media_lit;
     for (int k = 0; k < count; ++k) {
         const int i = int(from[k]), j = to.count;
         to.set_ray(j, {sent.origin.at(k), sent.direction.at(k), 0, inf});
@@ -213,6 +213,12 @@ void append(const World& world, Sampler sampler, const Batch& b, const Surfaces&
             // Where shadow rays go through, they have gathered what a diffuse ray finds behind: it still is one.
             const Material& m = world.scene.materials[std::size_t(s.material[i])];
             if (through && b.event[i] == Index(Event::diffuse) && goes_straight_through(m)) to.event[j] = b.event[i];
+            // So does what a medium has scattered, which is weighed.
+            if (media_lit && b.event[i] == Index(Event::medium) && goes_straight_through(m)) {
+                to.event[j] = b.event[i];
+                to.density[j] = b.density[i] * left_around(world, b.inside[i], b.far[i]);
+                to.way[j] = b.way[i] + b.far[i];
+            }
             if (media) to.inside[j] = world.regions.crossed(b.inside[i], b.shape[i], s.behind[i] != 0);
         }
         to.count += !(sent.weight.at(k) == Color(0) || sent.direction.at(k) == vec3(0));
@@ -238,6 +244,11 @@ template <WayOn way>
                     count, u);
         send<way>(u, crossing, count, sent);
         if (way == WayOn::glossy && world.plan.weigh) note_densities(crossing, count, sent);
+        if (way == WayOn::bounce && world.plan.roulette) {
+            draw_1d(pattern, wave_dimension(world, wave, roulette_dimension, pattern.n), crossing.key, crossing.sample,
+                    count, u);
+            for (int j = 0; j < count; ++j) sent.weight.set(j, after_roulette(sent.weight.at(j), u.x[j]));
+        }
         if (way != WayOn::bounce && world.plan.smooth) bring_back<way>(crossing, taken, sent);
         append<way>(world, pattern.sampler, b, s, sent, leaving.lane + k, taken, to);
         chunk.rays[int(kind)] += std::uint64_t(to.count - before);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "rt/world.h"
 
 /// The stages through which batches of rays flow. Each is a short loop over a batch that calls fragments for each lane.
@@ -8,6 +10,9 @@
 ///
 /// Why loops over lanes look as they do: see lanes.h.
 namespace rt {
+
+/// What paths carry that roulette never ends.
+constexpr Real worth_following = 0.5;
 
 /// The samples of some pixels, in the order of their slots.
 struct CameraWork {
@@ -45,13 +50,22 @@ void any_hit_stage(const World& world, Batch& batch);
 /// their way; where something else stops a ray, its number.
 ///
 /// inside  the regions in which each lane starts
-void through_stage(const World& world, const Bits* inside, Batch& shadow, Colors& light);
+/// left    none, or the share of each lane's light that the media alone leave
+void through_stage(const World& world, const Bits* inside, Batch& shadow, Colors& light, Real* left = nullptr);
 
 /// Share of the light that is left after a way through a medium.
 inline Real left_by(const Medium& medium, Real distance) { return exp(-medium.extinction * distance); }
 
-/// Ends the lanes that are scattered inside a medium before they meet a surface; their new rays go to next.
-void medium_stage(const World& world, Pattern pattern, int wave, Batch& batch, Queue& next, Chunk& chunk);
+/// The same where there may be none.
+inline Real left_around(const World& world, Bits inside, Real distance) {
+    const Index medium = world.regions.medium(inside);
+    return medium == nothing ? 1 : left_by(world.scene.materials[std::size_t(medium)].medium, distance);
+}
+
+/// Ends the lanes that are scattered inside a medium before they meet a surface; their new rays go to next. Adds the
+/// light that is scattered straight from the lamps, as it arrives at the film. shadow is a scratch batch.
+void medium_stage(const World& world, Pattern pattern, int wave, Batch& batch, Batch& shadow, Queue& next,
+                  Colors& found, Chunk& chunk);
 
 /// Points, normals and materials of the hits.
 void surface_stage(const World& world, const Batch& batch, Surfaces& surfaces);
@@ -59,6 +73,10 @@ void surface_stage(const World& world, const Batch& batch, Surfaces& surfaces);
 /// Adds the light that the rays' ends send out themselves, as it arrives at the film: emitters, the environment, the
 /// background.
 void emission_stage(const World& world, const Batch& batch, const Surfaces& surfaces, Colors& found);
+
+/// The weight of a lamp that lane i has found, against the points of it that shadow rays have looked for; none where it
+/// counts in full.
+std::optional<Real> share_of_found(const World& world, const SurfaceRecord& lamp, const Batch& batch, int i);
 
 /// Adds the light that the surfaces reflect straight from the lights, as it arrives at the film. shadow is a scratch
 /// batch.
@@ -71,6 +89,14 @@ void scatter_stage(const World& world, Pattern pattern, int wave, const Batch& b
 
 /// The mean of one pixel's samples; or the sample, where there is one.
 Color film_stage(const World& world, const Color* radiance, const Real* weight, int n);
+
+/// What a path that carries this share of its light goes on with: more, or nothing. The mean stays.
+///
+/// u  random, 0 <= u < 1
+inline Color after_roulette(Color weight, Real u) {
+    const Real chance = largest(weight) / worth_following;
+    return chance >= 1 ? weight : u < chance ? weight * (1 / chance) : Color(0);
+}
 
 /// How a path goes on: from a surface, but for the last.
 enum class WayOn { mirror, glossy, glass, translucent, bounce, medium };

@@ -12,7 +12,7 @@ bool comes_from_behind(const World& world, Index shape, const Ray& ray, Real t, 
 
 }  // namespace
 
-void through_stage(const World& world, const Bits* starts, Batch& shadow, Colors& light) {
+void through_stage(const World& world, const Bits* starts, Batch& shadow, Colors& light, Real* left) {
     const Regions& regions = world.regions;
     Real whole[lanes];
     Bits inside[lanes];
@@ -29,8 +29,11 @@ void through_stage(const World& world, const Bits* starts, Batch& shadow, Colors
             const Index shape = shadow.shape[i];
             const Index medium = world.plan.medium ? regions.medium(inside[i]) : nothing;
             const Real t = shadow.far[i], way = t - shadow.near[i];
-            if (medium != nothing)
-                light.set(i, left_by(world.scene.materials[std::size_t(medium)].medium, way) * light.at(i));
+            if (medium != nothing) {
+                const Real share = left_by(world.scene.materials[std::size_t(medium)].medium, way);
+                light.set(i, share * light.at(i));
+                if (left) left[i] *= share;
+            }
             shadow.near[i] = t;  // no interval is left
             if (shape == nothing) continue;
             const Material& m = world.scene.materials[std::size_t(world.surfaces[std::size_t(shape)].material)];

@@ -1,4 +1,5 @@
 #include "rt/lamps/importance.h"
+#include "rt/media/phase.h"
 #include "rt/stages/outgoing.h"
 #include "rt/trace/words.h"
 
@@ -24,10 +25,17 @@ struct Lane {
     }
 };
 
+/// With which densities a lamp's point and a scattering take a direction.
+struct OfMedium {
+    Real of_lamp, of_phase;  // [1/sr]
+};
+
 /// Sends the shadow ray, and adds the light if it arrives.
 ///
 /// through  as the direct stage's
-void tell_shadow(const Lane& lane, const Ray& ray, vec3 to_light, bool through, Color light) {
+/// weights  none, or what light is weighed by that a medium scatters
+void tell_shadow(const Lane& lane, const Ray& ray, vec3 to_light, bool through, Color light,
+                 std::optional<OfMedium> weights = std::nullopt) {
     Told& told = lane.told;
     if (light == Color(0)) return tell(told, "", "none, so no shadow ray is sent");
     const std::string along = ray.direction == to_light ? "" : fmt::format(" along {}", text(ray.direction));
@@ -39,8 +47,9 @@ void tell_shadow(const Lane& lane, const Ray& ray, vec3 to_light, bool through, 
     const World& world = lane.world();
     const Bits inside = lane.wave.batch.inside[lane.i];
     Colors left;
+    Real left_by_media = 1;
     left.set(0, Color(1));
-    through ? through_stage(world, &inside, shadow, left) : any_hit_stage(world, shadow);
+    through ? through_stage(world, &inside, shadow, left, &left_by_media) : any_hit_stage(world, shadow);
     if (shadow.shape[0] != nothing) {
         const Index id = shadow.shape[0];
         return tell(told, "shadow_ray", "{}: stopped by shape {} ({}) at {} m", sent, id, hit_name(world, id),
@@ -52,6 +61,11 @@ void tell_shadow(const Lane& lane, const Ray& ray, vec3 to_light, bool through, 
         left.set(0, Color(left_by(world.scene.materials[std::size_t(medium)].medium, ray.far)));
     if (left.at(0) != Color(1)) tell(told, "medium", "leaves {} of it", text(left.at(0)));
     light = left.at(0) * light;
+    if (weights) {
+        const Real share = power_heuristic(weights->of_lamp, weights->of_phase * left_by_media);
+        tell(told, "", "weight against the ray that the scattering sends on {}", text(share));
+        light = share * light;
+    }
     tell_added(told, lane.wave.batch.weight.at(lane.i) * light);
 }
 
@@ -78,8 +92,7 @@ void tell_point_light(const Lane& lane, const PointLight& lamp) {
 }
 
 /// A point of a lamp, as the direct stage finds it.
-LightSample tell_point(const Lane& lane, const Emitter& lamp, vec2 u) {
-    const vec3 p = lane.hit().point;
+LightSample tell_point(const Lane& lane, const Emitter& lamp, vec3 p, vec2 u) {
     const bool by_angle = lamp.kind == Emitter::Kind::quad && lane.world().plan.solid_angle;
     const LightSample by_area = light_sample(lamp, p, u);
     const LightSample sample = by_angle ? by_angle_or(by_area, lamp.quad, p, u) : by_area;
@@ -128,7 +141,7 @@ void tell_lamp(const Lane& lane, std::size_t lamp, Real probability, vec2 u) {
                           ? fmt::format("  lamp {}, chosen with probability {}\n", lamp, text(probability))
                           : fmt::format("  lamp {}\n", lamp);
     const Emitter& emitter = world.emitters[lamp];
-    LightSample sample = tell_point(lane, emitter, u);
+    LightSample sample = tell_point(lane, emitter, lane.hit().point, u);
     sample.density *= probability;
     const Ray ray = shadow_ray(lane.hit(), sample.direction, sample.distance);
     if (weighs) tell_shadow(lane, ray, sample.direction, false, tell_lobe(lane, emitter, sample));
@@ -149,7 +162,46 @@ void tell_environment(const Lane& lane) {
     tell_shadow(lane, shadow_ray(lane.hit(), direction, inf), direction, lane.world().plan.through, light);
 }
 
+/// The light of a lamp that a medium scatters.
+void tell_scattered(const Lane& lane, vec3 point, const Medium& medium, std::size_t lamp, Real probability, vec2 u) {
+    const Batch& b = lane.wave.batch;
+    const Emitter& emitter = lane.world().emitters[lamp];
+    lane.told.text += fmt::format("  lamp {}\n", lamp);
+    const LightSample sample = tell_point(lane, emitter, point, u);
+    const OfMedium weights{sample.density * probability, phase(b.direction.at(lane.i), sample.direction, medium.g)};
+    const Color light =
+        sample.density > 0 ? weights.of_phase / weights.of_lamp * medium.albedo * emitter.radiance : Color(0);
+    tell(lane.told, "medium", "scatters {}", text(light));
+    tell_shadow(lane, shadow_ray({point, sample.direction}, sample.direction, sample.distance), sample.direction, true,
+                light, weights);
+}
+
+/// Calls f with each lamp that is sampled at a point, its probability and random numbers.
+template <class F>
+void with_lamps_for(const Lane& lane, vec3 point, F f) {
+    const Wave& wave = lane.wave;
+    const World& world = wave.world;
+    if (world.plan.one_lamp) {
+        Numbers choice;
+        draw_1d(wave.pattern, wave_dimension(world, wave.number, light_dimension + 1, wave.pattern.n), wave.batch.key,
+                wave.batch.sample, wave.batch.count, choice);
+        const LampTree::Choice chosen = world.lamp_tree.choose(point, choice.x[lane.i]);
+        f(chosen.lamp, chosen.probability, lane.numbers(light_dimension));
+    } else if (world.plan.light) {
+        for (std::size_t l = 0; l < world.emitters.size(); ++l) f(l, 1, lane.numbers(light_dimension + int(l)));
+    }
+}
+
 }  // namespace
+
+void trace_scattered(const Wave& wave, int i, Index material, vec3 point, Told& told) {
+    const Material& m = wave.world.scene.materials[std::size_t(material)];
+    if (!wave.world.plan.media_lit || !goes_straight_through(m)) return;
+    const Lane lane{wave, i, told};
+    with_lamps_for(lane, point, [&](std::size_t lamp, Real probability, vec2 u) {
+        tell_scattered(lane, point, m.medium, lamp, probability, u);
+    });
+}
 
 void trace_lights(const Wave& wave, int i, Told& told) {
     const World& world = wave.world;
@@ -166,16 +218,8 @@ void trace_lights(const Wave& wave, int i, Told& told) {
             told.text += fmt::format("  light {}\n", k);
             tell_point_light(lane, world.scene.lights[k]);
         }
-    if (world.plan.one_lamp) {
-        Numbers choice;
-        draw_1d(wave.pattern, wave_dimension(world, wave.number, light_dimension + 1, wave.pattern.n), wave.batch.key,
-                wave.batch.sample, wave.batch.count, choice);
-        const LampTree::Choice chosen = world.lamp_tree.choose(lane.hit().point, choice.x[i]);
-        tell_lamp(lane, chosen.lamp, chosen.probability, lane.numbers(light_dimension));
-    } else if (world.plan.light) {
-        for (std::size_t l = 0; l < world.emitters.size(); ++l)
-            tell_lamp(lane, l, 1, lane.numbers(light_dimension + int(l)));
-    }
+    with_lamps_for(lane, lane.hit().point,
+                   [&](std::size_t lamp, Real probability, vec2 u) { tell_lamp(lane, lamp, probability, u); });
     if (world.plan.environment_lit && m.albedo != Color(0)) tell_environment(lane);
 }
 

@@ -1,11 +1,12 @@
 #include "rt/fragments.h"
-#include "rt/lamps/importance.h"
 #include "rt/trace/words.h"
 
 namespace rt {
 namespace {
 
 constexpr const char* event_names[] = {"the camera", "a diffuse surface", "a mirror or glass", "a lobe", "a medium"};
+
+constexpr const char* event_words[] = {"camera", "diffuse", "specular", "lobe", "medium"};
 
 /// Who says that there is nothing along a ray.
 std::string witnesses(const RenderPlan& plan) {
@@ -28,6 +29,7 @@ void tell_medium(const Wave& wave, int i, Told& told) {
     const Real t = free_flight(scene.materials[std::size_t(medium)].medium.extinction, flight.x[i]);
     tell(told, "free_flight", "in {}, u {}: {} m{}", name_of_material(scene, medium), text(flight.x[i]), text(t),
          b.shape[i] == ended ? ", before any surface" : ", beyond the surface");
+    if (b.shape[i] == ended) trace_scattered(wave, i, medium, b.origin.at(i) + t * b.direction.at(i), told);
 }
 
 void tell_hit(const Wave& wave, int i, Told& told) {
@@ -70,10 +72,9 @@ void tell_emission(const Wave& wave, int i, Told& told) {
     const Color emission = world.scene.materials[std::size_t(wave.surfaces.material[i])].emission;
     tell(told, "shines", "{}", text(emission));
     if (!counts(sampled)) return;
-    const bool weighed = world.plan.weigh && from == Event::lobe && b.density[i] > 0 && sampled;
-    const Real share = weighed ? power_heuristic(b.density[i], light_density(world, lamp, b.ray(i), b.far[i])) : 1;
-    if (weighed) tell(told, "lobe", "weight against the lamp's points {}", text(share));
-    tell_added(told, share * b.weight.at(i) * emission);
+    const std::optional<Real> share = share_of_found(world, lamp, b, i);
+    if (share) tell(told, event_words[b.event[i]], "weight against the lamp's points {}", text(*share));
+    tell_added(told, share.value_or(1) * b.weight.at(i) * emission);
 }
 
 }  // namespace

@@ -38,4 +38,7 @@ inline const char* hit_name(const World& world, Index shape) {
 /// What lights the surface of lane i: lamps of all kinds, each with its shadow ray.
 void trace_lights(const Wave& wave, int i, Told& told);
 
+/// What of the lamps' light is scattered at a point in the medium of a material, as lane i has it.
+void trace_scattered(const Wave& wave, int i, Index material, vec3 point, Told& told);
+
 }  // namespace rt

@@ -6,10 +6,13 @@
 /// Pairs of a ray and a shape that may meet.
 namespace rt {
 
-/// Which rays meet the boxes of which items, lane << 32 | item, and the distances to be found. A ray takes no other
-/// step before its pairs have been tested, so that there are never more than `most`; a step writes a few places beyond.
+/// Some of the pairs, number by number in short lists, so that a loop that calls a fragment for each becomes vectors.
+constexpr int pairs_at_once = 8;
+
+/// Which rays meet the boxes of which items, lane << 32 | item, and the distances to be found. They are tested when there
+/// are `enough`, and a step adds at most a full node for each ray; it writes a few places beyond.
 struct alignas(64) Meetings {
-    static constexpr int most = lanes * Bvh::width;
+    static constexpr int enough = 4 * pairs_at_once, most = enough + lanes * Bvh::width;
     std::uint64_t pair[most + Bvh::width];
     Real distance[most];
     int count = 0;
@@ -17,9 +20,6 @@ struct alignas(64) Meetings {
     Index lane(int k) const { return Index(pair[k] >> 32); }
     Index item(int k) const { return Index(pair[k] & 0xffff'ffff); }
 };
-
-/// Some of the pairs, number by number in short lists, so that a loop that calls a fragment for each becomes vectors.
-constexpr int pairs_at_once = 16;
 
 using Points = Vectors<pairs_at_once>;
 

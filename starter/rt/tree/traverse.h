@@ -4,6 +4,7 @@
 
 #include "rt/batch.h"
 #include "rt/tree/bvh.h"
+#include "rt/tree/floats.h"
 #include "rt/tree/meetings.h"
 
 /// Rays of a batch on their way through the tree, all at once, one node after the other.
@@ -16,21 +17,59 @@ namespace rt {
 /// The rays in the tree's space, in single precision: a plane x = c of a box is met at c inverse - shift. Each ray
 /// starts where it enters the whole, so that numbers stay near 1 however far the eye is.
 struct alignas(64) Journeys {
-    float inverse[3][lanes], inverse_out[3][lanes];
+    float inside[3][lanes], part[3][lanes];  // where it starts, and its direction, the largest part 1
+    float inverse[3][lanes];
     float shift_in[3][lanes], shift_out[3][lanes];  // of the planes where it enters boxes, and where it leaves them
-    float far[lanes];                               // the nearest hit so far
-    Real start[lanes], per_unit[lanes];             // far = (t - start) per_unit
+    float margin[lanes];
+    float far[lanes];                    // the nearest hit so far; below 0: nothing is left to find
+    Real start[lanes], per_unit[lanes];  // far = (t - start) per_unit + slack
     Real slack[lanes];
-    int met_items[lanes];                           // in the last step
-    Index near_side[3][lanes], far_side[3][lanes];  // which of a node's bounds are met first, and last
-    Index turn[3][lanes];                           // 7: children far along the axis are far; 0: they are near
-    int depth[lanes];                               // of the stack; its place 0 is not in use
+    int met_items[lanes];            // in the last step
+    int depth[lanes];                // of the stack; its place 0 is not in use
+    static constexpr int room = 64;  // for nodes that a beam leaves to a ray
     // distance of a box << 32 | its node; the nearest about last
-    std::uint64_t stack[lanes][(Bvh::deepest + 1) * Bvh::width];
+    std::uint64_t stack[lanes][room + (Bvh::deepest + 1) * Bvh::width];
 };
 
 /// Single precision's share of the boxes' margin: roundings of numbers up to 4, eight times over.
 constexpr Real box_margin = 0x1p-19;
+
+/// What the starts of rays need on the way, in double precision.
+struct alignas(64) Entrances {
+    Real margin[lanes], over_speed[lanes];
+    Vectors<> over;                   // 1 / the direction, the largest part 1
+    Real enter[lanes], leave[lanes];  // the box of the whole
+};
+
+/// Where the rays enter and leave the slab of the whole along an axis.
+[[gnu::always_inline]] inline void enter_slab(Real low, Real high, const Real* origin, const Real* direction,
+                                              Entrances& e, Real* over) {
+#pragma GCC ivdep
+    for (int i = 0; i < lanes; ++i) {
+        const Real part = direction[i] * e.over_speed[i], size = std::abs(part);
+        over[i] = std::copysign(1 / (size > 0x1p-60 ? size : 0x1p-60), part);
+        const Real one = (low - e.margin[i] - origin[i]) * over[i], other = (high + e.margin[i] - origin[i]) * over[i];
+        const Real in = one < other ? one : other, out = one < other ? other : one;
+        e.enter[i] = in > e.enter[i] ? in : e.enter[i];
+        e.leave[i] = out < e.leave[i] ? out : e.leave[i];
+    }
+}
+
+/// The rays along an axis, in the tree's space, from where they enter.
+[[gnu::always_inline]] inline void start_along(int a, const Bvh& bvh, const Real* origin, const Real* direction,
+                                               const Entrances& e, const Real* over, Journeys& j) {
+    const Real center = bvh.center[a], scale = bvh.scale;
+#pragma GCC ivdep
+    for (int i = 0; i < lanes; ++i) {
+        const Real part = direction[i] * e.over_speed[i], at = ((origin[i] - center) + e.enter[i] * part) * scale;
+        const Real below = at < 2 ? at : 2, inside = below > -2 ? below : -2;
+        const Real aside = std::copysign(e.margin[i], part);
+        j.inside[a][i] = float(inside), j.part[a][i] = float(part);
+        j.inverse[a][i] = float(over[i]);
+        j.shift_in[a][i] = float((inside + aside) * over[i]);
+        j.shift_out[a][i] = float((inside - aside) * over[i]);
+    }
+}
 
 /// Starts the rays of a batch that have an interval left and meet the box of the whole.
 ///
@@ -43,122 +82,114 @@ constexpr Real box_margin = 0x1p-19;
 /// 2013.
 inline void start(const Bvh& bvh, const Batch& b, Journeys& j) {
     const Box whole = bvh.whole;
-    const vec3 center = bvh.center;
     const Real scale = bvh.scale, reach = std::max(largest(whole.low), largest(whole.high));
+    Entrances e;
 #pragma GCC ivdep
     for (int i = 0; i < lanes; ++i) {
         const vec3 o = b.origin.at(i), d = b.direction.at(i);
-        const Real margin = 32 * roundoff * (largest(o) + reach);
-        const Real speed = largest(d), over_speed = 1 / speed;
-        Real enter = -inf, leave = inf;
-        vec3 over(0);
-        for (int a = 0; a < 3; ++a) {
-            const Real part = d[a] * over_speed, size = std::abs(part);
-            over[a] = std::copysign(1 / (size > 0x1p-60 ? size : 0x1p-60), part);
-            const Real one = (whole.low[a] - margin - o[a]) * over[a];
-            const Real other = (whole.high[a] + margin - o[a]) * over[a];
-            const Real in = over[a] < 0 ? other : one, out = over[a] < 0 ? one : other;
-            enter = in > enter ? in : enter;
-            leave = out < leave ? out : leave;
-        }
-        const Real near = b.near[i] * speed;
-        const Real from = near > enter ? near : enter;
-        const bool meets = b.near[i] < b.far[i] && from <= leave && i < b.count;
-        const Real local_margin = margin * scale, wide = box_margin + local_margin;
-        const Real most = 8;  // wider than that, a box is met wherever it is
-        const Real m = wide < most ? wide : most;
-        for (int a = 0; a < 3; ++a) {
-            const Real at = ((o[a] - center[a]) + from * (d[a] * over_speed)) * scale;
-            const Real inside = at > 2 ? 2 : at < -2 ? -2 : at;
-            const Real over_out = over[a] * (1 + 0x1p-20);  // numbers have relative errors, too
-            const Real aside = over[a] < 0 ? -m : m;
-            j.inverse[a][i] = float(over[a]), j.inverse_out[a][i] = float(over_out);
-            j.shift_in[a][i] = float((inside + aside) * over[a]);
-            j.shift_out[a][i] = float((inside - aside) * over_out);
-            const int low = a * Bvh::width, high = (3 + a) * Bvh::width;
-            j.near_side[a][i] = over[a] < 0 ? high : low, j.far_side[a][i] = over[a] < 0 ? low : high;
-            j.turn[a][i] = over[a] < 0 ? 0 : 7;
-        }
-        j.start[i] = from * over_speed;
+        const Real speed = largest(d);
+        e.margin[i] = 32 * roundoff * (largest(o) + reach);
+        e.over_speed[i] = 1 / speed;
+        e.enter[i] = b.near[i] * speed, e.leave[i] = inf;
         j.per_unit[i] = speed * scale;
-        // Grazing, a hit's own distance is less certain: a box is left out only where it is farther by more than that.
-        j.slack[i] = 8 * box_margin + 0x1p20 * local_margin;
-        const Real far = (b.far[i] - j.start[i]) * j.per_unit[i] + j.slack[i];
-        j.far[i] = float(far < 1e30 ? far : 1e30);
-        j.depth[i] = meets ? 1 : 0;
     }
-    for (int i = 0; i < b.count; ++i) j.stack[i][0] = j.stack[i][1] = 0;
-}
-
-/// Which children of its node a ray meets, and what its stack or the list is to hold of each.
-struct alignas(64) Children {
-    std::uint64_t value[Bvh::width];
-    std::uint32_t meets[Bvh::width];  // 1 or 0
-    unsigned turn;
-    int leaf;
-};
-
-/// Takes the node on top of ray i's stack.
-inline void look_at_node(const Bvh::Node* nodes, const Journeys& j, int i, Children& children) {
-    const Bvh::Node& node = nodes[std::uint32_t(j.stack[i][j.depth[i]])];
-    const float x = j.inverse[0][i], y = j.inverse[1][i], z = j.inverse[2][i];
-    const float x_out = j.inverse_out[0][i], y_out = j.inverse_out[1][i], z_out = j.inverse_out[2][i];
-    const float in_x = j.shift_in[0][i], in_y = j.shift_in[1][i], in_z = j.shift_in[2][i];
-    const float out_x = j.shift_out[0][i], out_y = j.shift_out[1][i], out_z = j.shift_out[2][i];
-    const float *low_x = node.bound[0][0] + j.near_side[0][i], *high_x = node.bound[0][0] + j.far_side[0][i];
-    const float *low_y = node.bound[0][0] + j.near_side[1][i], *high_y = node.bound[0][0] + j.far_side[1][i];
-    const float *low_z = node.bound[0][0] + j.near_side[2][i], *high_z = node.bound[0][0] + j.far_side[2][i];
-    const float far = j.far[i];
-    const bool leaf = node.leaf != 0;
-    children.turn = unsigned(j.turn[node.axis][i]);
-    children.leaf = int(node.leaf);
+    enter_slab(whole.low.x, whole.high.x, b.origin.x, b.direction.x, e, e.over.x);
+    enter_slab(whole.low.y, whole.high.y, b.origin.y, b.direction.y, e, e.over.y);
+    enter_slab(whole.low.z, whole.high.z, b.origin.z, b.direction.z, e, e.over.z);
+    const int count = b.count;
 #pragma GCC ivdep
-    for (int c = 0; c < Bvh::width; ++c) {
-        const float enter_x = low_x[c] * x - in_x, leave_x = high_x[c] * x_out - out_x;
-        const float enter_y = low_y[c] * y - in_y, leave_y = high_y[c] * y_out - out_y;
-        const float enter_z = low_z[c] * z - in_z, leave_z = high_z[c] * z_out - out_z;
-        const float enter_xy = enter_x > enter_y ? enter_x : enter_y, enter_z0 = enter_z > 0 ? enter_z : 0;
-        const float leave_xy = leave_x < leave_y ? leave_x : leave_y, leave_zf = leave_z < far ? leave_z : far;
-        const float enter = enter_xy > enter_z0 ? enter_xy : enter_z0;
-        const float leave = leave_xy < leave_zf ? leave_xy : leave_zf;
-        children.meets[c] = enter <= leave;
-        children.value[c] =
-            std::uint64_t(leaf ? std::uint32_t(i) : std::bit_cast<std::uint32_t>(enter)) << 32 | node.child[c];
+    for (int i = 0; i < lanes; ++i) {
+        const vec3 none = 0.0 * b.origin.at(i) + (0 * e.over_speed[i]) * b.direction.at(i);
+        const bool finite = none == vec3(0);
+        const bool meets = finite & bool(b.near[i] < b.far[i]) & bool(e.enter[i] <= e.leave[i]);
+        const Real margin = e.margin[i] * scale, wide = box_margin + margin;
+        const Real most = 8;  // wider than that, a box is met wherever it is
+        e.margin[i] = wide < most ? wide : most;
+        j.margin[i] = float(e.margin[i]);
+        j.start[i] = e.enter[i] * e.over_speed[i];
+        // Grazing, a hit's own distance is less certain: a box is left out only where it is farther by more than that.
+        j.slack[i] = 8 * box_margin + 0x1p20 * margin;
+        const Real far = (b.far[i] - j.start[i]) * j.per_unit[i] + j.slack[i], near_far = far < 1e30 ? far : 1e30;
+        j.far[i] = float(meets ? near_far : -1);
+    }
+    for (int i = count; i < lanes; ++i) j.far[i] = -1;
+    start_along(0, bvh, b.origin.x, b.direction.x, e, e.over.x, j);
+    start_along(1, bvh, b.origin.y, b.direction.y, e, e.over.y, j);
+    start_along(2, bvh, b.origin.z, b.direction.z, e, e.over.z, j);
+}
+
+/// Puts the root on the stack of each ray, or nothing.
+inline void begin(Journeys& j, bool at_root) {
+    for (int i = 0; i < lanes; ++i) {
+        j.depth[i] = at_root & (j.far[i] >= 0);
+        j.stack[i][0] = j.stack[i][1] = 0;
     }
 }
 
-/// Puts the children that are met onto ray i's stack, if they are nodes; if items, into the list.
-inline void take_children(const Bvh::Node* nodes, Journeys& j, int i, const Children& children, Meetings& meetings) {
-    std::uint64_t* const stack = j.stack[i];
-    const int depth = j.depth[i] - 1, leaf = children.leaf;
-    std::uint64_t* const tops[2] = {stack + depth + 1, meetings.pair + meetings.count};
-    std::uint64_t* const to = tops[leaf];
-    // Far children first, as their order along the axis has it. What is not met is overwritten by what follows.
+/// Where ray i meets the children of a node.
+[[gnu::always_inline]] inline void look(const Bvh::Node& node, const Journeys& j, int i, Ways& ways) {
+    const float far = j.far[i];
+    const float *first[3], *last[3];
+    for (int a = 0; a < 3; ++a) {
+        const int down = std::signbit(j.inverse[a][i]);
+        first[a] = node.bound[down][a], last[a] = node.bound[1 - down][a];
+    }
+    for (int c = 0; c < Bvh::width; c += half_wide) {
+        FewFloats enter = FewFloats{}, leave = enter + far;
+        for (int a = 0; a < 3; ++a) {
+            const float inverse = j.inverse[a][i];
+            enter = greater(load<FewFloats>(first[a] + c) * inverse - j.shift_in[a][i], enter);
+            leave = lesser(load<FewFloats>(last[a] + c) * inverse - j.shift_out[a][i], leave);
+        }
+        std::memcpy(ways.enter + c, &enter, sizeof enter);
+        std::memcpy(ways.leave + c, &leave, sizeof leave);
+    }
+}
+
+/// Bit c: ray i meets child c of a node.
+[[gnu::always_inline]] inline unsigned children_met(const Bvh::Node& node, const Journeys& j, int i) {
+    Ways ways;
+    look(node, j, i, ways);
     unsigned met = 0;
-    for (unsigned c = 0; c < Bvh::width; ++c) {
-        to[met] = children.value[c ^ children.turn];
-        met += children.meets[c ^ children.turn];
-    }
-    meetings.count += int(met) * leaf;
-    j.met_items[i] = int(met) * leaf;
-    j.depth[i] = depth + int(met) * (1 - leaf);
-    // What comes next is fetched while other rays make their steps.
-    const Bvh::Node* const next = nodes + std::uint32_t(stack[j.depth[i]]);
-    for (int line = 0; line < 4; ++line) __builtin_prefetch(reinterpret_cast<const char*>(next) + 64 * line);
+    for (int c = 0; c < Bvh::width; c += half_wide)
+        met |= not_above(load<FewFloats>(ways.enter + c), load<FewFloats>(ways.leave + c)) << c;
+    return met;
 }
 
-/// Takes n rays one node further. First all look, then all go on: a processor that cannot tell whether one ray's stack
-/// is another's would let each wait for the one before.
+/// Fetches a node that is needed soon.
+inline void fetch(const Bvh::Node& node) {
+    for (int line = 0; line < 4; ++line) __builtin_prefetch(reinterpret_cast<const char*>(&node) + 64 * line);
+}
+
+/// Takes n rays one node further. The children that are met go onto a ray's stack, if they are nodes; if items, into
+/// the list.
 inline void step(const Bvh::Node* nodes, Journeys& j, const int* rays, int n, Meetings& meetings) {
-    Children children[lanes];
-    for (int k = 0; k < n; ++k) look_at_node(nodes, j, rays[k], children[k]);
-    for (int k = 0; k < n; ++k) take_children(nodes, j, rays[k], children[k], meetings);
+    for (int k = 0; k < n; ++k) {
+        const int i = rays[k];
+        std::uint64_t* const stack = j.stack[i];
+        const int depth = j.depth[i];
+        const Bvh::Node& node = nodes[std::uint32_t(stack[depth])];
+        Ways ways;
+        look(node, j, i, ways);
+        const int leaf = int(node.leaf);
+        std::uint64_t* const tops[2] = {stack + depth, meetings.pair + meetings.count};
+        const int met =
+            write_met(ways, node.child, j.inverse[node.axis][i] < 0 ? 0 : 7, node.leaf, unsigned(i), tops[leaf]);
+        meetings.count += met * leaf;
+        j.met_items[i] = met * leaf;
+        j.depth[i] = depth - 1 + met * (1 - leaf);
+    }
 }
 
-/// Ray i has met something at t: what is farther is forgotten.
-inline void shorten(Journeys& j, int i, Real t) {
+/// Ray i has met something at t.
+inline void set_far(Journeys& j, int i, Real t) {
     const Real far = (t - j.start[i]) * j.per_unit[i] + j.slack[i];
     j.far[i] = float(far < 1e30 ? far : 1e30);
+}
+
+/// And what is farther is forgotten.
+inline void shorten(Journeys& j, int i, Real t) {
+    set_far(j, i, t);
     int left = 0;
     for (int k = 1; k <= j.depth[i]; ++k)
         if (std::bit_cast<float>(std::uint32_t(j.stack[i][k] >> 32)) <= j.far[i]) j.stack[i][++left] = j.stack[i][k];

@@ -1,0 +1,271 @@
+#include "diagnosis/features.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "diagnosis/quantities.h"
+#include "diagnosis/scalars.h"
+
+namespace grade {
+
+namespace {
+
+constexpr double share = 0.95;       // of either kind that a rule must tell rightly
+constexpr std::size_t at_least = 4;  // calls of either kind
+
+using Test = std::function<bool(const Row& row, const Layout& layout, const Row& right)>;
+
+struct Feature {
+    std::string words;
+    Test test;
+    std::vector<bool> holds;
+};
+
+class Features {
+public:
+    explicit Features(const Calls& calls, bool of_answers = true) : calls_(calls) {
+        std::vector<std::size_t> all;
+        for (std::size_t k = 0; k < calls.size(); ++k) {
+            wrong_.push_back(!is_equal(calls.result, calls.mine[k], calls.right[k]));
+            all.push_back(k);
+        }
+        told_ = told_of(calls, all);
+        parts();
+        if (of_answers) answers();
+        quantities();
+    }
+
+    Region rule() const {
+        const auto bad = std::size_t(std::ranges::count(wrong_, true));
+        if (bad < at_least || wrong_.size() - bad < at_least) return {};
+        const Feature* best = nullptr;
+        double most = 0;
+        for (const Feature& one : list_)
+            if (const double s = score(one.holds); s > most) most = s, best = &one;
+        if (most == 1) return {best->words, best->test, true};
+        const Feature *first = nullptr, *second = nullptr;
+        double most_of_two = std::max(most, share);
+        for (std::size_t a = 0; a < list_.size(); ++a)
+            for (std::size_t b = a + 1; b < list_.size(); ++b) {
+                std::vector<bool> both(wrong_.size());
+                for (std::size_t k = 0; k < both.size(); ++k) both[k] = list_[a].holds[k] && list_[b].holds[k];
+                if (const double s = score(both); s > most_of_two)
+                    most_of_two = s, first = &list_[a], second = &list_[b];
+            }
+        if (most >= share && most_of_two < 1) return {best->words, best->test};
+        if (!first) return {};
+        return {first->words + " and " + second->words,
+                [one = first->test, other = second->test](const Row& row, const Layout& layout, const Row& right) {
+                    return one(row, layout, right) && other(row, layout, right);
+                },
+                most_of_two == 1};
+    }
+
+private:
+    /// The worse of both shares that are told rightly, of wrong calls and of those where the rule holds; 0 where it
+    /// holds for right ones as well.
+    double score(const std::vector<bool>& holds) const {
+        double wrong = 0, holding = 0, both = 0;
+        for (std::size_t k = 0; k < holds.size(); ++k)
+            wrong += wrong_[k], holding += holds[k], both += wrong_[k] && holds[k];
+        const double good = double(holds.size()) - wrong, spared = (good - (holding - both)) / good;
+        return holding > 0 && wrong > 0 && spared > 0.8 ? std::min(both / wrong, both / holding) : 0;
+    }
+
+    void add(const std::string& words, Test test) {
+        Feature feature{words, std::move(test), {}};
+        std::size_t count = 0;
+        for (std::size_t k = 0; k < calls_.size(); ++k) {
+            feature.holds.push_back(feature.test(calls_.rows[k], calls_.layouts[k], calls_.right[k]));
+            count += feature.holds.back();
+        }
+        if (count > 0 && count < calls_.size()) list_.push_back(std::move(feature));
+    }
+
+    /// Whether a quantity has more than a few values, in right calls as in wrong ones: else any may tell them by
+    /// chance.
+    bool varies(const std::vector<double>& x, bool is_length) const {
+        constexpr std::size_t few = 4;
+        std::set<double> good, bad;
+        for (std::size_t k = 0; k < x.size(); ++k) (wrong_[k] ? bad : good).insert(x[k]);
+        // of a length, 1 is one value as well, whatever its rounding
+        const auto is_one = [is_length](const std::set<double>& y) {
+            const bool is_unit =
+                is_length && !y.empty() && std::abs(*y.begin() - 1) < 1e-9 && std::abs(*y.rbegin() - 1) < 1e-9;
+            return is_unit || (y.size() == 1 && (*y.begin() == 0 || std::isinf(*y.begin())));
+        };
+        return (good.size() >= few && (bad.size() >= few || is_one(bad))) || (bad.size() >= few && is_one(good));
+    }
+
+    /// Above or below what tells best, rounded.
+    void threshold(const Quantity& q, const std::vector<double>& x) {
+        std::vector<std::pair<double, bool>> sorted;
+        for (std::size_t k = 0; k < x.size(); ++k)
+            if (std::isfinite(x[k])) sorted.emplace_back(x[k], wrong_[k]);
+        if (sorted.size() < 2 * at_least) return;
+        std::ranges::sort(sorted);
+        double best = 0, low = 0, high = 0;
+        double total = 0, seen = 0;
+        for (const auto& [value, bad] : sorted) total += bad;
+        bool above = false;
+        for (std::size_t i = 1; i < sorted.size(); ++i) {
+            seen += sorted[i - 1].second;
+            if (sorted[i].first == sorted[i - 1].first || total == 0) continue;
+            const double n = double(sorted.size());
+            const double below = std::min(seen / total, seen / double(i)),
+                         over = std::min((total - seen) / total, (total - seen) / (n - double(i)));
+            if (std::max(below, over) > best)
+                best = std::max(below, over), above = over > below, low = sorted[i - 1].first, high = sorted[i].first;
+        }
+        if (best < 0.8) return;
+        // the shortest number in between; one that nobody writes is chance
+        std::optional<double> cut = low < 0 && high > 0 ? std::optional(0.0) : std::nullopt;
+        for (int digits = 1; digits < 3 && !cut; ++digits) {
+            // as near as can be to what is still right
+            for (const double x : {above ? low : high, (low + high) / 2})
+                if (const double rounded = std::stod(fmt::format("{:.{}g}", x, digits));
+                    !cut && rounded >= low && rounded <= high)
+                    cut = rounded;
+        }
+        if (!cut) return;
+        add(fmt::format("`{} {} {}`", q.words, above ? ">" : "<", number_in_words(*cut)),
+            [f = q.value, above, low, high](const Row& row, const Layout& l, const Row& right) {
+                return above ? f(row, l, right) >= high : f(row, l, right) <= low;
+            });
+    }
+
+    void quantities() {
+        auto all = quantities_of(calls_.layouts.front(), told_);
+        for (Quantity& q : mirrored()) all.push_back(std::move(q));
+        for (const Quantity& q : all) {
+            std::vector<double> x;
+            for (std::size_t k = 0; k < calls_.size(); ++k)
+                x.push_back(q.value(calls_.rows[k], calls_.layouts[k], calls_.right[k]));
+            const bool is_length = q.words.front() == '|';
+            if (!varies(x, is_length)) continue;
+            const auto f = q.value;
+            const auto number = [&](const char* words, auto holds) {
+                add(fmt::format(fmt::runtime(words), q.words),
+                    [f, holds](const Row& row, const Layout& l, const Row& right) { return holds(f(row, l, right)); });
+            };
+            number("`{} < 0`", [](double y) { return y < 0; });
+            number("`{} > 0`", [](double y) { return y > 0; });
+            number("`{} = 0`", [](double y) { return y == 0; });
+            number("`{} = inf`", [](double y) { return y == rt::inf; });
+            if (is_length) number("`{}` is not 1", [](double y) { return std::abs(y - 1) > 1e-6; });
+            threshold(q, x);
+            if (std::ranges::any_of(x, [](double y) { return y < 0; }) && !is_length) {
+                const Quantity size{
+                    fmt::format("abs({})", q.words),
+                    [f](const Row& row, const Layout& l, const Row& right) { return std::abs(f(row, l, right)); }};
+                for (double& y : x) y = std::abs(y);
+                threshold(size, x);
+            }
+        }
+        const auto is_plain = [&](std::size_t i) { return all[i].words.find_first_of("(|/*'") == std::string::npos; };
+        // a random number is compared with another one alone
+        const auto is_random = [&](std::size_t i) { return all[i].words == "u" || all[i].words.starts_with("u."); };
+        for (std::size_t a = 0; a < all.size(); ++a)
+            for (std::size_t b = 0; b < all.size(); ++b)
+                if (a != b && is_plain(a) && is_plain(b) && is_random(a) == is_random(b))
+                    add(fmt::format("`{} < {}`", all[a].words, all[b].words),
+                        [f = all[a].value, g = all[b].value](const Row& row, const Layout& l, const Row& right) {
+                            return f(row, l, right) < g(row, l, right);
+                        });
+    }
+
+    /// Of a direction that is mirrored at a normal, as a highlight's: its cosine with a third one.
+    std::vector<Quantity> mirrored() const {
+        constexpr std::size_t most = 4;
+        const auto& parts = calls_.layouts.front().parts;
+        std::vector<std::size_t> units;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            bool is_unit = parts[i].kind == Kind::vector && told_[i];
+            for (std::size_t k = 0; is_unit && k < calls_.size(); ++k)
+                is_unit = std::abs(glm::length(vector_at(calls_.rows[k], calls_.layouts[k].parts[i].at)) - 1) < 1e-6;
+            if (is_unit) units.push_back(i);
+        }
+        std::vector<Quantity> all;
+        if (units.size() > most) return all;
+        for (const std::size_t n : units)
+            for (const std::size_t a : units)
+                for (const std::size_t b : units)
+                    if (a < b && a != n && b != n)
+                        all.push_back({fmt::format("dot(2 * dot({0}, {1}) * {0} - {1}, {2})", parts[n].name,
+                                                   parts[a].name, parts[b].name),
+                                       [=](const Row& row, const Layout& l, const Row&) {
+                                           const auto at = [&](std::size_t i) { return vector_at(row, l.parts[i].at); };
+                                           return rt::dot(2 * rt::dot(at(n), at(a)) * at(n) - at(a), at(b));
+                                       }});
+        return all;
+    }
+
+    void parts() {
+        const auto& parts = calls_.layouts.front().parts;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            if (!told_[i]) continue;
+            const Field part = parts[i];
+            const auto add_part = [&](const std::string& words, auto holds) {
+                add(words,
+                    [i, holds](const Row& row, const Layout& l, const Row&) { return holds(&row[l.parts[i].at]); });
+            };
+            if (part.kind == Kind::flag) {
+                add_part(fmt::format("`{}` is true", part.name), [](const double* x) { return x[0] != 0; });
+                add_part(fmt::format("`{}` is false", part.name), [](const double* x) { return x[0] == 0; });
+            }
+            if (part.kind == Kind::choice) {
+                std::set<double> bad;
+                for (std::size_t k = 0; k < calls_.size(); ++k)
+                    if (wrong_[k]) bad.insert(calls_.rows[k][calls_.layouts[k].parts[i].at]);
+                std::string words;
+                for (const double value : bad)
+                    words += (words.empty() ? "" : " or ") + value_in_words({part.name, part.kind, 0}, {value});
+                add_part(fmt::format("`{}` is {}", part.name, words),
+                         [bad](const double* x) { return bad.contains(x[0]); });
+            }
+            if (part.kind == Kind::color || part.kind == Kind::vector) {
+                const auto is_zero = [](const double* x) { return x[0] == 0 && x[1] == 0 && x[2] == 0; };
+                add_part(fmt::format("`{} = (0, 0, 0)`", part.name), is_zero);
+                add_part(fmt::format("`{}` is not (0, 0, 0)", part.name),
+                         [is_zero](const double* x) { return !is_zero(x); });
+                if (part.kind == Kind::color)
+                    add_part(fmt::format("a channel of `{}` is 0", part.name),
+                             [](const double* x) { return x[0] == 0 || x[1] == 0 || x[2] == 0; });
+            }
+        }
+    }
+
+    void answers() {
+        for (const Field& part : calls_.result.parts) {
+            const std::string name = part.name.empty() ? "answer" : part.name;
+            const auto is_zero = [part](const Row&, const Layout&, const Row& right) {
+                for (std::size_t c = 0; c < size_of(part.kind); ++c)
+                    if (right[part.at + c] != 0) return false;
+                return true;
+            };
+            const bool is_flag = part.kind == Kind::flag;
+            add(fmt::format("the right {} is {}", name, is_flag ? "false" : "0"), is_zero);
+            add(fmt::format("the right {} is {}", name, is_flag ? "true" : "not 0"),
+                [is_zero](const Row& row, const Layout& layout, const Row& right) {
+                    return !is_zero(row, layout, right);
+                });
+            add(fmt::format("the right {} is inf", name),
+                [part](const Row&, const Layout&, const Row& right) { return std::isinf(right[part.at]); });
+            add(fmt::format("the right {} is not inf", name),
+                [part](const Row&, const Layout&, const Row& right) { return std::isfinite(right[part.at]); });
+        }
+    }
+
+    const Calls& calls_;
+    std::vector<bool> wrong_, told_;
+    std::vector<Feature> list_;
+};
+
+}  // namespace
+
+Region rule_of(const Calls& calls, bool of_answers) { return Features(calls, of_answers).rule(); }
+
+}  // namespace grade

@@ -1,0 +1,170 @@
+#include "diagnosis/surest.h"
+
+#include <fmt/format.h>
+
+#include "diagnosis/by_steps.h"
+#include "diagnosis/calls_made.h"
+#include "diagnosis/forms.h"
+
+namespace grade {
+
+namespace {
+
+/// A relation of the arguments, or of the steps of the formula; of both, where nothing tells them apart.
+std::optional<Relation> simpler_one(std::optional<Relation> of_arguments, std::optional<Relation> of_steps) {
+    if (!of_steps) return of_arguments;
+    if (!of_arguments) return of_steps;
+    if (of_steps->explains != Relation::Explains::all)
+        return of_arguments->explains == Relation::Explains::all || of_arguments->share >= of_steps->share
+                   ? of_arguments
+                   : of_steps;
+    if (of_arguments->explains != Relation::Explains::all) return of_steps;
+    if (of_steps->other_numbers) return of_arguments;
+    constexpr double clearly = 0.25, as_cheap = 0.5;
+    const bool is_change = of_steps->words.find(as_changed) != std::string::npos, everywhere = of_steps->everywhere;
+    const bool is_other_change = of_arguments->words.find(as_changed) != std::string::npos;
+    if (is_change && everywhere && !of_arguments->everywhere) return of_steps;
+    if (is_change && of_steps->cost < of_arguments->cost - clearly) return of_steps;
+    if (is_change && !is_other_change && !everywhere && of_steps->cost <= of_arguments->cost) return of_steps;
+    if (!of_steps->words.starts_with(as_changed) || !of_arguments->words.starts_with(as_changed) ||
+        of_steps->cost > of_arguments->cost + as_cheap)
+        return of_arguments;
+    // a mistake with a name, which no change of an argument has
+    if (of_steps->words[as_changed.size()] != '`') return of_steps;
+    if (of_steps->words.starts_with(of_arguments->words + ",")) {
+        of_steps->usually = of_arguments->usually;
+        return of_steps;
+    }
+    if (of_steps->cost < of_arguments->cost) std::swap(of_steps, of_arguments);
+    of_arguments->words += ", or with " + of_steps->words.substr(as_changed.size());
+    return of_arguments;
+}
+
+}  // namespace
+
+std::optional<Relation> simpler(const std::optional<Relation>& of_arguments, const std::optional<Relation>& of_steps) {
+    auto one = simpler_one(of_arguments, of_steps);
+    if (one) one->by_arguments = is_exact(of_arguments), one->by_steps = is_exact(of_steps);
+    return one;
+}
+
+namespace {
+
+/// The relation that is found in some of the calls, and found again in others: what holds by chance is not.
+std::optional<Relation> sure_relation(const Calls& calls, const Ask& ask_right, bool sampled, bool& right_otherwise) {
+    std::size_t left = most_calls, left_again = most_calls;
+    const Ask right = limited(ask_right, left), again_right = limited(ask_right, left_again);
+    const auto found = [&](bool others, const Ask& ask, std::size_t most = most_compared) {
+        const Calls some = picked(calls, most, others);
+        auto relation = relation_of(some, ask, sampled, right_otherwise);
+        return right_otherwise ? std::nullopt : simpler(relation, relation_of_steps(some, ask, sampled));
+    };
+    auto relation = found(false, right);
+    if (!is_exact(relation)) return relation;
+    const auto again = found(true, again_right);
+    return again && again->words != relation->words ? found(false, again_right, 2 * most_compared) : relation;
+}
+
+/// Which tests turn hits away that no range does.
+std::string tests_of(const std::string& fragment) {
+    if (fragment == "hit_sphere")
+        return "the discriminant: b * b - a * c with c = dot(f, f) - r^2, which must not be negative";
+    if (fragment == "hit_triangle")
+        return "u, v and u + v: their signs, and whether they are divided by the determinant";
+    return "abs(dot(p, u)) <= dot(u, u) and the same along v, with p measured from the centre";
+}
+
+/// Where no hit is found by what the checks ask, by rays that start near the shape.
+std::optional<Relation> relation_near_shapes(const Calls& calls, const Ask& ask_mine, const Ask& ask_right) {
+    bool right_otherwise = false;
+    const Calls near = near_shapes(calls, ask_mine, ask_right);
+    if (near.size() == calls.size()) return std::nullopt;
+    auto found = sure_relation(near, ask_right, false, right_otherwise);
+    if (is_exact(found) && found->words.find(always) == std::string::npos) return found;
+    if (std::ranges::any_of(near.mine, is_something)) return std::nullopt;
+    return Relation{
+        "no ray hits, not even one that starts at the shape and may hit anywhere along its line: what turns "
+        "hits away is not the range but a test before it, of " +
+        tests_of(calls.signature.fragment)};
+}
+
+/// What is wrong in the calls that a relation does not explain, behind its words.
+void add_others(Relation& relation, const Calls& calls, const Ask& ask_right, bool sampled) {
+    bool right_otherwise = false;
+    const bool are_nothing = relation.words.starts_with(where_not_nothing);
+    const Calls rest = those_of(calls, [&](std::size_t k) {
+        const Row& row = calls.rows[k];
+        // steps of a formula stand behind
+        const auto starts_so = [&](const Row& other) {
+            return other.size() >= row.size() && std::equal(row.begin(), row.end(), other.begin());
+        };
+        if (are_nothing) return is_void(calls.result, calls.right[k]) || !is_something(calls.right[k]);
+        return is_equal(calls.result, calls.mine[k], calls.right[k]) || std::ranges::any_of(relation.others, starts_so);
+    });
+    if (rest.size() == 0 || only_wrong(rest).size() == 0) return;
+    const auto found = sure_relation(rest, ask_right, sampled, right_otherwise);
+    const std::string usual = is_exact(found) ? found->words + found->usually : usual_wrong_answer(rest);
+    if (usual.empty()) return;
+    if (are_nothing) relation.words += "; elsewhere, " + usual;
+    if (relation.words.ends_with(other_mistakes))
+        relation.words.replace(relation.words.size() - other_mistakes.size(), other_mistakes.size(),
+                               "; in the others, " + usual);
+}
+
+/// Of several parts of an answer, each by itself; perhaps of some alone.
+std::optional<Relation> relation_of_parts(const Calls& calls, const Ask& ask_right, bool sampled) {
+    constexpr std::size_t enough = 10;  // wrong calls
+    std::optional<Relation> all;
+    std::size_t wrong = 0, explained = 0;
+    bool are_changes = true;
+    for (const Field& part : calls.result.parts) {
+        Calls alone = calls;
+        for (std::size_t k = 0; k < calls.size(); ++k) {
+            alone.mine[k] = calls.right[k];
+            for (std::size_t c = 0; c < size_of(part.kind); ++c)
+                alone.mine[k][part.at + c] = calls.mine[k][part.at + c];
+        }
+        const std::size_t count = only_wrong(alone).size();
+        if (count == 0) continue;
+        ++wrong;
+        bool right_otherwise = false;
+        auto found = sure_relation(alone, ask_right, sampled, right_otherwise);
+        if (count < enough || !is_exact(found) || found->other_numbers) continue;
+        ++explained;
+        const bool is_change = found->words.starts_with(as_changed);
+        are_changes = are_changes && is_change;
+        if (is_change)
+            found->words = fmt::format("{} is exactly what the right fragment answers with {}", name_of(part),
+                                       found->words.substr(as_changed.size()));
+        if (all) found->words = all->words + "; " + found->words, found->everywhere &= all->everywhere;
+        all = std::move(found);
+    }
+    // of a sample whose place is wrong, any measure may be so
+    if (explained < wrong && sampled && !are_changes) return std::nullopt;
+    if (all && explained < wrong)
+        all->explains = Relation::Explains::some, all->share = double(explained) / double(2 * wrong);
+    return all;
+}
+
+}  // namespace
+
+std::optional<Relation> surest_relation(const Calls& calls, const Ask& mine, const Ask& right, bool sampled,
+                                        bool& right_otherwise) {
+    auto best = sure_relation(calls, right, sampled, right_otherwise);
+    if (right_otherwise) return std::nullopt;
+    const auto take = [&](std::optional<Relation> other) {
+        if (is_exact(other)) best = std::move(other);
+    };
+    if (!is_exact(best) || best->words.find(always) != std::string::npos)
+        take(relation_near_shapes(calls, mine, right));
+    if (!is_exact(best) && calls.result.parts.size() > 1) {
+        auto parts = relation_of_parts(calls, right, sampled);
+        if (parts && (is_exact(parts) || !best || best->share < parts->share)) best = std::move(parts);
+    }
+    std::size_t left = most_calls;
+    if (!is_exact(best)) take(relation_of_both(picked(calls, most_compared), limited(right, left)));
+    if (best) best->words += best->usually, add_others(*best, calls, right, sampled);
+    return best;
+}
+
+}  // namespace grade

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "diagnosis/relation.h"
+
+namespace grade {
+
+/// Whether a relation explains every call.
+inline bool is_exact(const std::optional<Relation>& found) {
+    return found && found->explains == Relation::Explains::all;
+}
+
+/// Of a relation of the arguments and one of the steps of the formula, the simpler one; both, where nothing tells them
+/// apart.
+std::optional<Relation> simpler(const std::optional<Relation>& of_arguments, const std::optional<Relation>& of_steps);
+
+/// The relation that says most: of all calls; else, of rays that start near the shape; of each part of the answer; of
+/// two mistakes in every call, or in some and in the others. right_otherwise: as of relation_of.
+std::optional<Relation> surest_relation(const Calls& calls, const Ask& mine, const Ask& right, bool sampled,
+                                        bool& right_otherwise);
+
+}  // namespace grade
