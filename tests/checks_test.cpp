@@ -256,3 +256,21 @@ TEST_CASE("what takes a while is made once, when it is first asked for") {
     CHECK(copy() == 1);
     CHECK(made == 1);
 }
+
+TEST_CASE("how far answers are off is a share of the larger one: never 1000 where nothing is right") {
+    CHECK(deviation({1}, {0}) == 1);
+    CHECK(deviation({1}, {1 + 1e-4}) == Approx(1e-4).epsilon(1e-3));
+    CHECK(deviation({-1}, {1}) == 2);
+    CHECK(deviation({1e-6}, {0}) == Approx(1e-3));
+    CHECK(deviation({rt::inf}, {1}) == rt::inf);
+    CHECK(deviation({rt::inf}, {rt::inf}) == 0);
+    CHECK(std::isnan(deviation({NAN}, {1})));
+}
+
+TEST_CASE("of answers that are right or wrong the wrong ones are counted") {
+    const Statistic wrong =
+        formula(RowFormula{.id = "F1", .what = "wrong answers", .right = [](const Row& in) { return in; }});
+    Observation seen;
+    seen.inputs = {{0}, {1}, {1}, {0}}, seen.outputs = {{0}, {0}, {0}, {0}};
+    CHECK(wrong.measure(seen) == 2);
+}

@@ -58,6 +58,11 @@ TEST_CASE("students get a kit, and nothing of what they must write is in it") {
     const TemporaryFolder temporary;
     const fs::path folder = temporary.path() / "handed_out", machine = folder / "grader" / kind_of_machine();
     hand_out(".", assignment, built_kit(), folder);
+    // what the editor's settings name
+    for (const char* schema : {"scenes/scene.schema.json", "grader/assignment/assignment.schema.json"}) {
+        CHECK(text_at(folder / ".vscode/settings.json").find(schema) != std::string::npos);
+        CHECK(fs::exists(folder / schema));
+    }
 
     for (const char* there :
          {"grade", "handout.md", "scenes/whitted.toml", "starter/rt/math.h", "grader/include/glm/glm.hpp"})

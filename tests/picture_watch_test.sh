@@ -29,6 +29,8 @@ expect 0 "phong: failed, was passed" cat build/report/index.html
 # of one's own it is always the same: neither a seed nor what walls there are
 expect 1 "" grep -q "^seed" <(./grade phong)
 expect 0 "1/pi is missing" ./grade phong
+# the call that the hint shows, without typing it
+expect 1 "must be" ./grade call phong
 expect 1 "" grep -q "Since the last run" <(./grade phong)
 
 # yours, the right one, the difference
