@@ -36,7 +36,8 @@ sed 's/squared \/ (cosine/2 * squared \/ (cosine/' solution/light_sample.cpp >"$
 expect 0 "of 6" "$grade" "$work/dim" light_sample --seed 5 --html "$work/dim/page"
 expect 0 "Where a path parts" cat "$work/dim/page/index.html"
 parting=$(sed -n '/^yours:/,/^<\/pre>/p' "$work/dim/page/index.html" | grep -o 'density [0-9.]*' | head -2 | cut -d' ' -f2 | paste -sd' ')
-expect 0 "2.000" awk '{ printf "%.3f\n", $1 / $2 }' <<<"$parting"
+read -r yours right <<<"$parting"
+expect 0 "2.000" awk -v yours="$yours" -v right="$right" 'BEGIN { printf "%.3f\n", yours / right }'
 
 # the same seed gives the same record, but for the times
 "$grade" solution moved --seed 5 --json "$work/b.json" --html "$work/page" >/dev/null 2>&1

@@ -34,8 +34,8 @@ fs::path handout_in(const fs::path& root) {
     return root / "handout.md";
 }
 
-/// Where a page in this folder finds the handout. As a page, which needs nothing else, it comes along: the folder may be
-/// moved.
+/// Where a page in this folder finds the handout. As a page, which needs nothing else, it comes along: the folder may
+/// be moved.
 std::string handout_for(const fs::path& folder, const fs::path& handout) {
     if (handout.extension() != ".html") return fs::relative(handout, folder).generic_string();
     const fs::path copy = folder / handout.filename();

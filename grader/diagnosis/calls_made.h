@@ -40,6 +40,9 @@ std::vector<Dependence> dependences(const Calls& calls, const Calls& others, con
 /// What the answers do not depend on though they must, or the other way round.
 std::string independence(const Calls& calls, const std::vector<Dependence>& all);
 
+/// That random numbers are not used at all; empty: they are.
+std::string unused_numbers(const Calls& calls, const std::vector<Dependence>& all);
+
 /// One answer that nearly all wrong calls get, as of a mistake by which nothing is hit.
 std::string usual_wrong_answer(const Calls& calls);
 

@@ -192,6 +192,9 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask, co
     for (std::size_t k = 0; k < all.size(); ++k) not_numbers += is_nan(all.mine[k], all.right[k]);
     constexpr double most = 0.9;
     const bool is_mostly_known = is_known || (relation && !is_nothing && relation->share >= most);
+    // of a sample, that numbers are not used says more than how it is spread
+    if (finding.how.empty() && sampled && not_numbers == 0 && !is_mostly_known && !broken)
+        finding.how = unused_numbers(all, depends);
     if (finding.how.empty() && (not_numbers > 0 ? !is_known : !is_mostly_known))
         finding.how = not_numbers > 0 ? of_numbers(picked(many_calls, most_compared), right, ask_right, sampled)
                       : !sampled      ? wrong_sums(all, mine, right)

@@ -18,20 +18,21 @@ std::optional<std::size_t> place_of(const Layout& layout, Found is_found) {
     return part == layout.parts.end() ? std::nullopt : std::optional(part->at);
 }
 
-/// Integrals of 1 and of the direction, over what the samples of a call stand for: the means of x / density.
+/// Integrals of 1, of the direction and of its squared distance from a middle, over what the samples of a call stand
+/// for: the means of x / density.
 struct Integrals {
-    double all = 0;
+    double all = 0, square = 0;
     vec3 direction{0};
 };
 
 Integrals integrals(const Rows& answers, std::size_t begin, std::size_t count, std::size_t direction,
-                    std::size_t density) {
+                    std::size_t density, vec3 middle) {
     Integrals sum;
     for (std::size_t k = begin; k < begin + count; ++k) {
-        const double q = answers[k][density];
-        if (!(q > 0)) continue;
-        sum.all += 1 / q / double(count);
-        sum.direction += vector_at(answers[k], direction) / q / double(count);
+        const double share = 1 / answers[k][density] / double(count);
+        if (!(answers[k][density] > 0)) continue;
+        const vec3 d = vector_at(answers[k], direction);
+        sum.all += share, sum.direction += share * d, sum.square += share * rt::dot(d - middle, d - middle);
     }
     return sum;
 }
@@ -65,12 +66,18 @@ bool integrate_alike(const Rows& calls, std::size_t u, std::size_t direction, st
     if (own.size() != rows.size() || due.size() != rows.size()) return false;
     bool any = false;
     for (std::size_t base = 0; base < some; ++base) {
-        const Integrals a = integrals(own, base * count, count, direction, density),
-                        b = integrals(due, base * count, count, direction, density);
+        const auto of = [&](const Rows& answers, vec3 middle) {
+            return integrals(answers, base * count, count, direction, density, middle);
+        };
+        const Integrals whole = of(due, vec3(0));
+        if (whole.all == 0) continue;
+        const vec3 middle = whole.direction / whole.all;
+        const Integrals a = of(own, middle), b = of(due, middle);
         if (!(std::abs(a.all - b.all) <= close * b.all)) return false;
         if (!(glm::length(a.direction - b.direction) <= close * b.all)) return false;
-        if (b.all > 0 && !are_elsewhere(own, due, base * count, count, direction)) return false;
-        any = any || b.all > 0;
+        if (!(std::abs(a.square - b.square) <= 2 * close * b.square)) return false;
+        if (!are_elsewhere(own, due, base * count, count, direction)) return false;
+        any = true;
     }
     return any;
 }

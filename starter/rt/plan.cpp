@@ -109,14 +109,14 @@ void decide_roulette(const Scene& scene, RenderPlan& plan) {
         follow(scene.bounces, albedo, fewest_bounces);
     }
     plan.roulette = longest > 0 && scene.roulette.value_or(left < little);
-    plan.ends_early = scene.roulette && longest > 0 ? "the scene says so"
-                      : longest == 0                ? "no path bounces or is scattered in media"
-                      : left < 1                    ? fmt::format(
-                                                          "{:.2g} of the light is left after {:.3g} scatterings or bounces; "
-                                                                             "worth it below {:g}",
-                                                          left, longest, little)
-                                 : fmt::format("{:.3g} scatterings or bounces; worth it from {} or {}", longest,
-                                               fewest_scatterings, fewest_bounces);
+    const std::string long_enough = fmt::format(
+        "{:.2g} of the light is left after {:.3g} scatterings or bounces; worth it below {:g}", left, longest, little);
+    const std::string too_short = fmt::format("{:.3g} scatterings or bounces; worth it from {} or {}", longest,
+                                              fewest_scatterings, fewest_bounces);
+    plan.ends_early = longest == 0     ? "no path bounces or is scattered in media"
+                      : scene.roulette ? "the scene says so"
+                      : left < 1       ? long_enough
+                                       : too_short;
 }
 
 /// Whether lamps are sampled, and how.

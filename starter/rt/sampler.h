@@ -146,11 +146,11 @@ constexpr Bits field_products(int h, Bits element) {
 }
 
 /// An orthogonal array of n = 4^h <= 256 samples has two digits of h bits for each dimension; see pattern_of.
-inline int digit_bits(int n) { return std::min(int(std::bit_width(unsigned(n - 1))) / 2, 4); }
+inline int digit_bits(int n) { return std::bit_width(unsigned(n - 1)) / 2; }
 
 inline Dimension::Dimension(Bits number, int pair, int n) : number(number) {
     if (pair < 0) return;
-    const int h = digit_bits(n), pairs = h > 0 ? 1 << (h - 1) : 1;
+    const int h = std::min(digit_bits(n), 4), pairs = h > 0 ? 1 << (h - 1) : 1;
     column = pair % pairs;
     products = field_products(h, Bits(2 * column));
     round = Bits(pair / pairs);
@@ -189,7 +189,7 @@ struct Digits {
     }
     const std::uint32_t a = i >> h;
     std::uint32_t u = i & ((1u << h) - 1);
-    for (int k = 0; k < 4; ++k) u ^= (a & (1u << k)) != 0 ? std::uint32_t(dimension.products >> (8 * k)) & 0xff : 0;
+    for (int k = 0; k < 4; ++k) u ^= std::uint32_t(dimension.products >> (8 * k)) & 0xff & (0u - (a >> k & 1));
     const std::uint32_t v = u ^ a;
     const std::uint32_t turned = reversed_bytes(u | v << 16);
     return {u | turned >> 16 >> (8 - h) << h, v | (turned & 0xff) >> (8 - h) << h};

@@ -31,7 +31,7 @@ COMPLETE_WITH = {
     # parts 3 and 4
     "pixel_mean": "antialiasing pixel_mean environment furnace white_ball checkerboard whitted_1980",
     "direct_light": "penumbra direct_light disc_light sphere_light many_lights bench/soft_shadow",
-    "glossy_reflection": "glossy gallery/gloss",
+    "glossy_reflection": "glossy glossy_balls gallery/gloss",
     "translucency": "translucency gallery/frosted_glass",
     "lens_ray": "depth_of_field bench/dof gallery/bokeh",
     "moved": "motion_blur bench/motion_blur",

@@ -5,8 +5,8 @@
 /// Fragments that are formulas: each row of outputs has one right value.
 namespace grade {
 
-/// How far two rows are apart, relative to the larger of 1e-3, the largest number of the right one and the number that is
-/// off: at most 2, so that 1 in place of 0 is off by 1. nan or inf where a number is not finite and the right one is
+/// How far two rows are apart, relative to the larger of 1e-3, the largest number of the right one and the number that
+/// is off: at most 2, so that 1 in place of 0 is off by 1. nan or inf where a number is not finite and the right one is
 /// another. Numbers beyond those of the right one do not count.
 double deviation(const Row& outputs, const Row& right);
 
@@ -30,9 +30,10 @@ struct RowFormula {
     std::vector<RowCircumstance> circumstances;
 };
 
-/// The largest deviation of any row, which must stay below the tolerance; without one, how many rows are wrong. Single precision reaches 1e-4 where the
-/// inputs are ordinary. The cause is the first suspect whose outputs are those of the rows; else the first circumstance
-/// that nearly all wrong rows have in common, and other rows have not; the worst row is shown as well.
+/// The largest deviation of any row, which must stay below the tolerance; without one, how many rows are wrong. Single
+/// precision reaches 1e-4 where the inputs are ordinary. The cause is the first suspect whose outputs are those of the
+/// rows; else the first circumstance that nearly all wrong rows have in common, and other rows have not; the worst row
+/// is shown as well.
 Statistic formula(const RowFormula& of_rows);
 
 /// What a mistake returns: f(arguments...), or a change of the right answer, f(right) or f(right, arguments...).

@@ -86,7 +86,7 @@ bool draw_from_digits(Pattern pattern, Dimension dimension, const Bits* keys, co
 }  // namespace
 
 std::vector<LaneDigits> digits_of_lanes(int n) {
-    std::vector<LaneDigits> all(std::size_t(std::max(1, 1 << digit_bits(n) >> 1)));
+    std::vector<LaneDigits> all(std::size_t(std::max(1, 1 << std::min(digit_bits(n), 4) >> 1)));
     for (std::size_t column = 0; column < all.size(); ++column)
         for (int i = 0; i < lanes; ++i) {
             const Digits digits = orthogonal_digits(0, i & (n - 1), n, Dimension(0, int(column), n));
