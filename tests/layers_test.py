@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The folders of the grader are layers: a file includes files of its own folder and of those before it, of no other."""
+"""The folders of the grader are layers: a file includes files of its own folder and of those before it, of no other. No two
+of its headers declare types of one name."""
 import pathlib
 import re
 import sys
@@ -34,6 +35,19 @@ for path in sorted([*root.rglob("*.cpp"), *root.rglob("*.h")]):
         if other != folder and other not in allowed:
             wrong.append(f"{path}:{number}:1: {folder or 'the top'} includes {include[1]}; expected a file of {folder} or a layer below: "
                          f"{', '.join(sorted(allowed))}")
+# Two types of one name in one namespace are one to the linker, which takes either's functions for both.
+types = {}
+for path in sorted(root.rglob("*.h")):
+    space = ""
+    for number, line in enumerate(path.read_text().splitlines(), 1):
+        space = found[1] if (found := re.match(r"namespace ([\w:]+) \{", line)) else space
+        if not (found := re.match(r"(?:struct|class|enum class|using) (\w+)\b.*[{=]", line)):
+            continue
+        name = f"{space}::{found[1]}"
+        if name in types and types[name] != path and "template" not in path.read_text().splitlines()[number - 2]:
+            wrong.append(f"{path}:{number}:1: a second {name}, beside that of {types[name]}; expected another name or namespace")
+        types.setdefault(name, path)
+
 print("\n".join(wrong))
 if seen < 100:
     sys.exit(f"{root}: only {seen} includes found; expected the grader's sources")

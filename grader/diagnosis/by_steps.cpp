@@ -167,7 +167,7 @@ std::optional<Relation> relation_of_both(const Calls& calls, const Ask& right) {
     return std::nullopt;
 }
 
-Region where_wrong_in_steps(const Calls& calls, Region otherwise) {
+WrongCalls where_wrong_in_steps(const Calls& calls, WrongCalls otherwise) {
     for (const Steps& steps : steps_of(calls.signature.fragment)) {
         Calls all = calls;
         all.signature.arguments.insert(all.signature.arguments.end(), steps.names.begin(), steps.names.end());
@@ -175,7 +175,7 @@ Region where_wrong_in_steps(const Calls& calls, Region otherwise) {
             all.rows[k] = behind(calls.rows[k], steps.take(calls.rows[k]));
             all.layouts[k] = all.signature.of_arguments(all.rows[k]);
         }
-        Region region = where_wrong(all, false);
+        WrongCalls region = where_wrong(all, false);
         if (!region.is_exact || !mentions(region.words, steps)) continue;
         if (!steps.formula.empty()) region.words += fmt::format(", in `{}`", steps.formula);
         region.holds = [holds = region.holds, take = steps.take, signature = all.signature](

@@ -13,6 +13,6 @@ std::optional<Relation> relation_of_steps(const Calls& calls, const Ask& right, 
 std::optional<Relation> relation_of_both(const Calls& calls, const Ask& right);
 
 /// What sets wrong calls apart in numbers of the formula, if these tell it exactly; else `otherwise`.
-Region where_wrong_in_steps(const Calls& calls, Region otherwise);
+WrongCalls where_wrong_in_steps(const Calls& calls, WrongCalls otherwise);
 
 }  // namespace grade

@@ -47,17 +47,17 @@ Calls only_nan(Calls calls) {
     return calls;
 }
 
-std::string which(const Region& region) { return (region.is_exact ? "those " : "") + region.words; }
+std::string which(const WrongCalls& region) { return (region.is_exact ? "those " : "") + region.words; }
 
 /// What sets wrong calls apart, in arguments or in steps of the formula; in these rather than in the right answers.
-Region region_of(const Calls& calls, bool is_known) {
-    Region region = where_wrong(calls);
+WrongCalls region_of(const Calls& calls, bool is_known) {
+    WrongCalls region = where_wrong(calls);
     const bool is_of_answers = region.words.starts_with("where the right ");
     return is_known || (region.is_exact && !is_of_answers) ? region : where_wrong_in_steps(calls, region);
 }
 
 /// What code takes for granted that is wrong only where it does not hold.
-std::string assumption(const Region& region) {
+std::string assumption(const WrongCalls& region) {
     static const std::regex not_one("where `\\|([^|`]+)\\|` is not 1( and the right .*)?");
     std::smatch found;
     if (!region.is_exact || !std::regex_match(region.words, found, not_one)) return {};
@@ -65,14 +65,14 @@ std::string assumption(const Region& region) {
 }
 
 /// Which calls are wrong, or which are no number.
-Region tell_where(Finding& finding, const Calls& all, std::size_t wrong, std::size_t not_numbers, bool is_known) {
+WrongCalls tell_where(Finding& finding, const Calls& all, std::size_t wrong, std::size_t not_numbers, bool is_known) {
     if (not_numbers > 0)
-        if (Region region = region_of(only_nan(all), false); !region.words.empty()) {
+        if (WrongCalls region = region_of(only_nan(all), false); !region.words.empty()) {
             finding.where = fmt::format("{} of {} calls are nan, {}", not_numbers, all.size(), which(region));
             return region;
         }
     if (wrong == all.size()) return {};
-    Region region = region_of(all, is_known);
+    WrongCalls region = region_of(all, is_known);
     finding.where = fmt::format("{} of {} calls are wrong", wrong, all.size());
     if (not_numbers > 0) finding.where += fmt::format(", {} of them nan", not_numbers);
     if (!region.words.empty()) finding.where += ", " + which(region);
@@ -141,7 +141,7 @@ std::string of_numbers(const Calls& calls, const Ask& right, const Ask& ask_righ
 
 /// The simplest wrong call. Of a sample there may be more than one right place, unless it is told what is done
 /// otherwise.
-void add_example(Finding& finding, const Calls& all, const Region& region, bool is_one_right, const Ask& ask_mine,
+void add_example(Finding& finding, const Calls& all, const WrongCalls& region, bool is_one_right, const Ask& ask_mine,
                  const Ask& ask_right) {
     std::size_t left = 4000;
     const Ask mine = limited(ask_mine, left), right = limited(ask_right, left);
@@ -212,9 +212,9 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask, co
         return of_samples(finding, all, broken, ask_mine, ask_right);
     if (sampled && finding.how.empty()) finding.how = spread_of(only_wrong(all), all, mine, right).value_or("");
 
-    const Region region =
+    const WrongCalls region =
         is_comparable ? tell_where(finding, with_parts_that_matter(all, mine, right), wrong, not_numbers, is_known)
-                      : Region{};
+                      : WrongCalls{};
     if (const std::string words = assumption(region); !words.empty() && !is_known) finding.how = words;
     const bool is_everywhere = relation && !is_nothing && (is_known || relation->everywhere);
     add_example(finding, all, region, !sampled || is_everywhere || not_numbers > 0, ask_mine, ask_right);

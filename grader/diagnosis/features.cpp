@@ -38,7 +38,7 @@ public:
         quantities();
     }
 
-    Region rule() const {
+    WrongCalls rule() const {
         const auto bad = std::size_t(std::ranges::count(wrong_, true));
         if (bad < at_least || wrong_.size() - bad < at_least) return {};
         const Feature* best = nullptr;
@@ -266,6 +266,6 @@ private:
 
 }  // namespace
 
-Region rule_of(const Calls& calls, bool of_answers) { return Features(calls, of_answers).rule(); }
+WrongCalls rule_of(const Calls& calls, bool of_answers) { return Features(calls, of_answers).rule(); }
 
 }  // namespace grade

@@ -5,6 +5,6 @@
 namespace grade {
 
 /// What holds in the wrong calls and in no right one, or nearly so: one thing that arguments show, or two together.
-Region rule_of(const Calls& calls, bool of_answers);
+WrongCalls rule_of(const Calls& calls, bool of_answers);
 
 }  // namespace grade

@@ -31,7 +31,7 @@ std::optional<Relation> Search::run(bool& right_otherwise) {
     if (auto there = by_choice()) return there;
     const bool is_flag = calls_.result.parts.front().kind == Kind::flag;  // true and false agree by chance
     const bool some_right = wrong_.size() < all_.size() && !sampled_ && !is_flag;
-    Region there;
+    WrongCalls there;
     if (some_right) {
         consider(calls_.right, {}, 0, wrong_, false);
         // a change that would spoil right calls is no cause, unless it is known which calls it is made in

@@ -27,7 +27,7 @@ bool shows(const Calls& calls, const Row& mine, const Row& right) {
 
 class Shrinking {
 public:
-    Shrinking(const Calls& calls, const Region& region, const Ask& mine, const Ask& right)
+    Shrinking(const Calls& calls, const WrongCalls& region, const Ask& mine, const Ask& right)
         : calls_(calls), region_(region), mine_(mine), right_(right), invariants_(calls) {
         for (std::size_t k = 0; k < calls.size(); ++k)
             for (const Row* answer : {&calls.mine[k], &calls.right[k]})
@@ -218,7 +218,7 @@ private:
     }
 
     const Calls& calls_;
-    const Region& region_;
+    const WrongCalls& region_;
     const Ask &mine_, &right_;
     const Invariants invariants_;
     Example best_;
@@ -228,7 +228,7 @@ private:
 
 }  // namespace
 
-Example simplest_wrong(const Calls& calls, const Region& region, const Ask& mine, const Ask& right) {
+Example simplest_wrong(const Calls& calls, const WrongCalls& region, const Ask& mine, const Ask& right) {
     return Shrinking(calls, region, mine, right).run();
 }
 

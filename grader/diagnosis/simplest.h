@@ -14,7 +14,7 @@ struct Example {
 /// The simplest call that goes wrong: from one that does, simpler values are tried as long as they do, and as long as
 /// what all calls have in common stays: unit vectors, right angles, which of two is larger, ranges; of the region, if
 /// there is one. It is as printed.
-Example simplest_wrong(const Calls& calls, const Region& region, const Ask& mine, const Ask& right);
+Example simplest_wrong(const Calls& calls, const WrongCalls& region, const Ask& mine, const Ask& right);
 
 /// The call with its numbers as they are printed, and the answers to these; with more digits where others would not
 /// show the same.

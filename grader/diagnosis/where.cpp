@@ -29,7 +29,7 @@ std::string table_of(const Calls& calls) {
 }
 
 /// Among calls whose right answers are as those of all wrong ones: not 0, or not inf.
-Region where_among_alike(const Calls& calls) {
+WrongCalls where_among_alike(const Calls& calls) {
     if (calls.result.parts.front().kind == Kind::flag) return {};
     for (const Field& part : calls.result.parts)
         for (const double other : {0.0, rt::inf}) {
@@ -44,7 +44,7 @@ Region where_among_alike(const Calls& calls) {
                 return !is_alike(calls.right[k]) && !is_equal(calls.result, calls.mine[k], calls.right[k]);
             });
             if (are_all || some.size() == 0 || rest.size() > 0) continue;
-            const Region region = rule_of(some, true);
+            const WrongCalls region = rule_of(some, true);
             if (!region.is_exact) continue;
             return {fmt::format("{} and the right {} is not {}", region.words, part.name.empty() ? "answer" : part.name,
                                 number_in_words(other)),
@@ -88,10 +88,10 @@ std::string wrong_answers(const Calls& calls) {
     return words;
 }
 
-Region where_wrong(const Calls& calls, bool of_answers) {
-    Region region = rule_of(calls, of_answers);
+WrongCalls where_wrong(const Calls& calls, bool of_answers) {
+    WrongCalls region = rule_of(calls, of_answers);
     if (!region.is_exact && of_answers)
-        if (Region among = where_among_alike(calls); among.is_exact) region = std::move(among);
+        if (WrongCalls among = where_among_alike(calls); among.is_exact) region = std::move(among);
     if (const std::string words = region.is_exact ? "" : table_of(calls); !words.empty())
         region = {words, [](const Row&, const Layout&, const Row&) { return true; }, true};
     if (!region.words.empty()) region.words = (region.is_exact ? "where " : "nearly all of them where ") + region.words;

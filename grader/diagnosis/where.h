@@ -5,7 +5,7 @@
 namespace grade {
 
 /// Some of all calls: "where `dot(n, to_light) < 0`".
-struct Region {
+struct WrongCalls {
     std::string words;  // empty: all of them
     std::function<bool(const Row& row, const Layout& layout, const Row& right)> holds;
     bool is_exact = false;  // it holds for all wrong calls, and for no other
@@ -14,7 +14,7 @@ struct Region {
 /// What sets wrong calls apart from right ones; empty where nothing does.
 ///
 /// of_answers  what the right answers are may set them apart as well, not the arguments alone
-Region where_wrong(const Calls& calls, bool of_answers = true);
+WrongCalls where_wrong(const Calls& calls, bool of_answers = true);
 
 /// Of a choice and a flag, what is answered and what must be: "where `previous` is lobe, the answer is `!sampled`; it
 /// must be true". Empty for other arguments.
