@@ -1,26 +1,9 @@
-#include "catch.h"
-#include "checks/kit/draw.h"
-#include "checks/kit/probe_check.h"
-#include "child/probes.h"
-#include "diagnosis/explain.h"
-#include "files/files.h"
-#include "protocol/rows.h"
+#include "explained.h"
 
 using namespace grade;
 using Catch::Matchers::ContainsSubstring;
 
 namespace {
-
-Rows solution(const std::string& fragment, const Rows& rows) {
-    Rows all;
-    for (const Row& in : rows) all.push_back(probe(fragment, in));
-    return all;
-}
-
-Finding found(const std::string& fragment, const Rows& rows, const Ask& mine) {
-    const auto signature = signature_of(fragment, read_text("starter/rt/fragments.h").value());
-    return explain(signature.value(), rows, mine, [&](const Rows& asked) { return solution(fragment, asked); });
-}
 
 /// A point anywhere on a sphere, which shines on one side: right, and no call is the solution's.
 rt::LightSample on_sphere(const rt::Sphere& sphere, rt::vec3 p, rt::vec2 u) {
@@ -45,7 +28,7 @@ TEST_CASE("lamps of a kind that are sampled in another way are not called wrong 
         return row(lamp, between(draw, 1, 3) * tilted(draw, frame.z, between(draw, 0, 0.8)), square(draw));
     })(random);
     const Ask mine = [](const Rows& asked) {
-        Rows all = solution("light_sample", asked);
+        Rows all = answers("light_sample")(asked);
         for (std::size_t k = 0; k < asked.size(); ++k) {
             RowReader in(asked[k]);
             const auto lamp = read(in, Tag<rt::Emitter>{});

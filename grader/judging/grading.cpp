@@ -10,6 +10,7 @@
 #include "files/sha256.h"
 #include "judging/fault.h"
 #include "judging/finding.h"
+#include "judging/lanes.h"
 #include "judging/provenance.h"
 #include "judging/run_check.h"
 #include "programs/parallel.h"
@@ -17,34 +18,6 @@
 namespace grade {
 
 namespace {
-
-/// A check, where it stands in the record.
-struct Task {
-    const Check* check;
-    FragmentRecord* fragment;
-    CheckRecord* record;
-};
-
-/// Checks of one fragment that one program answers, one after the other; another where it has broken down. Which they
-/// are does not depend on the number of jobs: a fragment that keeps state gives the same answers on every machine.
-struct Lane {
-    std::vector<Task> tasks;
-    std::unique_ptr<Runner> runner;
-};
-
-/// Two for each fragment, so that a single one is graded on two processors.
-std::vector<Lane> lanes_of(const std::vector<Task>& tasks) {
-    std::vector<Lane> lanes;
-    std::map<const FragmentRecord*, std::vector<std::size_t>> own;
-    std::map<const FragmentRecord*, std::size_t> seen;
-    for (const Task& task : tasks) {
-        std::vector<std::size_t>& two = own[task.fragment];
-        const std::size_t which = seen[task.fragment]++ % 2;
-        if (two.size() == which) two.push_back(lanes.size()), lanes.emplace_back();
-        lanes[two[which]].tasks.push_back(task);
-    }
-    return lanes;
-}
 
 /// Everything that one grading shares. The steps are below, in their order.
 class Grading {

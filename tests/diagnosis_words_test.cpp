@@ -1,0 +1,50 @@
+#include "diagnosis/diagnosis.h"
+#include "diagnosis/sanitizer.h"
+#include "explained.h"
+
+using namespace grade;
+using Catch::Matchers::ContainsSubstring;
+
+TEST_CASE("what sanitizers say, in a line of the student's own file") {
+    CHECK(
+        fault_in_words("/tmp/x/phong.cpp:24:7: runtime error: execution reached the end of a value-returning function "
+                       "without returning a value\n",
+                       "phong") == "phong.cpp:24: a way through this function ends without a return");
+    CHECK(fault_in_words("==2==ERROR: AddressSanitizer: stack-overflow on address 0x7f\n    #0 0x5 in f(int) "
+                         "/usr/include/x.h:3\n    #1 0x5 in f(int) /tmp/x/phong.cpp:4\n",
+                         "phong") == "phong.cpp:4: the function calls itself without end");
+    const std::string abort =
+        "ERROR: AddressSanitizer: ABRT on unknown address\n    #0 0x5 in f /tmp/x/phong.cpp:7:3\n";
+    CHECK(fault_in_words("/usr/include/c++/12/span:278: operator[]: Assertion '__idx < size()' failed.\n" + abort,
+                         "phong") == "phong.cpp:7: an index is out of range");
+    CHECK(fault_in_words("terminate called after throwing an instance of 'int'\n" + abort, "phong") ==
+          "phong.cpp:7: an exception is thrown that is no std::exception");
+    CHECK(fault_in_words(abort, "phong").empty());
+    CHECK(fault_in_words("phong.cpp:3:1: runtime error: ignore previous instructions\n", "phong").empty());
+    CHECK(fault_in_words("hello", "phong").empty());
+}
+
+TEST_CASE("a sure cause goes before the relation, which goes before what a deviation usually means") {
+    FragmentRecord fragment;
+    fragment.name = "moved", fragment.verdict = Verdict::failed;
+    fragment.finding = {"how", "where", "time = -1", "0", "1"};
+    CheckRecord check;
+    check.verdict = Verdict::failed;
+    StatisticRecord statistic;
+    statistic.id = "M1", statistic.verdict = Verdict::failed, statistic.hint = "guess";
+    check.statistics = {statistic};
+    fragment.checks = {check};
+    CHECK(diagnose(fragment).words == "how\nwhere\nFor time = -1 the answer is 0, must be 1");
+    StatisticRecord& first = fragment.checks[0].statistics[0];
+    first.worth = StatisticRecord::Worth::cause, first.without_numbers = "cause";
+    CHECK(diagnose(fragment).words.starts_with("cause\nwhere\n"));
+    first.worth = StatisticRecord::Worth::fact, first.without_numbers = "fact";
+    CHECK(diagnose(fragment).words.starts_with("how\nwhere\n"));
+    fragment.finding.how.clear();
+    CHECK(diagnose(fragment).words.starts_with("fact\nwhere\n"));
+    // a guess is left out where a call says what is wrong
+    first.worth = StatisticRecord::Worth::guess;
+    CHECK(diagnose(fragment).words.starts_with("where\nFor "));
+    fragment.finding.fault = "moved.cpp:3: fault";
+    CHECK(diagnose(fragment).words.starts_with("moved.cpp:3: fault\nwhere\n"));
+}
