@@ -48,3 +48,19 @@ TEST_CASE("a sure cause goes before the relation, which goes before what a devia
     fragment.finding.fault = "moved.cpp:3: fault";
     CHECK(diagnose(fragment).words.starts_with("moved.cpp:3: fault\nwhere\n"));
 }
+
+TEST_CASE("the largest number in place of inf is told as any other wrong answer") {
+    const Rows rays = calls([](Generator& random) {
+        const rt::Sphere sphere{box(random, -3, 3), between(random, 0.5, 2)};
+        return row(sphere, rt::Ray{box(random, -3, 3), direction(random), 0, rt::inf});
+    });
+    const Ask largest = [](const Rows& rows) {
+        Rows all = answers("hit_sphere")(rows);
+        for (Row& out : all) out[0] = std::min(out[0], std::numeric_limits<double>::max());
+        return all;
+    };
+    const Finding finding = found("hit_sphere", rays, largest);
+    CHECK_THAT(finding.where, ContainsSubstring("the right answer is inf"));
+    CHECK(finding.right == "inf");
+    CHECK_THAT(finding.answer, ContainsSubstring("e+308"));
+}

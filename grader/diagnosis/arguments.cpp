@@ -4,16 +4,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <stdexcept>
 
 #include "protocol/rows.h"
 
 namespace grade {
 
+double rounded(double x, int digits) {
+    // std::stod throws where the rounded number is too large, or denormal
+    return std::isfinite(x) ? std::strtod(fmt::format("{:.{}g}", x, digits).c_str(), nullptr) : x;
+}
+
 std::string number_in_words(double x, int digits) {
     if (std::isnan(x)) return "nan";
     // of what is nearly a whole number, say, more digits: 1 - 2^-30 is not 1
-    const double shown = digits > 0 ? std::stod(fmt::format("{:.2g}", x)) : x;
+    const double shown = digits > 0 ? rounded(x, 2) : x;
     if (std::isfinite(x) && digits < 10 && std::abs(x - shown) > 1e-12 * std::abs(x) &&
         fmt::format("{:.{}g}", x, digits) == fmt::format("{:.{}g}", shown, digits))
         digits = 10;

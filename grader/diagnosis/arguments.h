@@ -64,6 +64,9 @@ bool is_structure(const std::string& type);
 std::string formula_in_words(const Row& row, std::size_t at, const std::function<std::string(double)>& number);
 
 /// "0.5", "inf", "1e-06"; digits 0: as many as it takes.
+/// x, to so many digits; inf where that is too large for a number.
+double rounded(double x, int digits);
+
 std::string number_in_words(double x, int digits = 6);
 
 /// "(0, 0.5, 1)", "true", "disc"

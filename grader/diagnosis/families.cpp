@@ -146,7 +146,7 @@ private:
 
     /// Where a person would have written that constant.
     void add(const Family& family, const Spot& spot, double c) {
-        const double few_digits = std::stod(fmt::format("{:.4g}", c));
+        const double few_digits = rounded(c, 4);
         const bool is_short = std::abs(few_digits - c) <= equal_within * std::abs(c);
         const bool is_usual = std::abs(c) > 1e-4 && std::abs(c) < 1e4;
         if ((!is_short && !is_named(c)) || !is_usual) return;

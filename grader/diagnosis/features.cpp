@@ -90,7 +90,8 @@ private:
     bool varies(const std::vector<double>& x, bool is_length) const {
         constexpr std::size_t few = 4;
         std::set<double> good, bad;
-        for (std::size_t k = 0; k < x.size(); ++k) (wrong_[k] ? bad : good).insert(x[k]);
+        for (std::size_t k = 0; k < x.size(); ++k)
+            if (!std::isnan(x[k])) (wrong_[k] ? bad : good).insert(x[k]);
         // of a length, 1 is one value as well, whatever its rounding
         const auto is_one = [is_length](const std::set<double>& y) {
             const bool is_unit =
@@ -126,9 +127,8 @@ private:
         for (int digits = 1; digits < 3 && !cut; ++digits) {
             // as near as can be to what is still right
             for (const double x : {above ? low : high, (low + high) / 2})
-                if (const double rounded = std::stod(fmt::format("{:.{}g}", x, digits));
-                    !cut && rounded >= low && rounded <= high)
-                    cut = rounded;
+                if (const double short_one = rounded(x, digits); !cut && short_one >= low && short_one <= high)
+                    cut = short_one;
         }
         if (!cut) return;
         add(fmt::format("`{} {} {}`", q.words, above ? ">" : "<", number_in_words(*cut)),

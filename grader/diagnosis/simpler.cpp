@@ -9,8 +9,6 @@
 
 namespace grade {
 
-double rounded(double x, int digits) { return std::isfinite(x) ? std::stod(fmt::format("{:.{}g}", x, digits)) : x; }
-
 std::vector<std::vector<double>> simpler_values(const Field& part, const Row& row) {
     std::vector<std::vector<double>> list;
     const std::size_t n = size_of(part.kind);

@@ -8,7 +8,4 @@ namespace grade {
 /// out.
 std::vector<std::vector<double>> simpler_values(const Field& part, const Row& row);
 
-/// To so many digits.
-double rounded(double x, int digits);
-
 }  // namespace grade

@@ -24,8 +24,11 @@ double thread_seconds() {
 }
 
 /// The program answers until it breaks down; then another one, a few times.
+///
+/// width  numbers of an answer: the solution's say it, and shorter ones are none, for whoever writes into the grader's
+///        channel may answer with rows of any length
 Ask asking(const std::string& fragment, const fs::path& program, const Sandbox& sandbox, const fs::path& meshes,
-           double& seconds) {
+           double& seconds, std::shared_ptr<std::size_t> width, bool is_solution) {
     struct State {
         std::unique_ptr<Runner> runner;
         int starts = 0;
@@ -38,7 +41,10 @@ Ask asking(const std::string& fragment, const fs::path& program, const Sandbox& 
         }
         auto outcome = state->runner->probe(fragment, rows);
         seconds += state->runner->seconds();
-        if (Rows* answers = std::get_if<Rows>(&outcome)) return std::move(*answers);
+        Rows* answers = std::get_if<Rows>(&outcome);
+        if (answers && is_solution && !answers->empty()) *width = answers->front().size();
+        if (answers && std::ranges::all_of(*answers, [&](const Row& row) { return row.size() >= *width; }))
+            return std::move(*answers);
         state->runner.reset();
         return {};
     };
@@ -100,8 +106,9 @@ Finding find_cause(Programs& programs, const Toolchain& chain, const std::string
     const fs::path own = programs.copy_for(fragment + ".calls", programs.with({fragment}).program);
     double seconds = 0;
     const double before = thread_seconds();
-    const Ask mine = asking(fragment, own, programs.sandbox(), meshes, seconds),
-              right = asking(fragment, programs.with({}).program, programs.sandbox(), meshes, seconds);
+    const auto width = std::make_shared<std::size_t>(0);
+    const Ask mine = asking(fragment, own, programs.sandbox(), meshes, seconds, width, false),
+              right = asking(fragment, programs.with({}).program, programs.sandbox(), meshes, seconds, width, true);
     const Rows calls = telling_calls(fragment, checks, seed, *signature, mine, right);
     Finding finding = calls.empty() ? Finding{} : explain(*signature, calls, mine, right);
     finding.cpu_seconds = seconds + thread_seconds() - before;

@@ -208,12 +208,14 @@ CheckRecord Grading::judge(const Task& task, Lane& lane, SolutionRunners& soluti
     const fs::path meshes = chain_.source / "scenes";
     CheckSettings settings = check_settings_;
     settings.budget = &budgets_[task.check->fragment];
+    settings.another = [&] {
+        return std::make_unique<Runner>(programs_.with({task.check->fragment}).program, programs_.sandbox(), meshes,
+                                        settings_.time_limit);
+    };
     for (bool again = false;; again = true) try {
             Reference reference(*task.check, settings_.seed, solutions);
             const bool is_used = lane.runner != nullptr;
-            auto runner = is_used ? std::move(lane.runner)
-                                  : std::make_unique<Runner>(programs_.with({task.check->fragment}).program,
-                                                             programs_.sandbox(), meshes, settings_.time_limit);
+            auto runner = is_used ? std::move(lane.runner) : settings.another();
             CheckRecord record = run_check(*task.check, *runner, reference, settings);
             // who never answered may not even have started, and an earlier check may have broken what it left
             const bool is_doubtful = is_used || runner->seconds_in_all() == 0;

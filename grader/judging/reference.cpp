@@ -74,7 +74,10 @@ std::string Reference::trace(rt::ivec2 pixel) {
     if (!runner_) runner_ = runners_.take();
     auto outcome = runner_->trace(std::get<Render>(check_.experiment),
                                   replicate_seed(seed_, check_, Stream::submission, 0), pixel);
-    if (std::holds_alternative<Fault>(outcome)) return {};
+    if (std::holds_alternative<Fault>(outcome)) {
+        runner_.reset();
+        return {};
+    }
     return std::move(std::get<std::string>(outcome));
 }
 

@@ -183,8 +183,8 @@ private:
         for (int y = corner.y; y < std::min(corner.y + side, mine.height); ++y)
             for (int x = corner.x; x < std::min(corner.x + side, mine.width); ++x)
                 if (off({x, y}) > off(pixel)) pixel = {x, y};
-        const auto told = runner_.trace(std::get<Render>(check_.experiment),
-                                        replicate_seed(settings_.seed, check_, Stream::submission, 0), pixel);
+        const auto told = settings_.another()->trace(
+            std::get<Render>(check_.experiment), replicate_seed(settings_.seed, check_, Stream::submission, 0), pixel);
         if (const auto* text = std::get_if<std::string>(&told))
             record_.parting = first_divergence(*text, reference_.trace(pixel));
         if (!record_.parting.empty())
@@ -247,7 +247,7 @@ private:
         if (is_render(check_)) add_picture_costs(record_, first_.image, fastest_, reference_);
         if (!settings_.pictures || !is_render(check_)) return;
         add_solution_picture(record_, shown_, reference_);
-        if (!record_.tiles.empty()) trace();
+        if (!record_.tiles.empty() && settings_.another) trace();
     }
 
     CheckRecord broken(const Fault& fault) {

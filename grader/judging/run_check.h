@@ -12,6 +12,7 @@ struct CheckSettings {
     Settings statistics;       // alpha is shared by all statistics of the assignment
     bool pictures = false;     // keep pictures for the page
     Budget* budget = nullptr;  // of the fragment; none: there is no limit but that of each answer
+    std::function<std::unique_ptr<Runner>()> another;  // program of the fragment, for what no verdict hangs on
 };
 
 /// A check as the record has it before it ran.

@@ -94,12 +94,13 @@ bool scatters_into_the_open(const Scene& scene) {
                        [](const Body& body) { return goes_straight_through(*body.material); });
 }
 
-/// Whether paths end at random: where the brightest of those that are long lose most of what they carry.
+/// Whether paths end at random: where some that are long lose most of what they carry.
 void decide_roulette(const Scene& scene, RenderPlan& plan) {
     Real longest = 0, left = 1;
+    bool is_long = false;
     const auto follow = [&](Real steps, Color albedo, Real fewest) {
         longest = std::max(longest, steps);
-        if (steps >= fewest) left = std::min(left, std::pow(largest(albedo), steps));
+        if (steps >= fewest) is_long = true, left = std::min(left, std::pow(largest(albedo), steps));
     };
     for (const Body& body : scattering_bodies(scene))
         follow(mean_scatterings(body), body.material->medium.albedo, fewest_scatterings);
@@ -115,7 +116,7 @@ void decide_roulette(const Scene& scene, RenderPlan& plan) {
                                               fewest_scatterings, fewest_bounces);
     plan.ends_early = longest == 0     ? "no path bounces or is scattered in media"
                       : scene.roulette ? "the scene says so"
-                      : left < 1       ? long_enough
+                      : is_long        ? long_enough
                                        : too_short;
 }
 

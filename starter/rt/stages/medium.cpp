@@ -51,13 +51,13 @@ void shine_on_scatterings(const World& world, const L& lamps, const Numbers& u, 
         shadow.set_ray(i, shadow_ray({at.point.at(i), sample.direction}, sample.direction, sample.distance));
         ++chunk.rays[int(RayKind::shadow)];
     }
-    Real left[lanes];
-    std::fill_n(left, lanes, 1);
+    Passed passed[lanes];
     shadow.count = b.count;
-    through_stage(world, b.inside, shadow, light, left);
+    through_stage(world, b.inside, shadow, light, passed);
     for (int i = 0; i < b.count; ++i) {
         if (!(of_phase[i] > 0) || shadow.shape[i] != nothing) continue;
-        const Real share = power_heuristic(of_lamp[i], of_phase[i] * left[i]);
+        const Real by_path = passed[i].by_path(b.depth[i], world.scene.depth);
+        const Real share = power_heuristic(of_lamp[i], of_phase[i] * by_path);
         found.set(i, found.at(i) + share * b.weight.at(i) * light.at(i));
     }
 }

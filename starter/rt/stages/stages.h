@@ -50,8 +50,15 @@ void any_hit_stage(const World& world, Batch& batch);
 /// their way; where something else stops a ray, its number.
 ///
 /// inside  the regions in which each lane starts
-/// left    none, or the share of each lane's light that the media alone leave
-void through_stage(const World& world, const Bits* inside, Batch& shadow, Colors& light, Real* left = nullptr);
+/// passed  none, or what each lane has passed
+struct Passed {
+    Real left = 1;       // the share of the light that the media alone leave
+    int boundaries = 0;  // that were crossed
+
+    /// The same for a path of this depth, which pays for each boundary: 0 where it cannot.
+    Real by_path(int depth, int most) const { return depth + boundaries > most ? 0 : left; }
+};
+void through_stage(const World& world, const Bits* inside, Batch& shadow, Colors& light, Passed* passed = nullptr);
 
 /// Share of the light that is left after a way through a medium.
 inline Real left_by(const Medium& medium, Real distance) { return exp(-medium.extinction * distance); }
@@ -95,7 +102,7 @@ Color film_stage(const World& world, const Color* radiance, const Real* weight, 
 /// u  random, 0 <= u < 1
 inline Color after_roulette(Color weight, Real u) {
     const Real chance = largest(weight) / worth_following;
-    return chance >= 1 ? weight : u < chance ? weight * (1 / chance) : Color(0);
+    return !(chance < 1) ? weight : u < chance ? weight * (1 / chance) : Color(0);  // nan goes on, and is told
 }
 
 /// How a path goes on: from a surface, but for the last.

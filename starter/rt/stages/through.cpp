@@ -12,7 +12,7 @@ bool comes_from_behind(const World& world, Index shape, const Ray& ray, Real t, 
 
 }  // namespace
 
-void through_stage(const World& world, const Bits* starts, Batch& shadow, Colors& light, Real* left) {
+void through_stage(const World& world, const Bits* starts, Batch& shadow, Colors& light, Passed* passed) {
     const Regions& regions = world.regions;
     Real whole[lanes];
     Bits inside[lanes];
@@ -32,7 +32,7 @@ void through_stage(const World& world, const Bits* starts, Batch& shadow, Colors
             if (medium != nothing) {
                 const Real share = left_by(world.scene.materials[std::size_t(medium)].medium, way);
                 light.set(i, share * light.at(i));
-                if (left) left[i] *= share;
+                if (passed) passed[i].left *= share;
             }
             shadow.near[i] = t;  // no interval is left
             if (shape == nothing) continue;
@@ -42,6 +42,7 @@ void through_stage(const World& world, const Bits* starts, Batch& shadow, Colors
                 const bool behind = comes_from_behind(world, shape, shadow.ray(i), t, shadow.time[i]);
                 inside[i] = regions.crossed(inside[i], shape, behind);
             }
+            if (passed) ++passed[i].boundaries;
             light.set(i, m.transmittance * light.at(i));
             shadow.far[i] = whole[i], shadow.shape[i] = nothing;
             ++under_way;

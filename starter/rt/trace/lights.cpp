@@ -47,9 +47,9 @@ void tell_shadow(const Lane& lane, const Ray& ray, vec3 to_light, bool through, 
     const World& world = lane.world();
     const Bits inside = lane.wave.batch.inside[lane.i];
     Colors left;
-    Real left_by_media = 1;
+    Passed passed;
     left.set(0, Color(1));
-    through ? through_stage(world, &inside, shadow, left, &left_by_media) : any_hit_stage(world, shadow);
+    through ? through_stage(world, &inside, shadow, left, &passed) : any_hit_stage(world, shadow);
     if (shadow.shape[0] != nothing) {
         const Index id = shadow.shape[0];
         return tell(told, "shadow_ray", "{}: stopped by shape {} ({}) at {} m", sent, id, hit_name(world, id),
@@ -62,7 +62,8 @@ void tell_shadow(const Lane& lane, const Ray& ray, vec3 to_light, bool through, 
     if (left.at(0) != Color(1)) tell(told, "medium", "leaves {} of it", text(left.at(0)));
     light = left.at(0) * light;
     if (weights) {
-        const Real share = power_heuristic(weights->of_lamp, weights->of_phase * left_by_media);
+        const Real by_path = passed.by_path(lane.wave.batch.depth[lane.i], world.scene.depth);
+        const Real share = power_heuristic(weights->of_lamp, weights->of_phase * by_path);
         tell(told, "", "weight against the ray that the scattering sends on {}", text(share));
         light = share * light;
     }

@@ -146,16 +146,6 @@ inline void begin(Journeys& j, bool at_root) {
     }
 }
 
-/// Bit c: ray i meets child c of a node.
-[[gnu::always_inline]] inline unsigned children_met(const Bvh::Node& node, const Journeys& j, int i) {
-    Ways ways;
-    look(node, j, i, ways);
-    unsigned met = 0;
-    for (int c = 0; c < Bvh::width; c += half_wide)
-        met |= not_above(load<FewFloats>(ways.enter + c), load<FewFloats>(ways.leave + c)) << c;
-    return met;
-}
-
 /// Fetches a node that is needed soon.
 inline void fetch(const Bvh::Node& node) {
     for (int line = 0; line < 4; ++line) __builtin_prefetch(reinterpret_cast<const char*>(&node) + 64 * line);
