@@ -102,6 +102,15 @@ TEST_CASE("lamps where media scatter: the same picture with less noise, wherever
     }
 }
 
+TEST_CASE("lamps where media scatter: shadow rays alone find them where a path may not cross the boundary any more") {
+    // the way into the ball takes the only crossing of depth 1; a path that leaves it finds nothing but the lamp
+    rt::Scene scene = rt::parse_scene(milk(white, disc("lamp", {0, 2, 0}, {0, -1, 0}, 0.8)), "milk.toml");
+    scene.environment = rt::Color(0), scene.media_lit = true;
+    const rt::Estimate deep = rt::estimate(scene, rt::Sampler::random, 24);
+    scene.depth = 1;
+    agree(deep, rt::estimate(scene, rt::Sampler::random, 24));
+}
+
 TEST_CASE("lamps where media scatter: no shadow ray where none can arrive, and no other number is drawn") {
     const auto same = [](const std::string& text) {
         rt::Scene scene = rt::parse_scene(text, "milk.toml");
