@@ -158,6 +158,14 @@ void add_example(Finding& finding, const Calls& all, const WrongCalls& region, b
     add_call(finding, all.signature, simplest);
 }
 
+/// Whether all answers are nearly right.
+bool are_near(const Calls& all) {
+    constexpr double nearly = 1e-3;
+    for (std::size_t k = 0; k < all.size(); ++k)
+        if (!is_alike(all.result, all.mine[k], all.right[k], nearly)) return false;
+    return true;
+}
+
 }  // namespace
 
 Finding explain(const Signature& signature, const Rows& rows, const Ask& ask, const Ask& ask_right) try {
@@ -167,12 +175,8 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask, co
     Calls all = compared(signature, rows, mine, right);
     std::size_t wrong = 0;
     for (std::size_t k = 0; k < all.size(); ++k) wrong += !is_equal(all.result, all.mine[k], all.right[k]);
-    bool is_near = true;
-    constexpr double nearly = 1e-3;
-    for (std::size_t k = 0; k < all.size(); ++k)
-        is_near = is_near && is_alike(all.result, all.mine[k], all.right[k], nearly);
     Finding finding;
-    if (is_near) finding.how = small_offsets(all);
+    if (are_near(all)) finding.how = small_offsets(all);
     if (wrong == 0) return finding;
     const auto depends = dependences(all, all, mine, right);
     for (const Dependence& d : depends) all.told.push_back(d.mine > 0 || d.right > 0);

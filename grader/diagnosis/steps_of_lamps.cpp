@@ -52,7 +52,8 @@ Row right_sample(const Emitter& light, vec3 p, vec2 u) {
                                                : sample_towards(light, point_of(light, on_light(light, u)) - p);
 }
 
-std::vector<Steps> of_light() {
+/// Of a quad or a disc.
+std::vector<Steps> of_flat_light() {
     return {
         steps(
             "density = distance^2 / (cos * area) for cos > 0, the front side, with cos = -dot(unit(point - p), "
@@ -94,7 +95,11 @@ std::vector<Steps> of_light() {
                 const vec3 point =
                     s[3] != 0 ? light.disc.center + light.disc.radius * vec3(at, 0) : point_of(light, at);
                 return sample_towards(light, point - p);
-            }),
+            })};
+}
+
+std::vector<Steps> of_sphere_light() {
+    return {
         steps(
             "of a sphere, sine = radius / distance of its centre",
             "Real sine; Real radius / distance^2; Real distance; bool no density of 0 for a point inside of the "
@@ -140,7 +145,10 @@ std::vector<Steps> of_light() {
 }  // namespace
 
 std::vector<Steps> steps_of_lamps(const std::string& fragment) {
-    return fragment == "light_sample" ? of_light() : std::vector<Steps>{};
+    if (fragment != "light_sample") return {};
+    std::vector<Steps> all = of_flat_light();
+    for (Steps& one : of_sphere_light()) all.push_back(std::move(one));
+    return all;
 }
 
 }  // namespace grade
