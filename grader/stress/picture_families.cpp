@@ -36,7 +36,7 @@ double furnace(double x, Generator&, const Asker& ask) {
     const double albedo = 1 - x;
     const int bounces = int(std::min(3 / x, 1e6));
     const View view{{0.1, 0.2, 0.3}, {1, 0.3, 0.1}, {0, 1, 0}, 60, {3, 3}};
-    std::string text = scene_table("[render]", {{"bounces", bounces}}) + toml(view) +
+    std::string text = scene_table("[render]", {{"bounces", bounces}, {"roulette", false}}) + toml(view) +
                        material("wall", {{"albedo", albedo}, {"emission", 1}, {"sampled", false}});
     for (int side = 0; side < 6; ++side) {
         vec3 n(0), u(0), v(0);
