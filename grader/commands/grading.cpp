@@ -37,11 +37,15 @@ fs::path handout_in(const fs::path& root) {
 /// Where a page in this folder finds the handout. As a page, which needs nothing else, it comes along: the folder may
 /// be moved.
 std::string handout_for(const fs::path& folder, const fs::path& handout) {
-    if (handout.extension() != ".html") return fs::relative(handout, folder).generic_string();
+    const std::string there = fs::relative(handout, folder).generic_string();
     const fs::path copy = folder / handout.filename();
-    if (!fs::exists(copy) || !fs::equivalent(copy, handout))
-        fs::copy_file(handout, copy, fs::copy_options::overwrite_existing);
-    return copy.filename().string();
+    if (handout.extension() != ".html") return there;
+    std::error_code error;
+    if (fs::equivalent(copy, handout, error)) return copy.filename().string();
+    fs::copy_file(handout, copy, fs::copy_options::overwrite_existing, error);
+    if (!error) return copy.filename().string();
+    fs::remove(copy, error);  // no room: a page without it is better than none
+    return there;
 }
 
 /// Of every grading of what its user edits: what has not changed comes out as it did.
