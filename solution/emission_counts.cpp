@@ -6,7 +6,7 @@ namespace rt {
 ///
 /// At a diffuse surface, shadow rays have already gathered the light of each emitter that is sampled. A diffuse ray
 /// that happens to hit such an emitter would gather it again. From everywhere else (the camera, a mirror, glass, a
-/// glossy lobe, a medium) no shadow ray was sent.
+/// glossy lobe, a medium) no shadow ray was sent, or the framework has weighed it against this one.
 ///
 /// previous  where the ray comes from
 /// sampled   whether shadow rays look for this emitter
