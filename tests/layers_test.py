@@ -5,7 +5,7 @@ import pathlib
 import re
 import sys
 
-layers = ["files", "assignment", "statistics", "protocol", "checks/kit", "checks", "arithmetic", "submission", "record", "diagnosis", "programs",
+layers = ["files", "assignment", "statistics", "protocol", "checks/kit", "checks", "arithmetic", "submission", "record", "textbook", "diagnosis", "programs",
           "judging", "report", "hand_out", "studies", "convert", "class", "stress", "lesson", "convergence", "calibration", "authoring", "theory", "commands", ""]
 # What is compiled for others: the child's program knows the protocol only; archives.cpp and its stand-in in a kit are submission's.
 beside = {"child": {"protocol", "arithmetic"}, "archives": {"submission", "files"}, "kit": {"submission", "files"}}

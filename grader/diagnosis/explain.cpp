@@ -6,7 +6,7 @@
 #include <regex>
 
 #include "diagnosis/bounds.h"
-#include "diagnosis/by_steps.h"
+#include "diagnosis/by_textbook.h"
 #include "diagnosis/calls_made.h"
 #include "diagnosis/own_numbers.h"
 #include "diagnosis/right_otherwise.h"
@@ -53,7 +53,7 @@ std::string which(const WrongCalls& region) { return (region.is_exact ? "those "
 WrongCalls region_of(const Calls& calls, bool is_known) {
     WrongCalls region = where_wrong(calls);
     const bool is_of_answers = region.words.starts_with("where the right ");
-    return is_known || (region.is_exact && !is_of_answers) ? region : where_wrong_in_steps(calls, region);
+    return is_known || (region.is_exact && !is_of_answers) ? region : where_wrong_in_textbook(calls, region);
 }
 
 /// What code takes for granted that is wrong only where it does not hold.
@@ -109,7 +109,7 @@ std::string of_own_numbers(const Calls& all, const Ask& mine, const Ask& right) 
     for (std::size_t k = 0; k < own->size(); ++k) wrong += differs(k);
     bool right_otherwise = false;
     auto found = wrong > 0 ? relation_of(*own, right, false, right_otherwise) : std::nullopt;
-    if (wrong > 0) found = simpler(found, relation_of_steps(*own, right, false));
+    if (wrong > 0) found = simpler(found, relation_of_textbook(*own, false, right_otherwise));
     if (is_exact(found)) return found->words + found->usually;
     if (wrong > 0) return {};
     const auto place = std::ranges::find_if(own->result.parts, is_place),
@@ -127,13 +127,12 @@ std::string wrong_sums(const Calls& all, const Ask& mine, const Ask& right) {
 }
 
 /// What is wrong where the answer is a number.
-std::string of_numbers(const Calls& calls, const Ask& right, const Ask& ask_right, bool sampled) {
-    std::size_t left = most_calls;
+std::string of_numbers(const Calls& calls, const Ask& right, bool sampled) {
     const Calls some = those_of(calls, [&](std::size_t k) { return !is_nan(calls.mine[k], calls.right[k]); });
     bool right_otherwise = false;
     auto found = some.size() > 0 ? relation_of(some, right, sampled, right_otherwise) : std::nullopt;
-    if (some.size() > 0) found = simpler(found, relation_of_steps(some, right, sampled));
-    if (some.size() > 0 && !is_exact(found)) found = relation_of_both(some, limited(ask_right, left));
+    if (some.size() > 0) found = simpler(found, relation_of_textbook(some, sampled, right_otherwise));
+    if (some.size() > 0 && !is_exact(found)) found = two_of_textbook(some);
     const std::string words = "some answers are nan where the right one is a number";
     if (!is_exact(found)) return words;
     return fmt::format("{}; where it is a number, {}", words, found->words + found->usually);
@@ -200,7 +199,7 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask, co
     if (finding.how.empty() && sampled && not_numbers == 0 && !is_mostly_known && !broken)
         finding.how = unused_numbers(all, depends);
     if (finding.how.empty() && (not_numbers > 0 ? !is_known : !is_mostly_known))
-        finding.how = not_numbers > 0 ? of_numbers(picked(many_calls, most_compared), right, ask_right, sampled)
+        finding.how = not_numbers > 0 ? of_numbers(picked(many_calls, most_compared), right, sampled)
                       : !sampled      ? wrong_sums(all, mine, right)
                       : broken        ? ""
                                       : of_own_numbers(all, mine, right);

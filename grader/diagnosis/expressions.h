@@ -15,7 +15,8 @@ std::string simplified(const std::string& text);
 
 template <class... Names>
 std::string filled(const char* words, const Names&... names) {
-    return simplified(fmt::format(fmt::runtime(words), bracketed(names)...));
+    const bool is_argument = std::string_view(words).ends_with("({})");
+    return simplified(fmt::format(fmt::runtime(words), (is_argument ? names : bracketed(names))...));
 }
 
 /// "`2 * x` in place of `x`"

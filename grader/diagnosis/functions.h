@@ -173,6 +173,7 @@ inline constexpr TwoVectors of_two_colors[] = {
     {"{0} * {1}", 1.6, [](vec3 v, vec3 w) { return v * w; }},
     {"{0} / {1}", 1.8, [](vec3 v, vec3 w) { return v / w; }},
     {"{0} + {1}", 1.7, [](vec3 v, vec3 w) { return v + w; }},
+    {"1 - {1}", 1.7, [](vec3, vec3 w) { return 1.0 - w; }},
 };
 
 }  // namespace grade

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "diagnosis/by_steps.h"
+#include "diagnosis/by_textbook.h"
 #include "diagnosis/calls_made.h"
 #include "diagnosis/forms.h"
 
@@ -57,7 +57,9 @@ std::optional<Relation> sure_relation(const Calls& calls, const Ask& ask_right, 
     const auto found = [&](bool others, const Ask& ask, std::size_t most = most_compared) {
         const Calls some = picked(calls, most, others);
         auto relation = relation_of(some, ask, sampled, right_otherwise);
-        return right_otherwise ? std::nullopt : simpler(relation, relation_of_steps(some, ask, sampled));
+        if (right_otherwise) return std::optional<Relation>();
+        relation = simpler(relation, relation_of_textbook(some, sampled, right_otherwise));
+        return right_otherwise ? std::nullopt : relation;
     };
     auto relation = found(false, right);
     if (!is_exact(relation)) return relation;
@@ -161,8 +163,7 @@ std::optional<Relation> surest_relation(const Calls& calls, const Ask& mine, con
         auto parts = relation_of_parts(calls, right, sampled);
         if (parts && (is_exact(parts) || !best || best->share < parts->share)) best = std::move(parts);
     }
-    std::size_t left = most_calls;
-    if (!is_exact(best)) take(relation_of_both(picked(calls, most_compared), limited(right, left)));
+    if (!is_exact(best)) take(two_of_textbook(picked(calls, most_compared)));
     if (best) best->words += best->usually, add_others(*best, calls, right, sampled);
     return best;
 }

@@ -1,0 +1,263 @@
+#include "diagnosis/by_textbook.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "diagnosis/calls_made.h"
+#include "diagnosis/mistakes.h"
+
+namespace grade {
+
+namespace {
+
+constexpr std::size_t enough = 5;  // wrong calls
+
+/// Looks for mistakes in one form; the right answers are the form's.
+class Textbook {
+public:
+    Textbook(const Calls& calls, Asked& asked) : calls_(calls), asked_(asked) {
+        for (std::size_t k = 0; k < calls.size(); ++k)
+            if (!is_equal(calls.result, calls.mine[k], calls.right[k])) wrong_.push_back(k);
+        const std::size_t count = std::min<std::size_t>(6, wrong_.size());
+        for (std::size_t i = 0; i < count; ++i) sample_.push_back(wrong_[i * wrong_.size() / count]);
+    }
+
+    std::size_t wrong() const { return wrong_.size(); }
+
+    /// The simplest mistake that explains all, or the one that explains most of what is wrong.
+    std::optional<Relation> one() {
+        std::optional<Relation> most;
+        for (const Mistake& mistake : asked_.mistakes_in(calls_)) {
+            const auto equal = std::ranges::count_if(sample_, [&](std::size_t k) { return explains(k, mistake); });
+            if (equal < 2) continue;
+            const double share = share_of(mistake);
+            if (share == 1) return relation(mistake, 1);
+            if (share >= least_share && (!most || most->share < share)) most = relation(mistake, share);
+        }
+        return most;
+    }
+
+    std::optional<Relation> two() {
+        constexpr double dearest = 1.3;
+        constexpr std::size_t most_pairs = 600'000;
+        const std::vector<Change> changes = changes_of(calls_.layouts.front(), calls_.told);
+        std::vector<Mistake> all = asked_.mistakes_in(calls_);
+        for (const Change& change : changes) all.push_back({"", "", change.cost, {}, nullptr, &change});
+        std::erase_if(all, [&](const Mistake& m) { return m.cost > dearest || !changes_an_answer(m); });
+        std::ranges::stable_sort(all, {}, &Mistake::cost);
+        std::size_t pairs = 0;
+        for (std::size_t b = 1; b < all.size(); ++b)
+            for (std::size_t a = 0; a < b; ++a) {
+                if (is_same_place(all[a], all[b])) continue;
+                if (++pairs > most_pairs) return std::nullopt;
+                if (!explain_all(all[a], all[b])) continue;
+                Relation both{std::string(as_changed) + asked_.words_of(all[a]) + ", and " + asked_.words_of(all[b])};
+                both.cost = all[a].cost + all[b].cost, both.by_steps = true;
+                return both;
+            }
+        return std::nullopt;
+    }
+
+private:
+    static constexpr double least_share = 0.4;
+
+    bool explains(std::size_t k, const Mistake& first, const Mistake* second = nullptr) {
+        const Row answer = asked_.answer(calls_.rows[k], calls_.layouts[k], &first, second);
+        return answer.size() == calls_.mine[k].size() && is_equal(calls_.result, answer, calls_.mine[k]);
+    }
+
+    bool changes_an_answer(const Mistake& mistake) {
+        return std::ranges::any_of(sample_, [&](std::size_t k) {
+            const Row answer = asked_.answer(calls_.rows[k], calls_.layouts[k], &mistake);
+            return answer.size() != calls_.right[k].size() || !is_equal(calls_.result, answer, calls_.right[k]);
+        });
+    }
+
+    static bool is_same_place(const Mistake& a, const Mistake& b) {
+        if (a.of_arguments && b.of_arguments) return true;
+        return std::ranges::any_of(a.made.nodes, [&](int node) { return b.made.is_of(node); });
+    }
+
+    /// Of the wrong calls; 0 where it breaks a right one.
+    double share_of(const Mistake& mistake) {
+        std::size_t equal = 0, something = 0;
+        for (std::size_t k = 0; k < calls_.size(); ++k) {
+            const bool is_explained = explains(k, mistake);
+            const bool is_wrong = std::ranges::binary_search(wrong_, k);
+            if (!is_explained && !is_wrong) return 0;
+            equal += is_explained && is_wrong;
+            something += is_explained && is_wrong && is_something(calls_.mine[k]);
+        }
+        if (equal < wrong_.size() && something < enough) return 0;  // nothing is right for many reasons
+        return double(equal) / double(wrong_.size());
+    }
+
+    bool explain_all(const Mistake& first, const Mistake& second) {
+        for (const std::size_t k : sample_)
+            if (!explains(k, first, &second)) return false;
+        for (std::size_t k = 0; k < calls_.size(); ++k)
+            if (!explains(k, first, &second)) return false;
+        return true;
+    }
+
+    Relation relation(const Mistake& mistake, double share) const {
+        Relation found{std::string(as_changed) + asked_.words_of(mistake), mistake.usually};
+        found.cost = mistake.cost, found.by_steps = share == 1, found.share = share;
+        if (share < 1) {
+            found.explains = Relation::Explains::some;
+            found.words = "in most wrong calls " + found.words + std::string(other_mistakes);
+        }
+        return found;
+    }
+
+    const Calls& calls_;
+    Asked& asked_;
+    std::vector<std::size_t> wrong_, sample_;
+};
+
+/// The calls with the form's answers as the right ones; where it is the solution, those in which it is.
+std::optional<Calls> as_form_has(const Calls& calls, Asked& asked, bool sampled) {
+    constexpr double least = 0.9;  // of the calls, in which the form must be the solution, or must answer
+    const auto answers = [&](std::size_t k) { return asked.answer(calls.rows[k], calls.layouts[k]); };
+    Calls same = those_of(calls, [&](std::size_t k) {
+        const Row answer = answers(k);
+        return answer.size() == calls.right[k].size() && is_equal(calls.result, answer, calls.right[k]);
+    });
+    if (double(same.size()) >= least * double(calls.size())) return same;
+    if (!sampled) return std::nullopt;
+    Calls other = calls;
+    for (std::size_t k = 0; k < other.size(); ++k)
+        if (other.right[k] = answers(k); other.right[k].size() != calls.right[k].size()) return std::nullopt;
+    return other;
+}
+
+/// The calls with other random numbers.
+Calls with_numbers(const Calls& calls, const Change& base, Asked& asked) {
+    Calls all = calls;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        base.make(all.rows[k], all.layouts[k]);
+        all.right[k] = asked.answer(all.rows[k], all.layouts[k]);
+    }
+    return all;
+}
+
+/// visit(calls, form) with each form that the calls can be compared with.
+template <class Visit>
+void each_form(const Calls& calls, bool sampled, Visit visit) {
+    for (const textbook::Form& form : textbook::forms()) {
+        if (form.fragment != calls.signature.fragment || calls.size() == 0) continue;
+        Asked asked(form);
+        if (const auto all = as_form_has(calls, asked, sampled)) visit(*all, asked);
+    }
+}
+
+}  // namespace
+
+std::optional<Relation> relation_of_textbook(const Calls& calls, bool sampled, bool& right_otherwise) {
+    std::optional<Relation> best, some;
+    each_form(calls, sampled, [&](const Calls& own, Asked& asked) {
+        for (const Change& base : same_sampling(own.layouts.front())) {
+            if (base.cost > 0 && (!sampled || best)) break;
+            const Calls all = base.cost > 0 ? with_numbers(own, base, asked) : own;
+            Textbook textbook(all, asked);
+            right_otherwise = right_otherwise || (sampled && textbook.wrong() == 0);
+            if (textbook.wrong() < enough || right_otherwise) continue;
+            auto found = textbook.one();
+            if (!found) continue;
+            found->cost += base.cost, found->other_numbers = base.cost > 0;
+            if (found->explains != Relation::Explains::all) {
+                if (base.cost == 0 && (!some || some->share < found->share)) some = std::move(found);
+            } else if (!best || best->cost > found->cost) {
+                best = std::move(found);
+            }
+        }
+    });
+    return best ? best : some;
+}
+
+std::optional<Relation> two_of_textbook(const Calls& calls) {
+    std::optional<Relation> best;
+    each_form(calls, false, [&](const Calls& own, Asked& asked) {
+        if (best) return;
+        Textbook textbook(own, asked);
+        if (textbook.wrong() >= enough) best = textbook.two();
+    });
+    return best;
+}
+
+namespace {
+
+/// The number variables of a form that every call computes, as arguments behind the call's.
+class Variables {
+public:
+    Variables(const textbook::Form& form, Asked& asked, const Calls& calls) : asked_(asked) {
+        for (std::size_t i = 0; i < form.nodes.size(); ++i)
+            if (std::string_view(form.nodes[i].name) != form.nodes[i].text)
+                nodes_.push_back(i), names_.push_back({"Real", form.nodes[i].name}),
+                    formulas_.push_back(form.nodes[i].text);
+        for (std::size_t k = 0; k < calls.size(); ++k) {
+            take(calls.rows[k], calls.layouts[k]);
+            for (std::size_t i = nodes_.size(); i-- > 0;)
+                if (textbook::watch.values[nodes_[i]].kind != textbook::Value::Kind::number)
+                    nodes_.erase(nodes_.begin() + std::ptrdiff_t(i)), names_.erase(names_.begin() + std::ptrdiff_t(i)),
+                        formulas_.erase(formulas_.begin() + std::ptrdiff_t(i));
+        }
+    }
+
+    const std::vector<Signature::Argument>& names() const { return names_; }
+
+    Row take(Row row, const Layout& layout) const {
+        asked_.answer(row, layout);
+        for (const std::size_t i : nodes_) row.push_back(textbook::watch.values[i].x[0]);
+        return row;
+    }
+
+    /// ", with `c = dot(f, f)`" of the variables that words speak of.
+    std::string formulas_in(const std::string& words) const {
+        std::string all;
+        for (std::size_t i = 0; i < names_.size(); ++i)
+            if (words.find("`" + names_[i].name + " ") != words.npos ||
+                words.find("`" + names_[i].name + "`") != words.npos)
+                all += fmt::format(", {} `{} = {}`", all.empty() ? "with" : "and", names_[i].name, formulas_[i]);
+        return all;
+    }
+
+private:
+    Asked& asked_;
+    std::vector<std::size_t> nodes_;
+    std::vector<Signature::Argument> names_;
+    std::vector<std::string> formulas_;
+};
+
+}  // namespace
+
+WrongCalls where_wrong_in_textbook(const Calls& calls, WrongCalls otherwise) {
+    for (const textbook::Form& form : textbook::forms()) {
+        if (form.fragment != calls.signature.fragment) continue;
+        const auto asked = std::make_shared<Asked>(form);
+        const auto variables = std::make_shared<Variables>(form, *asked, calls);
+        if (variables->names().empty()) continue;
+        Calls all = calls;
+        all.signature.arguments.insert(all.signature.arguments.end(), variables->names().begin(),
+                                       variables->names().end());
+        for (std::size_t k = 0; k < calls.size(); ++k) {
+            all.rows[k] = variables->take(calls.rows[k], calls.layouts[k]);
+            all.layouts[k] = all.signature.of_arguments(all.rows[k]);
+        }
+        WrongCalls region = where_wrong(all, false);
+        const std::string formulas = variables->formulas_in(region.words);
+        if (!region.is_exact || formulas.empty()) continue;
+        region.words += formulas;
+        region.holds = [holds = region.holds, asked, variables, signature = all.signature](
+                           const Row& row, const Layout& layout, const Row& right) {
+            const Row with_variables = variables->take(row, layout);
+            return holds(with_variables, signature.of_arguments(with_variables), right);
+        };
+        return region;
+    }
+    return otherwise;
+}
+
+}  // namespace grade

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "diagnosis/relation.h"
+#include "diagnosis/where.h"
+
+namespace grade {
+
+/// A mistake in one expression of a textbook's form of the fragment, by which it answers as the calls do: in all of
+/// them, or in many of the wrong ones. None: none was found, or no form is the solution in these calls.
+///
+/// sampled          other random numbers give as good an answer
+/// right_otherwise  a form that samples in another way than the solution gives these answers
+std::optional<Relation> relation_of_textbook(const Calls& calls, bool sampled, bool& right_otherwise);
+
+/// Two mistakes, of which one may be a change of an argument.
+std::optional<Relation> two_of_textbook(const Calls& calls);
+
+/// What sets wrong calls apart in the variables of a form; `otherwise`, where these do not.
+WrongCalls where_wrong_in_textbook(const Calls& calls, WrongCalls otherwise);
+
+}  // namespace grade

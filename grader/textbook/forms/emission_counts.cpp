@@ -1,0 +1,7 @@
+namespace rt {
+
+bool emission_counts(Event previous, bool sampled) {
+    return previous != Event::diffuse || !sampled;
+}
+
+}  // namespace rt

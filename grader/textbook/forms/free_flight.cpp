@@ -1,0 +1,7 @@
+namespace rt {
+
+Real free_flight(Real extinction, Real u) {
+    return -std::log(1 - u) / extinction;
+}
+
+}  // namespace rt

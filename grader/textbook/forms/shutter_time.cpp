@@ -1,0 +1,7 @@
+namespace rt {
+
+Real shutter_time(const Shutter& shutter, Real u) {
+    return shutter.open + u * (shutter.close - shutter.open);
+}
+
+}  // namespace rt
