@@ -16,7 +16,7 @@ using grade::textbook::Wrapped;
 /// As a literal.
 std::string quoted(const std::string& text) { return "\"" + text + "\""; }
 
-std::string as_code(const grade::textbook::Node& node) {
+std::string as_code(const grade::textbook::WrappedNode& node) {
     std::string alternatives;
     for (const std::string& one : node.alternatives) alternatives += quoted(one) + ", ";
     std::string parts;
@@ -50,13 +50,14 @@ std::string code_of(const std::vector<Wrapped>& forms) {
     for (std::size_t i = 0; i < forms.size(); ++i) {
         std::string nodes;
         for (const auto& one : forms[i].nodes) nodes += as_code(one);
-        listed += fmt::format("{{{}, {}, {{\n{}}}, caller(rt::form_{}::{})}},\n", quoted(forms[i].fragment), node,
-                              nodes, i, forms[i].fragment);
+        listed += fmt::format("{{{}, {}, {}, {{\n{}}}, caller(rt::form_{}::{})}},\n", quoted(forms[i].fragment),
+                              quoted(forms[i].says), node, nodes, i, forms[i].fragment);
         node += int(forms[i].nodes.size());
     }
     return fmt::format(
-        "#include \"protocol/caller.h\"\n#include \"rt/fragments.h\"\n#include \"textbook/form.h\"\n\nnamespace rt {{\n"
-        "using namespace grade::textbook;\nnamespace any {{\n{}}}\n{}}}\n\nnamespace grade::textbook {{\n\nconst "
+        "#pragma GCC diagnostic ignored \"-Wunused-parameter\"\n#include \"protocol/caller.h\"\n#include "
+        "\"rt/fragments.h\"\n#include \"textbook/form.h\"\n\nnamespace rt {{\n"
+        "namespace textbook = grade::textbook;\nnamespace any {{\n{}}}\n{}}}\n\nnamespace grade::textbook {{\n\nconst "
         "std::vector<Form>& forms() {{\n    static const std::vector<Form> all{{\n{}}};\n    return all;\n}}\n\n}}\n",
         declared, defined, listed);
 }

@@ -47,20 +47,15 @@ Check fine_stripes(Generator& random) {
                         {own_numbers({0, 0, size.x, size.y}, 1, "position in the pixel", "the middle")});
 }
 
-/// All samples of some pixels, whose extents are anywhere and of any size: the mean of the weights and, weighted, the
-/// first and the second moment of each axis about the middle.
-Check even_in_the_pixel(int n, const std::function<Rows(Generator&)>& inputs) {
-    const auto moment = [](int axis, int power) {
-        return [=](const Row& in, const Row& out) {
-            return result<rt::film_sample>(out).weight * std::pow(place_in_pixel(in, out)[axis] - 0.5, power);
-        };
+/// Of a sample, with its weight, the power of its distance from the middle of the pixel along an axis.
+auto moment(int axis, int power) {
+    return [=](const Row& in, const Row& out) {
+        return result<rt::film_sample>(out).weight * std::pow(place_in_pixel(in, out)[axis] - 0.5, power);
     };
-    std::vector<Statistic> statistics = {
-        mean_of({.id = "A1",
-                 .what = "mean weight",
-                 .number = moment(0, 0),
-                 .hint = by_ratio("the mean weight", {{1.0 / n, "the framework divides by the number of samples"},
-                                                      {double(n), "a sample counts as 1, not as n"}})})};
+}
+
+std::vector<Statistic> means_about_the_middle() {
+    std::vector<Statistic> statistics;
     for (const int axis : {0, 1})
         statistics.push_back(mean_of(
             {.id = "A1",
@@ -73,6 +68,19 @@ Check even_in_the_pixel(int n, const std::function<Rows(Generator&)>& inputs) {
                  return "samples are not spread evenly about the middle of the pixel: is a stratum computed by integer "
                         "division?";
              }}));
+    return statistics;
+}
+
+/// All samples of some pixels, whose extents are anywhere and of any size: the mean of the weights and, weighted, the
+/// first and the second moment of each axis about the middle.
+Check even_in_the_pixel(int n, const std::function<Rows(Generator&)>& inputs) {
+    std::vector<Statistic> statistics = {
+        mean_of({.id = "A1",
+                 .what = "mean weight",
+                 .number = moment(0, 0),
+                 .hint = by_ratio("the mean weight", {{1.0 / n, "the framework divides by the number of samples"},
+                                                      {double(n), "a sample counts as 1, not as n"}})})};
+    for (Statistic& mean : means_about_the_middle()) statistics.push_back(std::move(mean));
     for (const int axis : {0, 1})
         statistics.push_back(mean_of({.id = "A1",
                                       .what = fmt::format("variance of {} [pixel^2]", "xy"[axis]),
@@ -169,6 +177,16 @@ Checks check_film_sample(Generator& random) {
         }
         return rows;
     });
+    // cells of equal area do not form a square then
+    const auto any_number = with_repeats([](Generator& draws) {
+        Rows rows;
+        for (const int count : {2, 3, 5, 6, 7, 8, 12, 18})
+            for (int k = 0; k < 8; ++k) {
+                const Extent pixel = any_pixel(draws);
+                for (int i = 0; i < count; ++i) rows.push_back(row(pixel, i, count, square(draws)));
+            }
+        return rows;
+    });
     // one pixel, drawn again and again: only u changes
     const auto one_pixel = [n](Generator& draws) {
         const Extent pixel = any_pixel(draws);
@@ -207,7 +225,10 @@ Checks check_film_sample(Generator& random) {
                  .delta0 = 0.02,
                  .delta = 0.2,
                  .hint = always("x and y of a sample go together: each needs a coordinate of u of its own")});
+    std::vector<Statistic> of_any_number = means_about_the_middle();
+    of_any_number.insert(of_any_number.begin(), inside);
     return {probe_check("in_the_pixel", inputs, {inside}),
+            probe_check("any_number_of_samples", any_number, of_any_number),
             probe_check("single_sample", single, {together}),
             probe_check("stratified", one_pixel, {variance_of_sample(n), dispersion_of_mean(n)}),
             even_in_the_pixel(n, inputs),

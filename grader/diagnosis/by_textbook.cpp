@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <ranges>
 
 #include "diagnosis/calls_made.h"
 #include "diagnosis/mistakes.h"
@@ -17,41 +18,55 @@ constexpr std::size_t enough = 5;  // wrong calls
 /// Looks for mistakes in one form; the right answers are the form's.
 class Textbook {
 public:
-    Textbook(const Calls& calls, Asked& asked) : calls_(calls), asked_(asked) {
+    /// left: answers that it may ask for.
+    Textbook(const Calls& calls, Asked& asked, std::size_t& left) : calls_(calls), asked_(asked), left_(left) {
         for (std::size_t k = 0; k < calls.size(); ++k)
             if (!is_equal(calls.result, calls.mine[k], calls.right[k])) wrong_.push_back(k);
         const std::size_t count = std::min<std::size_t>(6, wrong_.size());
-        for (std::size_t i = 0; i < count; ++i) sample_.push_back(wrong_[i * wrong_.size() / count]);
+        for (std::size_t i = 0; i < count; ++i) {
+            sample_.push_back(wrong_[i * wrong_.size() / count]);
+            asked_.answer(calls.rows[sample_[i]], calls.layouts[sample_[i]]);
+            computed_.emplace_back();
+            for (const textbook::Value& value : textbook::watch.values)
+                computed_.back().push_back(value.kind != textbook::Value::Kind::none);
+        }
     }
 
     std::size_t wrong() const { return wrong_.size(); }
+
+    /// Whether a part of the answers is right in most wrong calls.
+    bool has_right_part() const {
+        return std::ranges::any_of(calls_.result.parts, [&](const Field& part) {
+            const auto right = std::ranges::count_if(
+                sample_, [&](std::size_t k) { return is_equal(part, calls_.mine[k], calls_.right[k]); });
+            return 2 * std::size_t(right) > sample_.size();
+        });
+    }
 
     /// The simplest mistake that explains all, or the one that explains most of what is wrong.
     std::optional<Relation> one() {
         std::optional<Relation> most;
         for (const Mistake& mistake : asked_.mistakes_in(calls_)) {
-            const auto equal = std::ranges::count_if(sample_, [&](std::size_t k) { return explains(k, mistake); });
-            if (equal < 2) continue;
+            if (!may_explain(mistake)) continue;
             const double share = share_of(mistake);
             if (share == 1) return relation(mistake, 1);
-            if (share >= least_share && (!most || most->share < share)) most = relation(mistake, share);
+            if (share >= least_share && mistake.cost <= dearest_of_some && (!most || most->share < share))
+                most = relation(mistake, share);
         }
         return most;
     }
 
     std::optional<Relation> two() {
         constexpr double dearest = 1.3;
-        constexpr std::size_t most_pairs = 600'000;
         const std::vector<Change> changes = changes_of(calls_.layouts.front(), calls_.told);
         std::vector<Mistake> all = asked_.mistakes_in(calls_);
         for (const Change& change : changes) all.push_back({"", "", change.cost, {}, nullptr, &change});
         std::erase_if(all, [&](const Mistake& m) { return m.cost > dearest || !changes_an_answer(m); });
         std::ranges::stable_sort(all, {}, &Mistake::cost);
-        std::size_t pairs = 0;
         for (std::size_t b = 1; b < all.size(); ++b)
             for (std::size_t a = 0; a < b; ++a) {
                 if (is_same_place(all[a], all[b])) continue;
-                if (++pairs > most_pairs) return std::nullopt;
+                if (left_ == 0) return std::nullopt;
                 if (!explain_all(all[a], all[b])) continue;
                 Relation both{std::string(as_changed) + asked_.words_of(all[a]) + ", and " + asked_.words_of(all[b])};
                 both.cost = all[a].cost + all[b].cost, both.by_steps = true;
@@ -61,11 +76,30 @@ public:
     }
 
 private:
-    static constexpr double least_share = 0.4;
+    static constexpr double least_share = 0.5, dearest_of_some = 1.3;
 
     bool explains(std::size_t k, const Mistake& first, const Mistake* second = nullptr) {
+        left_ -= left_ > 0;
         const Row answer = asked_.answer(calls_.rows[k], calls_.layouts[k], &first, second);
         return answer.size() == calls_.mine[k].size() && is_equal(calls_.result, answer, calls_.mine[k]);
+    }
+
+    /// Whether it explains the first or the second call that it can change.
+    bool may_explain(const Mistake& mistake) {
+        int tried = 0;
+        for (std::size_t i = 0; i < sample_.size() && tried < 2; ++i) {
+            if (!is_computed(i, mistake)) continue;
+            ++tried;
+            if (left_ == 0) return false;
+            if (explains(sample_[i], mistake)) return true;
+        }
+        return false;
+    }
+
+    /// Whether the form computes one of its expressions in a call of the sample.
+    bool is_computed(std::size_t i, const Mistake& mistake) const {
+        return std::ranges::any_of(mistake.made.nodes,
+                                   [&](int node) { return computed_[i][std::size_t(node - asked_.first())]; });
     }
 
     bool changes_an_answer(const Mistake& mistake) {
@@ -90,7 +124,7 @@ private:
             equal += is_explained && is_wrong;
             something += is_explained && is_wrong && is_something(calls_.mine[k]);
         }
-        if (equal < wrong_.size() && something < enough) return 0;  // nothing is right for many reasons
+        if (equal < wrong_.size() && 2 * something < equal + enough) return 0;  // nothing is right for many reasons
         return double(equal) / double(wrong_.size());
     }
 
@@ -114,7 +148,9 @@ private:
 
     const Calls& calls_;
     Asked& asked_;
+    std::size_t& left_;
     std::vector<std::size_t> wrong_, sample_;
+    std::vector<std::vector<bool>> computed_;  // by call of the sample, by node
 };
 
 /// The calls with the form's answers as the right ones; where it is the solution, those in which it is.
@@ -147,23 +183,52 @@ Calls with_numbers(const Calls& calls, const Change& base, Asked& asked) {
 template <class Visit>
 void each_form(const Calls& calls, bool sampled, Visit visit) {
     for (const textbook::Form& form : textbook::forms()) {
-        if (form.fragment != calls.signature.fragment || calls.size() == 0) continue;
+        if (form.fragment != calls.signature.fragment || !form.says.empty() || calls.size() == 0) continue;
         Asked asked(form);
         if (const auto all = as_form_has(calls, asked, sampled)) visit(*all, asked);
     }
 }
 
+/// A form that is wrong as a whole, and answers as the calls do.
+std::optional<Relation> known_mistake(const Calls& calls, bool sampled) {
+    for (const textbook::Form& form : textbook::forms()) {
+        if (form.fragment != calls.signature.fragment || form.says.empty()) continue;
+        Asked asked(form);
+        for (const Change& base : same_sampling(calls.layouts.front())) {
+            if (base.cost > 0 && !sampled) break;
+            std::size_t wrong = 0;
+            const auto is_explained = [&](std::size_t k) {
+                Row row = calls.rows[k];
+                base.make(row, calls.layouts[k]);
+                const Row answer = asked.answer(row, calls.layouts[k]);
+                wrong += !is_equal(calls.result, calls.mine[k], calls.right[k]);
+                return answer.size() == calls.mine[k].size() && is_equal(calls.result, answer, calls.mine[k]);
+            };
+            if (!std::ranges::all_of(std::views::iota(std::size_t(0), calls.size()), is_explained)) continue;
+            if (wrong < enough) continue;
+            Relation found{std::string(as_changed) + form.says};
+            found.cost = 1 + base.cost, found.by_steps = true;
+            return found;
+        }
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
-std::optional<Relation> relation_of_textbook(const Calls& calls, bool sampled, bool& right_otherwise) {
+std::optional<Relation> relation_of_textbook(const Calls& calls, bool sampled, bool& right_otherwise,
+                                             std::size_t& left) {
+    if (calls.size() == 0) return std::nullopt;
+    if (auto known = known_mistake(calls, sampled)) return known;
     std::optional<Relation> best, some;
     each_form(calls, sampled, [&](const Calls& own, Asked& asked) {
         for (const Change& base : same_sampling(own.layouts.front())) {
             if (base.cost > 0 && (!sampled || best)) break;
             const Calls all = base.cost > 0 ? with_numbers(own, base, asked) : own;
-            Textbook textbook(all, asked);
+            Textbook textbook(all, asked, left);
             right_otherwise = right_otherwise || (sampled && textbook.wrong() == 0);
             if (textbook.wrong() < enough || right_otherwise) continue;
+            if (base.cost > 0 && !textbook.has_right_part()) continue;
             auto found = textbook.one();
             if (!found) continue;
             found->cost += base.cost, found->other_numbers = base.cost > 0;
@@ -177,11 +242,11 @@ std::optional<Relation> relation_of_textbook(const Calls& calls, bool sampled, b
     return best ? best : some;
 }
 
-std::optional<Relation> two_of_textbook(const Calls& calls) {
+std::optional<Relation> two_of_textbook(const Calls& calls, std::size_t& left) {
     std::optional<Relation> best;
     each_form(calls, false, [&](const Calls& own, Asked& asked) {
         if (best) return;
-        Textbook textbook(own, asked);
+        Textbook textbook(own, asked, left);
         if (textbook.wrong() >= enough) best = textbook.two();
     });
     return best;
@@ -235,7 +300,7 @@ private:
 
 WrongCalls where_wrong_in_textbook(const Calls& calls, WrongCalls otherwise) {
     for (const textbook::Form& form : textbook::forms()) {
-        if (form.fragment != calls.signature.fragment) continue;
+        if (form.fragment != calls.signature.fragment || !form.says.empty()) continue;
         const auto asked = std::make_shared<Asked>(form);
         const auto variables = std::make_shared<Variables>(form, *asked, calls);
         if (variables->names().empty()) continue;

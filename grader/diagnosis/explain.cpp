@@ -109,7 +109,8 @@ std::string of_own_numbers(const Calls& all, const Ask& mine, const Ask& right) 
     for (std::size_t k = 0; k < own->size(); ++k) wrong += differs(k);
     bool right_otherwise = false;
     auto found = wrong > 0 ? relation_of(*own, right, false, right_otherwise) : std::nullopt;
-    if (wrong > 0) found = simpler(found, relation_of_textbook(*own, false, right_otherwise));
+    std::size_t left = most_of_textbook;
+    if (wrong > 0) found = simpler(found, relation_of_textbook(*own, false, right_otherwise, left));
     if (is_exact(found)) return found->words + found->usually;
     if (wrong > 0) return {};
     const auto place = std::ranges::find_if(own->result.parts, is_place),
@@ -131,8 +132,9 @@ std::string of_numbers(const Calls& calls, const Ask& right, bool sampled) {
     const Calls some = those_of(calls, [&](std::size_t k) { return !is_nan(calls.mine[k], calls.right[k]); });
     bool right_otherwise = false;
     auto found = some.size() > 0 ? relation_of(some, right, sampled, right_otherwise) : std::nullopt;
-    if (some.size() > 0) found = simpler(found, relation_of_textbook(some, sampled, right_otherwise));
-    if (some.size() > 0 && !is_exact(found)) found = two_of_textbook(some);
+    std::size_t left = most_of_textbook;
+    if (some.size() > 0) found = simpler(found, relation_of_textbook(some, sampled, right_otherwise, left));
+    if (some.size() > 0 && !is_exact(found)) found = two_of_textbook(some, left);
     const std::string words = "some answers are nan where the right one is a number";
     if (!is_exact(found)) return words;
     return fmt::format("{}; where it is a number, {}", words, found->words + found->usually);

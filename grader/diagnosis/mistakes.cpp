@@ -162,14 +162,18 @@ private:
         }
     }
 
+    /// What is made of both, where the other one has a name of its own; else that it is taken in place of this one.
     template <class Functions, class Make>
     void add_functions_of_two(std::size_t i, const OtherValue& other, const Functions& functions, Make make) {
+        const bool has_name = other.node < 0 || other.name != form_.nodes[std::size_t(other.node)].text;
         for (const auto& f : functions)
-            add(i, {f.words,
-                    "",
-                    cost_of(f.words, f.cost, i, other),
-                    {{}, 0, [make, &f, &other, &asked = asked_](double* x) { make(f, x, asked.numbers_of(other)); }},
-                    &other});
+            if (has_name || std::string_view(f.words) == "{1}")
+                add(i,
+                    {f.words,
+                     "",
+                     cost_of(f.words, f.cost, i, other),
+                     {{}, 0, [make, &f, &other, &asked = asked_](double* x) { make(f, x, asked.numbers_of(other)); }},
+                     &other});
     }
 
     void add_number(std::size_t i) {

@@ -33,6 +33,8 @@ public:
     Asked(const Asked&) = delete;
     Asked& operator=(const Asked&) = delete;
 
+    int first() const { return form_.first; }
+
     /// The answer with so many mistakes in it; none where it breaks off.
     Row answer(const Row& row, const Layout& layout, const Mistake* first = nullptr, const Mistake* second = nullptr);
 

@@ -51,14 +51,18 @@ std::optional<Relation> simpler(const std::optional<Relation>& of_arguments, con
 namespace {
 
 /// The relation that is found in some of the calls, and found again in others: what holds by chance is not.
-std::optional<Relation> sure_relation(const Calls& calls, const Ask& ask_right, bool sampled, bool& right_otherwise) {
+/// left_of_forms: see relation_of_textbook.
+std::optional<Relation> sure_relation(const Calls& calls, const Ask& ask_right, bool sampled, bool& right_otherwise,
+                                      std::size_t& left_of_forms) {
     std::size_t left = most_calls, left_again = most_calls;
     const Ask right = limited(ask_right, left), again_right = limited(ask_right, left_again);
     const auto found = [&](bool others, const Ask& ask, std::size_t most = most_compared) {
         const Calls some = picked(calls, most, others);
         auto relation = relation_of(some, ask, sampled, right_otherwise);
         if (right_otherwise) return std::optional<Relation>();
-        relation = simpler(relation, relation_of_textbook(some, sampled, right_otherwise));
+        constexpr double simple = 1.1;
+        if (is_exact(relation) && relation->words.starts_with(as_changed) && relation->cost <= simple) return relation;
+        relation = simpler(relation, relation_of_textbook(some, sampled, right_otherwise, left_of_forms));
         return right_otherwise ? std::nullopt : relation;
     };
     auto relation = found(false, right);
@@ -77,11 +81,12 @@ std::string tests_of(const std::string& fragment) {
 }
 
 /// Where no hit is found by what the checks ask, by rays that start near the shape.
-std::optional<Relation> relation_near_shapes(const Calls& calls, const Ask& ask_mine, const Ask& ask_right) {
+std::optional<Relation> relation_near_shapes(const Calls& calls, const Ask& ask_mine, const Ask& ask_right,
+                                             std::size_t& left_of_forms) {
     bool right_otherwise = false;
     const Calls near = near_shapes(calls, ask_mine, ask_right);
     if (near.size() == calls.size()) return std::nullopt;
-    auto found = sure_relation(near, ask_right, false, right_otherwise);
+    auto found = sure_relation(near, ask_right, false, right_otherwise, left_of_forms);
     if (is_exact(found) && found->words.find(always) == std::string::npos) return found;
     if (std::ranges::any_of(near.mine, is_something)) return std::nullopt;
     return Relation{
@@ -91,7 +96,8 @@ std::optional<Relation> relation_near_shapes(const Calls& calls, const Ask& ask_
 }
 
 /// What is wrong in the calls that a relation does not explain, behind its words.
-void add_others(Relation& relation, const Calls& calls, const Ask& ask_right, bool sampled) {
+void add_others(Relation& relation, const Calls& calls, const Ask& ask_right, bool sampled,
+                std::size_t& left_of_forms) {
     bool right_otherwise = false;
     const bool are_nothing = relation.words.starts_with(where_not_nothing);
     const Calls rest = those_of(calls, [&](std::size_t k) {
@@ -104,7 +110,7 @@ void add_others(Relation& relation, const Calls& calls, const Ask& ask_right, bo
         return is_equal(calls.result, calls.mine[k], calls.right[k]) || std::ranges::any_of(relation.others, starts_so);
     });
     if (rest.size() == 0 || only_wrong(rest).size() == 0) return;
-    const auto found = sure_relation(rest, ask_right, sampled, right_otherwise);
+    const auto found = sure_relation(rest, ask_right, sampled, right_otherwise, left_of_forms);
     const std::string usual = is_exact(found) ? found->words + found->usually : usual_wrong_answer(rest);
     if (usual.empty()) return;
     if (are_nothing) relation.words += "; elsewhere, " + usual;
@@ -114,7 +120,8 @@ void add_others(Relation& relation, const Calls& calls, const Ask& ask_right, bo
 }
 
 /// Of several parts of an answer, each by itself; perhaps of some alone.
-std::optional<Relation> relation_of_parts(const Calls& calls, const Ask& ask_right, bool sampled) {
+std::optional<Relation> relation_of_parts(const Calls& calls, const Ask& ask_right, bool sampled,
+                                          std::size_t& left_of_forms) {
     constexpr std::size_t enough = 10;  // wrong calls
     std::optional<Relation> all;
     std::size_t wrong = 0, explained = 0;
@@ -130,7 +137,7 @@ std::optional<Relation> relation_of_parts(const Calls& calls, const Ask& ask_rig
         if (count == 0) continue;
         ++wrong;
         bool right_otherwise = false;
-        auto found = sure_relation(alone, ask_right, sampled, right_otherwise);
+        auto found = sure_relation(alone, ask_right, sampled, right_otherwise, left_of_forms);
         if (count < enough || !is_exact(found) || found->other_numbers) continue;
         ++explained;
         const bool is_change = found->words.starts_with(as_changed);
@@ -152,19 +159,20 @@ std::optional<Relation> relation_of_parts(const Calls& calls, const Ask& ask_rig
 
 std::optional<Relation> surest_relation(const Calls& calls, const Ask& mine, const Ask& right, bool sampled,
                                         bool& right_otherwise) {
-    auto best = sure_relation(calls, right, sampled, right_otherwise);
+    std::size_t left_of_forms = most_of_textbook;
+    auto best = sure_relation(calls, right, sampled, right_otherwise, left_of_forms);
     if (right_otherwise) return std::nullopt;
     const auto take = [&](std::optional<Relation> other) {
         if (is_exact(other)) best = std::move(other);
     };
     if (!is_exact(best) || best->words.find(always) != std::string::npos)
-        take(relation_near_shapes(calls, mine, right));
+        take(relation_near_shapes(calls, mine, right, left_of_forms));
     if (!is_exact(best) && calls.result.parts.size() > 1) {
-        auto parts = relation_of_parts(calls, right, sampled);
+        auto parts = relation_of_parts(calls, right, sampled, left_of_forms);
         if (parts && (is_exact(parts) || !best || best->share < parts->share)) best = std::move(parts);
     }
-    if (!is_exact(best)) take(two_of_textbook(picked(calls, most_compared)));
-    if (best) best->words += best->usually, add_others(*best, calls, right, sampled);
+    if (!is_exact(best)) take(two_of_textbook(picked(calls, most_compared), left_of_forms));
+    if (best) best->words += best->usually, add_others(*best, calls, right, sampled, left_of_forms);
     return best;
 }
 

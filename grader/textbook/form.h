@@ -19,12 +19,14 @@ struct Node {
 /// A fragment as a textbook writes it, each of whose expressions can be changed.
 struct Form {
     std::string fragment;
-    int first = 0;  // the number of its first node
+    std::string says;  // what is wrong with it; empty: it is right
+    int first = 0;     // the number of its first node
     std::vector<Node> nodes;
     std::function<std::vector<double>(std::span<const double>)> answer;  // to a row of arguments
 };
 
-/// Of all fragments. Made by the build from forms/, and from solution/ where a fragment has none there.
+/// Of all fragments: right ones, made by the build from forms/, and from solution/ where a fragment has none there; then
+/// those that are wrong as a whole, from mistakes/.
 const std::vector<Form>& forms();
 
 }  // namespace grade::textbook

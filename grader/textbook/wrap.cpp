@@ -40,10 +40,13 @@ const std::map<std::string, Operator>& operators() {
         {"<=", {4, "std::less_equal<>, std::less<>, std::greater_equal<>", {"<", ">="}}},
         {">=", {4, "std::greater_equal<>, std::greater<>, std::less_equal<>", {">", "<="}}},
         {"+", {5, "std::plus<>, std::minus<>, std::multiplies<>", {"-", "*"}}},
-        {"-", {5, "std::minus<>, std::plus<>, std::multiplies<>, Reversed<std::minus<>>", {"+", "*"}}},
-        {"*", {6, "std::multiplies<>, Quotient, std::plus<>, std::minus<>", {"/", "+", "-"}}},
-        {"/", {6, "Quotient, std::multiplies<>, std::minus<>, Reversed<Quotient>", {"*", "-"}}},
-        {"%", {6, "Rest, Quotient", {"/"}}},
+        {"-", {5, "std::minus<>, std::plus<>, std::multiplies<>, textbook::Reversed<std::minus<>>", {"+", "*"}}},
+        {"*", {6, "std::multiplies<>, textbook::Quotient, std::plus<>, std::minus<>", {"/", "+", "-"}}},
+        {"/",
+         {6,
+          "textbook::Quotient, std::multiplies<>, std::minus<>, textbook::Reversed<textbook::Quotient>",
+          {"*", "-"}}},
+        {"%", {6, "textbook::Rest, textbook::Quotient", {"/"}}},
     };
     return all;
 }
@@ -71,6 +74,7 @@ const std::vector<std::string>& functions_for(const std::string& name) {
 
 /// "sqrt" of "std::sqrt"
 std::string short_name(const std::string& name) {
+    if (name == "safe_sqrt") return "sqrt";
     return name.starts_with("std::") || name.starts_with("glm::") ? name.substr(5) : name;
 }
 
@@ -166,7 +170,7 @@ private:
     }
     static void watch(Expression& of, int node) {
         of.node = node;
-        of.code = fmt::format("at({}, {})", node, of.inner);
+        of.code = fmt::format("textbook::at({}, {})", node, of.inner);
     }
 
     /// Puts the statement's text into the nodes that were added since.
@@ -227,18 +231,18 @@ private:
                                                sign.first, right.text));
         const int node = add(all.text, {left, right}, alternatives);
         if (*sign.second.name)
-            all.inner = fmt::format("binary<{}>({}, {}, {})", sign.second.name, node, left.code, right.code);
+            all.inner = fmt::format("textbook::binary<{}>({}, {}, {})", sign.second.name, node, left.code, right.code);
         else
-            all.inner = fmt::format("(chosen({0}) == 1 ? {1} {3} {2} : {1} {4} {2})", node, left.code, right.code,
-                                    sign.second.others.front(), sign.first);
+            all.inner = fmt::format("(textbook::chosen({0}) == 1 ? {1} {3} {2} : {1} {4} {2})", node, left.code,
+                                    right.code, sign.second.others.front(), sign.first);
         if (is_after)
-            all.inner = fmt::format("regrouped<{}, {}, true>({}, {}, {}, {}, {}, {})", function_of(group.sign),
-                                    function_of(sign.first), node, alternatives.size(), all.inner, left.code,
-                                    group.sides[0].code, group.sides[1].code);
+            all.inner = fmt::format("textbook::regrouped<{}, {}, true>({}, {}, {}, {}, {}, {})",
+                                    function_of(group.sign), function_of(sign.first), node, alternatives.size(),
+                                    all.inner, left.code, group.sides[0].code, group.sides[1].code);
         if (is_before)
-            all.inner = fmt::format("regrouped<{}, {}, false>({}, {}, {}, {}, {}, {})", function_of(group.sign),
-                                    function_of(sign.first), node, alternatives.size(), all.inner, group.sides[0].code,
-                                    group.sides[1].code, right.code);
+            all.inner = fmt::format("textbook::regrouped<{}, {}, false>({}, {}, {}, {}, {}, {})",
+                                    function_of(group.sign), function_of(sign.first), node, alternatives.size(),
+                                    all.inner, group.sides[0].code, group.sides[1].code, right.code);
         watch(all, node);
         if (sign.second.level == 5) all.sides = {left, right}, all.sign = sign.first;
         return all;
@@ -302,7 +306,8 @@ private:
             } else if (take("[")) {
                 const Expression index = expression();
                 expect("]");
-                all.text += "[" + index.text + "]", all.inner = "element(" + all.inner + ", " + index.code + ")";
+                all.text += "[" + index.text + "]",
+                    all.inner = "textbook::element(" + all.inner + ", " + index.code + ")";
             } else {
                 return all;
             }
@@ -334,7 +339,7 @@ private:
         nodes_.back().function = name;
         std::string choice = function.inner;
         for (std::size_t i = codes.size(); i-- > 0;)
-            choice = fmt::format("(chosen({}) == {} ? {} : {})", node, i + 1, codes[i], choice);
+            choice = fmt::format("(textbook::chosen({}) == {} ? {} : {})", node, i + 1, codes[i], choice);
         function.inner = choice;
     }
 
@@ -547,14 +552,17 @@ private:
     std::map<std::string, int> uses_;
     int first_;
     std::size_t at_ = 0;
-    std::vector<Node> nodes_;
+    std::vector<WrappedNode> nodes_;
     std::vector<Expression> called_with_;  // the last call
 };
 
 }  // namespace
 
 Wrapped wrap(const std::string& file, const std::string& text, const std::vector<std::string>& fragments, int first) {
-    return Wrapper(file, text, fragments, first).run();
+    Wrapped all = Wrapper(file, text, fragments, first).run();
+    if (constexpr std::string_view says = "// says: "; text.starts_with(says))
+        all.says = text.substr(says.size(), text.find('\n') - says.size());
+    return all;
 }
 
 }  // namespace grade::textbook

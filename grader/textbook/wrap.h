@@ -8,7 +8,7 @@
 namespace grade::textbook {
 
 /// An expression of a form.
-struct Node {
+struct WrappedNode {
     std::string text, name, context;        // as it is written; what it is called; the statement that it stands in
     std::string function;                   // that is called there, if it has alternatives
     std::vector<int> parts{};               // the nodes that it is made of
@@ -18,7 +18,8 @@ struct Node {
 /// A form as it is written, and as it is compiled.
 struct Wrapped {
     std::string fragment, head, code;  // head: "Real hit_sphere(const Sphere& sphere, const Ray& ray)"
-    std::vector<Node> nodes;
+    std::string says;                  // what is wrong with it, as its first line "// says: ..." has it
+    std::vector<WrappedNode> nodes;
 };
 
 /// The one function in a file. first: the number of its first node. Throws std::runtime_error with file:line:column for

@@ -5,7 +5,7 @@ DirectionSample cosine_hemisphere(vec2 u) {
     const Real phi = 2 * pi * u.y;
     const Real x = r * std::cos(phi);
     const Real y = r * std::sin(phi);
-    const Real z = std::sqrt(std::max(0.0, 1 - x * x - y * y));
+    const Real z = safe_sqrt(1 - x * x - y * y);
     return {{x, y, z}, z / pi};
 }
 

@@ -7,7 +7,8 @@ Color direct_light(const Material& material, Color radiance, const LightSample& 
     const Color irradiance = radiance / light.density;
     const vec3 r = 2 * cosine * n - light.direction;
     const Real along = std::max(dot(r, to_viewer), 0.0);
-    return irradiance * cosine * material.albedo / pi + irradiance * material.specular * std::pow(along, material.shininess);
+    return irradiance * cosine * material.albedo / pi +
+           irradiance * material.specular * std::pow(along, material.shininess);
 }
 
 }  // namespace rt

@@ -1,7 +1,5 @@
 namespace rt {
 
-bool emission_counts(Event previous, bool sampled) {
-    return previous != Event::diffuse || !sampled;
-}
+bool emission_counts(Event previous, bool sampled) { return previous != Event::diffuse || !sampled; }
 
 }  // namespace rt

@@ -1,7 +1,5 @@
 namespace rt {
 
-Real free_flight(Real extinction, Real u) {
-    return -std::log(1 - u) / extinction;
-}
+Real free_flight(Real extinction, Real u) { return -std::log(1 - u) / extinction; }
 
 }  // namespace rt

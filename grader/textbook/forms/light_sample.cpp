@@ -9,7 +9,7 @@ LightSample light_sample(const Emitter& light, vec3 p, vec2 u) {
         const vec3 direction = frame_about(unit(to_center)).to_world(cone.direction);
         const Real along = dot(to_center, direction);
         const Real beside2 = far * far - along * along;
-        const Real half = std::sqrt(std::max(0.0, light.sphere.radius * light.sphere.radius - beside2));
+        const Real half = safe_sqrt(light.sphere.radius * light.sphere.radius - beside2);
         const Real density = far > light.sphere.radius ? cone.density : 0.0;
         return {direction, along - half, density};
     }

@@ -1,7 +1,5 @@
 namespace rt {
 
-vec3 moved(vec3 point, vec3 velocity, Real time) {
-    return point + time * velocity;
-}
+vec3 moved(vec3 point, vec3 velocity, Real time) { return point + time * velocity; }
 
 }  // namespace rt

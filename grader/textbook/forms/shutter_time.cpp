@@ -1,7 +1,5 @@
 namespace rt {
 
-Real shutter_time(const Shutter& shutter, Real u) {
-    return shutter.open + u * (shutter.close - shutter.open);
-}
+Real shutter_time(const Shutter& shutter, Real u) { return shutter.open + u * (shutter.close - shutter.open); }
 
 }  // namespace rt

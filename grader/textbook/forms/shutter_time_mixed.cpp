@@ -1,7 +1,5 @@
 namespace rt {
 
-Real shutter_time(const Shutter& shutter, Real u) {
-    return (1 - u) * shutter.open + u * shutter.close;
-}
+Real shutter_time(const Shutter& shutter, Real u) { return (1 - u) * shutter.open + u * shutter.close; }
 
 }  // namespace rt

@@ -1,9 +1,9 @@
 namespace rt {
 
 DirectionSample sphere_cone(Real sine, vec2 u) {
-    const Real cos_max = std::sqrt(std::max(0.0, 1 - sine * sine));
+    const Real cos_max = safe_sqrt(1 - sine * sine);
     const Real c = 1 - u.x * (1 - cos_max);
-    const Real s = std::sqrt(std::max(0.0, 1 - c * c));
+    const Real s = safe_sqrt(1 - c * c);
     const Real phi = 2 * pi * u.y;
     return {{s * std::cos(phi), s * std::sin(phi), c}, 1 / (2 * pi * (1 - cos_max))};
 }

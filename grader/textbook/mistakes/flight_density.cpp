@@ -1,0 +1,6 @@
+// says: extinction * exp(-extinction * u), the density of the distance
+namespace rt {
+
+Real free_flight(Real extinction, Real u) { return extinction * std::exp(-extinction * u); }
+
+}  // namespace rt

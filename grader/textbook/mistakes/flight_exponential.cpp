@@ -1,0 +1,6 @@
+// says: exp(-u * extinction)
+namespace rt {
+
+Real free_flight(Real extinction, Real u) { return std::exp(-u * extinction); }
+
+}  // namespace rt

@@ -1,0 +1,14 @@
+// says: the mean of the radiance times the mean of the weights
+namespace rt {
+
+Color pixel_mean(std::span<const Color> radiance, std::span<const Real> weight) {
+    Color sum = Color(0);
+    Real weights = 0;
+    for (std::size_t i = 0; i < radiance.size(); ++i) {
+        sum += radiance[i];
+        weights += weight[i];
+    }
+    return sum * weights / (Real(radiance.size()) * Real(radiance.size()));
+}
+
+}  // namespace rt

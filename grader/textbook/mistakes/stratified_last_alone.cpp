@@ -1,0 +1,14 @@
+// says: the last u of each stratum alone
+namespace rt {
+
+Real integrate_stratified(const Function& f, std::span<const Stratum> strata) {
+    Real total = 0;
+    for (const Stratum& stratum : strata) {
+        if (stratum.u.empty()) continue;
+        const Real width = stratum.high - stratum.low;
+        total += width * f(stratum.low + stratum.u[stratum.u.size() - 1] * width);
+    }
+    return total;
+}
+
+}  // namespace rt
