@@ -215,7 +215,7 @@ std::string hint_table(const Summary& s) {
               total(s.wrong, [](const auto& v) { return v.variant->says.empty() ? 0 : v.found; })));
     row("hints that say neither where nor how", "0", share(bare, found));
     row("explained exactly by a change of arguments", "reported", share(by_arguments, found));
-    row("by a change of steps of the formula", "reported", share(by_steps, found));
+    row("by a change of an expression of a textbook's form", "reported", share(by_steps, found));
     row("by a suspect written by hand", "reported", share(by_suspect, found));
     row("by any of these", "at least 95 %", share(together, found));
     row("CPU seconds that the diagnosis of a fragment takes: mean; most", "at most 1",

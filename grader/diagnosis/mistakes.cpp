@@ -73,7 +73,9 @@ public:
 
 private:
     static bool is_number(Value::Kind kind) { return kind == Value::Kind::number || kind == Value::Kind::whole; }
-    static bool is_literal(std::string_view text) { return text.find_first_not_of("0123456789.e-") == text.npos; }
+    static bool is_literal(std::string_view text) {
+        return std::isdigit(static_cast<unsigned char>(text.front())) && text.find(' ') == text.npos;
+    }
 
     /// What kinds of values the nodes have, and which can be taken in place of others.
     void see() {

@@ -171,7 +171,8 @@ std::optional<Relation> surest_relation(const Calls& calls, const Ask& mine, con
         auto parts = relation_of_parts(calls, right, sampled, left_of_forms);
         if (parts && (is_exact(parts) || !best || best->share < parts->share)) best = std::move(parts);
     }
-    if (!is_exact(best)) take(two_of_textbook(picked(calls, most_compared), left_of_forms));
+    std::size_t left_of_pairs = most_of_textbook;
+    if (!is_exact(best)) take(two_of_textbook(picked(calls, most_compared), left_of_pairs));
     if (best) best->words += best->usually, add_others(*best, calls, right, sampled, left_of_forms);
     return best;
 }

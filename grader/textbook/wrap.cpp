@@ -493,6 +493,7 @@ private:
         const bool is_constant = take("const");
         std::string all = (is_constant ? "const " : "") + now().text;
         ++at_;
+        if (is("&") && !is_constant) fail("a reference that may be written through; expected a value");
         if (take("&")) all += "&";
         do {
             const std::size_t since = nodes_.size();
