@@ -20,6 +20,8 @@ def layer_of(folder):
 root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else "grader")
 wrong, seen = [], 0
 for path in sorted([*root.rglob("*.cpp"), *root.rglob("*.h")]):
+    if path.parent.parent.name == "textbook":
+        continue  # what wrap_forms reads
     folder = layer_of(path.parent.relative_to(root))
     known = layers + list(beside)
     if folder not in known:

@@ -40,7 +40,7 @@ TEST_CASE("lamps of a kind that are sampled in another way are not called wrong 
         return all;
     };
     const Finding finding = found("light_sample", rows, mine);
-    CHECK_THAT(finding.how, ContainsSubstring("`density` is 4 times"));
+    CHECK_THAT(finding.how, ContainsSubstring("`length(n)` in place of `4 * length(n)`"));
     CHECK(finding.how.find("other calls") == finding.how.npos);
     CHECK_THAT(finding.where, ContainsSubstring("`light.kind` is quad"));
     CHECK(finding.where.find("sphere") == finding.where.npos);

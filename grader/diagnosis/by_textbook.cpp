@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 #include <ranges>
 
 #include "diagnosis/calls_made.h"
 #include "diagnosis/mistakes.h"
+#include "diagnosis/surest.h"
 
 namespace grade {
 
@@ -239,6 +239,17 @@ std::optional<Relation> relation_of_textbook(const Calls& calls, bool sampled, b
             }
         }
     });
+    if (!best && !right_otherwise)
+        best = by_kinds(calls, [&](const Calls& of_one_kind) {
+            std::optional<Relation> found;
+            each_form(of_one_kind, false, [&](const Calls& own, Asked& asked) {
+                Textbook textbook(own, asked, left);
+                if (textbook.wrong() < enough) return;
+                auto one = textbook.one();
+                if (is_exact(one) && (!found || found->cost > one->cost)) found = std::move(one);
+            });
+            return found;
+        });
     return best ? best : some;
 }
 
@@ -250,79 +261,6 @@ std::optional<Relation> two_of_textbook(const Calls& calls, std::size_t& left) {
         if (textbook.wrong() >= enough) best = textbook.two();
     });
     return best;
-}
-
-namespace {
-
-/// The number variables of a form that every call computes, as arguments behind the call's.
-class Variables {
-public:
-    Variables(const textbook::Form& form, Asked& asked, const Calls& calls) : asked_(asked) {
-        for (std::size_t i = 0; i < form.nodes.size(); ++i)
-            if (std::string_view(form.nodes[i].name) != form.nodes[i].text)
-                nodes_.push_back(i), names_.push_back({"Real", form.nodes[i].name}),
-                    formulas_.push_back(form.nodes[i].text);
-        for (std::size_t k = 0; k < calls.size(); ++k) {
-            take(calls.rows[k], calls.layouts[k]);
-            for (std::size_t i = nodes_.size(); i-- > 0;)
-                if (textbook::watch.values[nodes_[i]].kind != textbook::Value::Kind::number)
-                    nodes_.erase(nodes_.begin() + std::ptrdiff_t(i)), names_.erase(names_.begin() + std::ptrdiff_t(i)),
-                        formulas_.erase(formulas_.begin() + std::ptrdiff_t(i));
-        }
-    }
-
-    const std::vector<Signature::Argument>& names() const { return names_; }
-
-    Row take(Row row, const Layout& layout) const {
-        asked_.answer(row, layout);
-        for (const std::size_t i : nodes_) row.push_back(textbook::watch.values[i].x[0]);
-        return row;
-    }
-
-    /// ", with `c = dot(f, f)`" of the variables that words speak of.
-    std::string formulas_in(const std::string& words) const {
-        std::string all;
-        for (std::size_t i = 0; i < names_.size(); ++i)
-            if (words.find("`" + names_[i].name + " ") != words.npos ||
-                words.find("`" + names_[i].name + "`") != words.npos)
-                all += fmt::format(", {} `{} = {}`", all.empty() ? "with" : "and", names_[i].name, formulas_[i]);
-        return all;
-    }
-
-private:
-    Asked& asked_;
-    std::vector<std::size_t> nodes_;
-    std::vector<Signature::Argument> names_;
-    std::vector<std::string> formulas_;
-};
-
-}  // namespace
-
-WrongCalls where_wrong_in_textbook(const Calls& calls, WrongCalls otherwise) {
-    for (const textbook::Form& form : textbook::forms()) {
-        if (form.fragment != calls.signature.fragment || !form.says.empty()) continue;
-        const auto asked = std::make_shared<Asked>(form);
-        const auto variables = std::make_shared<Variables>(form, *asked, calls);
-        if (variables->names().empty()) continue;
-        Calls all = calls;
-        all.signature.arguments.insert(all.signature.arguments.end(), variables->names().begin(),
-                                       variables->names().end());
-        for (std::size_t k = 0; k < calls.size(); ++k) {
-            all.rows[k] = variables->take(calls.rows[k], calls.layouts[k]);
-            all.layouts[k] = all.signature.of_arguments(all.rows[k]);
-        }
-        WrongCalls region = where_wrong(all, false);
-        const std::string formulas = variables->formulas_in(region.words);
-        if (!region.is_exact || formulas.empty()) continue;
-        region.words += formulas;
-        region.holds = [holds = region.holds, asked, variables, signature = all.signature](
-                           const Row& row, const Layout& layout, const Row& right) {
-            const Row with_variables = variables->take(row, layout);
-            return holds(with_variables, signature.of_arguments(with_variables), right);
-        };
-        return region;
-    }
-    return otherwise;
 }
 
 }  // namespace grade

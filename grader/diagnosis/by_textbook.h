@@ -1,7 +1,6 @@
 #pragma once
 
 #include "diagnosis/relation.h"
-#include "diagnosis/where.h"
 
 namespace grade {
 
@@ -18,8 +17,5 @@ std::optional<Relation> relation_of_textbook(const Calls& calls, bool sampled, b
 
 /// Two mistakes, of which one may be a change of an argument.
 std::optional<Relation> two_of_textbook(const Calls& calls, std::size_t& left);
-
-/// What sets wrong calls apart in the variables of a form; `otherwise`, where these do not.
-WrongCalls where_wrong_in_textbook(const Calls& calls, WrongCalls otherwise);
 
 }  // namespace grade

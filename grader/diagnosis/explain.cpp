@@ -17,6 +17,7 @@
 #include "diagnosis/surest.h"
 #include "diagnosis/terms.h"
 #include "diagnosis/where.h"
+#include "diagnosis/where_in_textbook.h"
 
 namespace grade {
 

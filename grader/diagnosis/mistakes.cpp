@@ -73,8 +73,11 @@ public:
 
 private:
     static bool is_number(Value::Kind kind) { return kind == Value::Kind::number || kind == Value::Kind::whole; }
+    /// "0.5", "vec2(1)"
     static bool is_literal(std::string_view text) {
-        return std::isdigit(static_cast<unsigned char>(text.front())) && text.find(' ') == text.npos;
+        for (const std::string_view type : {"vec2(", "vec3(", "Color("})
+            if (text.starts_with(type)) text.remove_prefix(type.size());
+        return text.find_first_not_of("0123456789.)") == text.npos;
     }
 
     /// What kinds of values the nodes have, and which can be taken in place of others.
@@ -148,11 +151,24 @@ private:
         add(i, {"!({0})", "", 1.15, {{}, 0, [](double* x) { *x = 1 - *x; }}});
     }
 
-    /// That one value is taken for another costs less where that is a part of it.
+    /// How many steps a node lies within another; 0: it does not.
+    int depth_within(int node, std::size_t whole) const {
+        int best = 0;
+        for (const int part : form_.nodes[whole].parts) {
+            const std::size_t i = std::size_t(part - form_.first);
+            const int deeper = part - form_.first == node ? 1 : depth_within(node, i);
+            if (deeper > 0 && part - form_.first != node) best = best == 0 ? deeper + 1 : std::min(best, deeper + 1);
+            if (part - form_.first == node) return 1;
+        }
+        return best;
+    }
+
+    /// That one value is taken for another costs less where that is a part of it, and more where it is a constant.
     double cost_of(const char* words, double cost, std::size_t node, const OtherValue& other) const {
-        const auto& parts = form_.nodes[node].parts;
-        const bool is_part = other.node >= 0 && std::ranges::count(parts, form_.first + other.node) > 0;
-        return is_part && std::string_view(words) == "{1}" ? 1.05 : cost;
+        if (is_literal(form_.nodes[node].text)) return cost + 0.4;
+        if (other.node < 0 || std::string_view(words) != "{1}") return cost;
+        const int depth = depth_within(other.node, node);
+        return depth > 0 ? 0.95 + 0.1 * depth : cost;
     }
 
     template <class Functions, class Make>

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "diagnosis/calls_made.h"
 #include "diagnosis/where.h"
 
 namespace grade {
@@ -58,21 +59,20 @@ std::optional<Relation> Search::run(bool& right_otherwise) {
     return which_parts();
 }
 
-std::optional<Relation> Search::by_choice() const {
-    const auto& parts = calls_.layouts.front().parts;
+std::optional<Relation> by_kinds(const Calls& calls,
+                                 const std::function<std::optional<Relation>(const Calls&)>& of_some) {
+    const auto& parts = calls.layouts.front().parts;
     // true and false agree by chance
-    if (calls_.result.parts.front().kind == Kind::flag) return std::nullopt;
+    if (calls.result.parts.front().kind == Kind::flag) return std::nullopt;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        if ((parts[i].kind != Kind::choice && parts[i].kind != Kind::flag) || !calls_.told[i]) continue;
+        if ((parts[i].kind != Kind::choice && parts[i].kind != Kind::flag) || !calls.told[i]) continue;
         std::vector<std::pair<Relation, std::string>> found;  // each with the kinds that it is of
         bool are_all = true;
         for (int value = 0; value < 5; ++value) {
             const Calls some =
-                those_of(calls_, [&](std::size_t k) { return calls_.rows[k][calls_.layouts[k].parts[i].at] == value; });
-            if (some.size() == 0 || some.size() == calls_.size()) continue;
-            Search search(some, ask_, sampled_);
-            if (search.wrong_.empty()) continue;
-            const auto one = search.one_mistake();
+                those_of(calls, [&](std::size_t k) { return calls.rows[k][calls.layouts[k].parts[i].at] == value; });
+            if (some.size() == 0 || some.size() == calls.size() || only_wrong(some).size() == 0) continue;
+            const auto one = of_some(some);
             are_all = are_all && one;
             if (!one) continue;
             const std::string kind = value_in_words({parts[i].name, parts[i].kind, 0}, {double(value)});
@@ -91,6 +91,10 @@ std::optional<Relation> Search::by_choice() const {
         return all;
     }
     return std::nullopt;
+}
+
+std::optional<Relation> Search::by_choice() const {
+    return by_kinds(calls_, [&](const Calls& some) { return Search(some, ask_, sampled_).one_mistake(); });
 }
 
 std::optional<Relation> Search::one_mistake() {

@@ -37,4 +37,8 @@ struct Relation {
 /// sampled  other random numbers give as good an answer; right_otherwise: these do, and nothing is wrong in these calls
 std::optional<Relation> relation_of(const Calls& calls, const Ask& right, bool sampled, bool& right_otherwise);
 
+/// What `of_some` finds in calls of one kind each: of a disc, say. None: it finds nothing in any.
+std::optional<Relation> by_kinds(const Calls& calls,
+                                 const std::function<std::optional<Relation>(const Calls&)>& of_some);
+
 }  // namespace grade

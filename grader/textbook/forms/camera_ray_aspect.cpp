@@ -1,3 +1,5 @@
+#include "rt/fragments.h"
+
 namespace rt {
 
 Ray camera_ray(const Camera& camera, vec2 film) {

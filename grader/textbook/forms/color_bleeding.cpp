@@ -1,3 +1,5 @@
+#include "rt/fragments.h"
+
 namespace rt {
 
 Scattered color_bleeding(vec3 n, Color albedo, vec2 u) {

@@ -1,3 +1,5 @@
+#include "rt/fragments.h"
+
 namespace rt {
 
 DirectionSample cosine_hemisphere(vec2 u) {

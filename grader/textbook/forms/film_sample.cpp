@@ -1,3 +1,5 @@
+#include "rt/fragments.h"
+
 namespace rt {
 
 FilmSample film_sample(const Extent& pixel, int i, int n, vec2 u) {

@@ -1,3 +1,5 @@
+#include "rt/fragments.h"
+
 namespace rt {
 
 Real free_flight(Real extinction, Real u) { return -std::log(1 - u) / extinction; }

@@ -1,3 +1,5 @@
+#include "rt/fragments.h"
+
 namespace rt {
 
 Real fresnel_dielectric(Real cosine, Real ior_from, Real ior_to) {

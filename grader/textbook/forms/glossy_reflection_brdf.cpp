@@ -1,3 +1,5 @@
+#include "rt/fragments.h"
+
 namespace rt {
 
 Scattered glossy_reflection(vec3 d, vec3 n, Real exponent, vec2 u) {

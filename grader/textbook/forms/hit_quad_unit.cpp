@@ -1,3 +1,5 @@
+#include "rt/fragments.h"
+
 namespace rt {
 
 Real hit_quad(const Quad& quad, const Ray& ray) {

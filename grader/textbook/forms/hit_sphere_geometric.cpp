@@ -1,3 +1,5 @@
+#include "rt/fragments.h"
+
 namespace rt {
 
 Real hit_sphere(const Sphere& sphere, const Ray& ray) {

@@ -1,3 +1,5 @@
+#include "rt/fragments.h"
+
 namespace rt {
 
 Real hit_triangle(const Triangle& triangle, const Ray& ray) {

@@ -1,3 +1,5 @@
+#include "rt/fragments.h"
+
 namespace rt {
 
 Real integrate_monte_carlo(const Function& f, const Function& density, std::span<const Real> x) {

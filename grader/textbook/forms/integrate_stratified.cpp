@@ -1,3 +1,5 @@
+#include "rt/fragments.h"
+
 namespace rt {
 
 Real integrate_stratified(const Function& f, std::span<const Stratum> strata) {

@@ -1,3 +1,5 @@
+#include "rt/fragments.h"
+
 namespace rt {
 
 Real integrate_uniform(const Function& f, Real a, Real b, int n) {

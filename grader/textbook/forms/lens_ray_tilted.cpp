@@ -1,3 +1,5 @@
+#include "rt/fragments.h"
+
 namespace rt {
 
 Ray lens_ray(const Camera& camera, const Ray& pinhole, vec2 u) {

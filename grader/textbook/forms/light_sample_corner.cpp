@@ -1,3 +1,5 @@
+#include "rt/fragments.h"
+
 namespace rt {
 
 LightSample light_sample(const Emitter& light, vec3 p, vec2 u) {

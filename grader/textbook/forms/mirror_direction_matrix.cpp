@@ -1,3 +1,5 @@
+#include "rt/fragments.h"
+
 namespace rt {
 
 vec3 mirror_direction(vec3 d, vec3 n) {

@@ -1,3 +1,5 @@
+#include "rt/fragments.h"
+
 namespace rt {
 
 vec3 moved(vec3 point, vec3 velocity, Real time) {

@@ -1,3 +1,5 @@
+#include "rt/fragments.h"
+
 namespace rt {
 
 DirectionSample phong_lobe(Real exponent, vec2 u) {

@@ -1,3 +1,5 @@
+#include "rt/fragments.h"
+
 namespace rt {
 
 Color pixel_mean(std::span<const Color> radiance, std::span<const Real> weight) {

@@ -1,3 +1,5 @@
+#include "rt/fragments.h"
+
 namespace rt {
 
 Color point_irradiance(const PointLight& light, vec3 p, vec3 n) {

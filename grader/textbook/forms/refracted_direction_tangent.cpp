@@ -1,3 +1,5 @@
+#include "rt/fragments.h"
+
 namespace rt {
 
 vec3 refracted_direction(vec3 d, vec3 n, Real ior_from, Real ior_to) {

@@ -1,3 +1,5 @@
+#include "rt/fragments.h"
+
 namespace rt {
 
 DirectionSample scatter_direction(vec3 d, Real g, vec2 u) {

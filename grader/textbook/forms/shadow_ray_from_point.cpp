@@ -1,3 +1,5 @@
+#include "rt/fragments.h"
+
 namespace rt {
 
 Ray shadow_ray(const Hit& hit, vec3 to_light, Real distance) {

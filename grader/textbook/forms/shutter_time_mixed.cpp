@@ -1,3 +1,5 @@
+#include "rt/fragments.h"
+
 namespace rt {
 
 Real shutter_time(const Shutter& shutter, Real u) { return (1 - u) * shutter.open + u * shutter.close; }

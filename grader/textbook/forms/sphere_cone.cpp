@@ -1,3 +1,5 @@
+#include "rt/fragments.h"
+
 namespace rt {
 
 DirectionSample sphere_cone(Real sine, vec2 u) {

@@ -1,3 +1,5 @@
+#include "rt/fragments.h"
+
 namespace rt {
 
 vec2 stratified_2d(int i, int n, vec2 u) {

@@ -1,3 +1,5 @@
+#include "rt/fragments.h"
+
 namespace rt {
 
 DiskSample uniform_disk(vec2 u) {

@@ -1,3 +1,5 @@
+#include "rt/fragments.h"
+
 namespace rt {
 
 Outgoing whitted(const Material& material, Real fresnel) {

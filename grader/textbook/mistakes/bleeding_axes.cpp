@@ -1,4 +1,6 @@
 // says: local.z * n + local.x * y + local.y * z: the axes of the frame in another order
+#include "rt/fragments.h"
+
 namespace rt {
 
 Scattered color_bleeding(vec3 n, Color albedo, vec2 u) {

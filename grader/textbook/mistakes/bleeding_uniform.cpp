@@ -1,4 +1,6 @@
 // says: directions uniform on the hemisphere, weighted as if they were distributed by the cosine
+#include "rt/fragments.h"
+
 namespace rt {
 
 Scattered color_bleeding(vec3 n, Color albedo, vec2 u) {

@@ -1,4 +1,6 @@
 // says: cos(u.x * theta_max) as the cosine: uniform in the angle
+#include "rt/fragments.h"
+
 namespace rt {
 
 DirectionSample sphere_cone(Real sine, vec2 u) {

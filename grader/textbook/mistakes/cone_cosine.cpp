@@ -1,4 +1,6 @@
 // says: u.x * cos(theta_max) as the cosine: also directions outside of the cone
+#include "rt/fragments.h"
+
 namespace rt {
 
 DirectionSample sphere_cone(Real sine, vec2 u) {

@@ -1,4 +1,6 @@
 // says: a uniform point of a disk as wide as the cone, 1 above its tip: directions that are not uniform
+#include "rt/fragments.h"
+
 namespace rt {
 
 DirectionSample sphere_cone(Real sine, vec2 u) {

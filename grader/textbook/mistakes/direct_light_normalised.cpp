@@ -1,4 +1,6 @@
 // says: a factor (shininess + 2) / (2 * pi) before the highlight
+#include "rt/fragments.h"
+
 namespace rt {
 
 Color direct_light(const Material& material, Color radiance, const LightSample& light, vec3 n, vec3 to_viewer) {

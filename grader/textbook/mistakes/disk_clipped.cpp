@@ -1,4 +1,6 @@
 // says: the square 2 * u - 1, of which what lies outside of the disk is put onto its border
+#include "rt/fragments.h"
+
 namespace rt {
 
 DiskSample uniform_disk(vec2 u) {

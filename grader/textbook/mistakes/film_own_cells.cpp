@@ -1,4 +1,6 @@
 // says: cells of its own with c = floor(sqrt(n)), which fill the pixel for a square n alone
+#include "rt/fragments.h"
+
 namespace rt {
 
 FilmSample film_sample(const Extent& pixel, int i, int n, vec2 u) {

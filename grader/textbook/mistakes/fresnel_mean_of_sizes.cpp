@@ -1,4 +1,6 @@
 // says: no squares: (abs(s) + abs(p)) / 2
+#include "rt/fragments.h"
+
 namespace rt {
 
 Real fresnel_dielectric(Real cosine, Real ior_from, Real ior_to) {

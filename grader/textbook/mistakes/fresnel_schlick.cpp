@@ -1,4 +1,6 @@
 // says: Schlick's approximation
+#include "rt/fragments.h"
+
 namespace rt {
 
 Real fresnel_dielectric(Real cosine, Real ior_from, Real ior_to) {

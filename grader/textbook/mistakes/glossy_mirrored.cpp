@@ -1,4 +1,6 @@
 // says: a ray on the wrong side mirrored at the surface and counted
+#include "rt/fragments.h"
+
 namespace rt {
 
 Scattered glossy_reflection(vec3 d, vec3 n, Real exponent, vec2 u) {

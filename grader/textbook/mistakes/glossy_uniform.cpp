@@ -1,4 +1,6 @@
 // says: directions uniform on the hemisphere about the axis
+#include "rt/fragments.h"
+
 namespace rt {
 
 Scattered glossy_reflection(vec3 d, vec3 n, Real exponent, vec2 u) {

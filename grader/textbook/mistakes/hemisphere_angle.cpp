@@ -1,4 +1,6 @@
 // says: theta = u.x * pi / 2, uniform in the angle
+#include "rt/fragments.h"
+
 namespace rt {
 
 DirectionSample cosine_hemisphere(vec2 u) {

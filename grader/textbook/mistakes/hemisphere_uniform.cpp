@@ -1,4 +1,6 @@
 // says: u.x as the cosine: directions uniform on the hemisphere
+#include "rt/fragments.h"
+
 namespace rt {
 
 DirectionSample cosine_hemisphere(vec2 u) {

@@ -1,4 +1,6 @@
 // says: u.x as the cosine: directions uniform on the hemisphere, and their density 1 / (2 * pi)
+#include "rt/fragments.h"
+
 namespace rt {
 
 DirectionSample cosine_hemisphere(vec2 u) {

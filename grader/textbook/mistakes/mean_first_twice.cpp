@@ -1,4 +1,6 @@
 // says: a sum that starts at radiance[0], which is added again
+#include "rt/fragments.h"
+
 namespace rt {
 
 Color pixel_mean(std::span<const Color> radiance, std::span<const Real> weight) {

@@ -1,4 +1,6 @@
 // says: the last sample alone
+#include "rt/fragments.h"
+
 namespace rt {
 
 Color pixel_mean(std::span<const Color> radiance, std::span<const Real> weight) {

@@ -1,4 +1,6 @@
 // says: the mean of the radiance times the mean of the weights
+#include "rt/fragments.h"
+
 namespace rt {
 
 Color pixel_mean(std::span<const Color> radiance, std::span<const Real> weight) {

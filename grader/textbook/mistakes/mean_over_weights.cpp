@@ -1,4 +1,6 @@
 // says: the sum of the weights in place of the number of samples
+#include "rt/fragments.h"
+
 namespace rt {
 
 Color pixel_mean(std::span<const Color> radiance, std::span<const Real> weight) {

@@ -1,4 +1,6 @@
 // says: a running mean that divides each step by n: earlier samples count less
+#include "rt/fragments.h"
+
 namespace rt {
 
 Color pixel_mean(std::span<const Color> radiance, std::span<const Real> weight) {

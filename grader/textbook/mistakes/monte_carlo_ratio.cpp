@@ -1,4 +1,6 @@
 // says: the sum of f(x[i]) over the sum of density(x[i])
+#include "rt/fragments.h"
+
 namespace rt {
 
 Real integrate_monte_carlo(const Function& f, const Function& density, std::span<const Real> x) {

@@ -1,4 +1,6 @@
 // says: dot(n, h), with the half vector h = unit(d + c), in place of dot(r, c)
+#include "rt/fragments.h"
+
 namespace rt {
 
 Color phong(const Material& material, Color ambient, Color irradiance, vec3 n, vec3 to_light, vec3 to_viewer) {

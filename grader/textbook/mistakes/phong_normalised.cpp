@@ -1,4 +1,6 @@
 // says: a factor (shininess + 2) / (2 * pi) before the highlight
+#include "rt/fragments.h"
+
 namespace rt {
 
 Color phong(const Material& material, Color ambient, Color irradiance, vec3 n, vec3 to_light, vec3 to_viewer) {

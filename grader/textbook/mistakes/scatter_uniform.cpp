@@ -1,4 +1,6 @@
 // says: directions uniform on the sphere, whatever g is, and the density that these would have with g
+#include "rt/fragments.h"
+
 namespace rt {
 
 DirectionSample scatter_direction(vec3 d, Real g, vec2 u) {

@@ -1,4 +1,6 @@
 // says: the point of the ray that is nearest to the centre: half of the way through the sphere is not taken off
+#include "rt/fragments.h"
+
 namespace rt {
 
 Real hit_sphere(const Sphere& sphere, const Ray& ray) {

@@ -1,4 +1,6 @@
 // says: x and y both in the strip of cell i: cells along the diagonal alone
+#include "rt/fragments.h"
+
 namespace rt {
 
 vec2 stratified_2d(int i, int n, vec2 u) {

@@ -1,4 +1,6 @@
 // says: columns of one width, though they hold different numbers of cells
+#include "rt/fragments.h"
+
 namespace rt {
 
 vec2 stratified_2d(int i, int n, vec2 u) {

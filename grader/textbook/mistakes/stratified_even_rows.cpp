@@ -1,4 +1,6 @@
 // says: columns of n / c cells each, no whole number
+#include "rt/fragments.h"
+
 namespace rt {
 
 vec2 stratified_2d(int i, int n, vec2 u) {

@@ -1,4 +1,6 @@
 // says: the first u of each stratum alone
+#include "rt/fragments.h"
+
 namespace rt {
 
 Real integrate_stratified(const Function& f, std::span<const Stratum> strata) {

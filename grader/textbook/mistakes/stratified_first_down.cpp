@@ -1,4 +1,6 @@
 // says: the first cell of a column rounded down: floor(column * n / columns) in place of ceil(column * n / columns)
+#include "rt/fragments.h"
+
 namespace rt {
 
 vec2 stratified_2d(int i, int n, vec2 u) {

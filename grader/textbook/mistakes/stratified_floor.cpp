@@ -1,4 +1,6 @@
 // says: cells i % c and i / c with c = floor(sqrt(n)), which fill the square for a square n alone
+#include "rt/fragments.h"
+
 namespace rt {
 
 vec2 stratified_2d(int i, int n, vec2 u) {

@@ -1,4 +1,6 @@
 // says: a sum that is not set back to 0 for each stratum
+#include "rt/fragments.h"
+
 namespace rt {
 
 Real integrate_stratified(const Function& f, std::span<const Stratum> strata) {

@@ -1,4 +1,6 @@
 // says: the mean of the strata's means times the whole width
+#include "rt/fragments.h"
+
 namespace rt {
 
 Real integrate_stratified(const Function& f, std::span<const Stratum> strata) {

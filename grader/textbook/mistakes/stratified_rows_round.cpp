@@ -1,4 +1,6 @@
 // says: a grid of round(sqrt(n)) columns and ceil(n / columns) rows, of which some cells are left empty
+#include "rt/fragments.h"
+
 namespace rt {
 
 vec2 stratified_2d(int i, int n, vec2 u) {

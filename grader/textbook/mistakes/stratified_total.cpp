@@ -1,4 +1,6 @@
 // says: the mean of all values times the whole width: strata with many numbers count too much
+#include "rt/fragments.h"
+
 namespace rt {
 
 Real integrate_stratified(const Function& f, std::span<const Stratum> strata) {

@@ -1,4 +1,6 @@
 // says: columns of n / c cells each, of whole numbers
+#include "rt/fragments.h"
+
 namespace rt {
 
 vec2 stratified_2d(int i, int n, vec2 u) {

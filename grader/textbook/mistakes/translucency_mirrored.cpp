@@ -1,4 +1,6 @@
 // says: a ray on the wrong side mirrored at the surface and counted
+#include "rt/fragments.h"
+
 namespace rt {
 
 Scattered translucency(vec3 d, vec3 n, Real ior_from, Real ior_to, Real exponent, vec2 u) {

@@ -1,0 +1,315 @@
+#include "textbook/expressions.h"
+
+#include <algorithm>
+
+namespace grade::textbook {
+
+namespace {
+
+struct Operator {
+    int level;
+    const char* name;                 // its function object, and those of the others, for watch.h
+    std::vector<std::string> others;  // in its place; then its sides exchanged, where that is another value
+};
+
+/// Those of which the right side may not be computed have no function object.
+const std::map<std::string, Operator>& operators() {
+    static const std::map<std::string, Operator> all{
+        {"||", {1, "", {"&&"}}},
+        {"&&", {2, "", {"||"}}},
+        {"==", {3, "std::equal_to<>, std::not_equal_to<>", {"!="}}},
+        {"!=", {3, "std::not_equal_to<>, std::equal_to<>", {"=="}}},
+        {"<", {4, "std::less<>, std::less_equal<>, std::greater<>", {"<=", ">"}}},
+        {">", {4, "std::greater<>, std::greater_equal<>, std::less<>", {">=", "<"}}},
+        {"<=", {4, "std::less_equal<>, std::less<>, std::greater_equal<>", {"<", ">="}}},
+        {">=", {4, "std::greater_equal<>, std::greater<>, std::less_equal<>", {">", "<="}}},
+        {"+", {5, "std::plus<>, std::minus<>, std::multiplies<>", {"-", "*"}}},
+        {"-", {5, "std::minus<>, std::plus<>, std::multiplies<>, textbook::Reversed<std::minus<>>", {"+", "*"}}},
+        {"*", {6, "std::multiplies<>, textbook::Quotient, std::plus<>, std::minus<>", {"/", "+", "-"}}},
+        {"/",
+         {6,
+          "textbook::Quotient, std::multiplies<>, std::minus<>, textbook::Reversed<textbook::Quotient>",
+          {"*", "-"}}},
+        {"%", {6, "textbook::Rest, textbook::Quotient", {"/"}}},
+    };
+    return all;
+}
+
+/// What is written in place of a function.
+const std::vector<std::string>& functions_for(const std::string& name) {
+    static const std::map<std::string, std::vector<std::string>> all{
+        {"std::sin", {"std::cos", "std::tan"}},
+        {"std::cos", {"std::sin"}},
+        {"std::tan", {"std::sin", "std::atan"}},
+        {"std::min", {"std::max"}},
+        {"std::max", {"std::min"}},
+        {"std::floor", {"std::ceil", "std::round"}},
+        {"std::ceil", {"std::floor"}},
+        {"std::acos", {"std::asin", "std::cos"}},
+        {"std::asin", {"std::acos", "std::sin"}},
+        {"std::log", {"std::exp", "std::log2", "std::log10"}},
+        {"std::exp", {"std::log"}},
+        {"dot", {}},
+    };
+    static const std::vector<std::string> none;
+    const auto found = all.find(name);
+    return found == all.end() ? none : found->second;
+}
+
+/// "sqrt" of "std::sqrt"
+std::string short_name(const std::string& name) {
+    if (name == "safe_sqrt") return "sqrt";
+    return name.starts_with("std::") || name.starts_with("glm::") ? name.substr(5) : name;
+}
+
+/// The function object of a sign.
+std::string function_of(const std::string& sign) {
+    const std::string names = operators().at(sign).name;
+    return names.substr(0, names.find(','));
+}
+
+}  // namespace
+
+std::string ExpressionReader::joined(std::size_t from, std::size_t to) const {
+    std::string all;
+    for (std::size_t i = from; i < to; ++i) {
+        const bool is_word = tokens_[i].kind != Token::Kind::sign;
+        const bool is_after_word = i > from && tokens_[i - 1].kind != Token::Kind::sign;
+        const bool is_after = i > from && (tokens_[i - 1].text == "," || tokens_[i - 1].text == "&");
+        if (is_word && (is_after_word || is_after || (i > from && tokens_[i - 1].text == ">"))) all += ' ';
+        all += tokens_[i].text;
+    }
+    return all;
+}
+
+void ExpressionReader::skip_to_function() {
+    while (!is("namespace")) {
+        if (now().kind == Token::Kind::end) fail("no \"namespace rt {\"; expected one around a function");
+        ++at_;
+    }
+    at_ += 3;
+}
+
+std::string ExpressionReader::chain_at(std::size_t i, std::size_t& end) const {
+    std::string chain = tokens_[i].text;
+    end = i + 1;
+    while (end + 1 < tokens_.size() && tokens_[end].text == "." && tokens_[end + 1].kind == Token::Kind::name &&
+           tokens_[end + 2].text != "(") {
+        chain += "." + tokens_[end + 1].text;
+        end += 2;
+    }
+    return chain;
+}
+
+void ExpressionReader::count_uses() {
+    for (std::size_t i = at_; i < tokens_.size();) {
+        std::size_t end = i + 1;
+        if (tokens_[i].kind == Token::Kind::name) ++uses_[chain_at(i, end)];
+        i = end;
+    }
+}
+
+int ExpressionReader::add(const std::string& text, const std::vector<Expression>& parts,
+                          std::vector<std::string> alternatives) {
+    nodes_.push_back({text, text, "", "", {}, std::move(alternatives)});
+    for (const Expression& part : parts)
+        if (part.node >= 0) nodes_.back().parts.push_back(part.node);
+    return first_ + int(nodes_.size()) - 1;
+}
+
+Expression ExpressionReader::expression() {
+    const Expression condition = binary(1);
+    if (!take("?")) return condition;
+    const Expression first = expression();
+    expect(":");
+    const Expression second = expression();
+    Expression all;
+    all.text = fmt::format("{} ? {} : {}", condition.text, first.text, second.text);
+    all.inner = fmt::format("({} ? {} : {})", condition.code, first.code, second.code);
+    watch(all, add(all.text, {first, second}));
+    return all;
+}
+
+Expression ExpressionReader::binary(int level) {
+    Expression left = unary();
+    for (;;) {
+        const auto found = operators().find(now().text);
+        if (now().kind != Token::Kind::sign || found == operators().end() || found->second.level < level) return left;
+        ++at_;
+        left = joined_by(left, found->first, binary(found->second.level + 1));
+    }
+}
+
+Expression ExpressionReader::joined_by(const Expression& left, const std::string& sign, const Expression& right) {
+    const Operator& as = operators().at(sign);
+    Expression all;
+    all.text = fmt::format("{} {} {}", left.text, sign, right.text);
+    std::vector<std::string> alternatives;
+    for (const std::string& other : as.others)
+        alternatives.push_back(fmt::format("{} {} {}", left.text, other, right.text));
+    if (sign == "-" || sign == "/") alternatives.push_back(fmt::format("{} {} {}", right.text, sign, left.text));
+    const bool is_after = as.level == 6 && !right.sides.empty();
+    const bool is_before = as.level == 6 && !left.sides.empty() && !is_after;
+    const Expression& group = is_after ? right : left;
+    if (is_after)
+        alternatives.push_back(
+            fmt::format("{} {} {} {} {}", left.text, sign, group.sides[0].text, group.sign, group.sides[1].text));
+    if (is_before)
+        alternatives.push_back(
+            fmt::format("{} {} {} {} {}", group.sides[0].text, group.sign, group.sides[1].text, sign, right.text));
+    const int node = add(all.text, {left, right}, alternatives);
+    if (*as.name)
+        all.inner = fmt::format("textbook::binary<{}>({}, {}, {})", as.name, node, left.code, right.code);
+    else
+        all.inner = fmt::format("(textbook::chosen({0}) == 1 ? {1} {3} {2} : {1} {4} {2})", node, left.code, right.code,
+                                as.others.front(), sign);
+    if (is_after)
+        all.inner = fmt::format("textbook::regrouped<{}, {}, true>({}, {}, {}, {}, {}, {})", function_of(group.sign),
+                                function_of(sign), node, alternatives.size(), all.inner, left.code, group.sides[0].code,
+                                group.sides[1].code);
+    if (is_before)
+        all.inner = fmt::format("textbook::regrouped<{}, {}, false>({}, {}, {}, {}, {}, {})", function_of(group.sign),
+                                function_of(sign), node, alternatives.size(), all.inner, group.sides[0].code,
+                                group.sides[1].code, right.code);
+    watch(all, node);
+    if (as.level == 5) all.sides = {left, right}, all.sign = sign;
+    return all;
+}
+
+Expression ExpressionReader::unary() {
+    for (const char* sign : {"-", "!"}) {
+        if (!take(sign)) continue;
+        const Expression of = unary();
+        Expression all{sign + of.text, fmt::format("({}{})", sign, of.code), "", of.is_literal};
+        watch(all, add(all.text, {of}));
+        return all;
+    }
+    return postfix();
+}
+
+std::vector<Expression> ExpressionReader::arguments(std::string_view close) {
+    std::vector<Expression> all;
+    while (!is(close)) {
+        const std::size_t since = nodes_.size();
+        all.push_back(is("{") ? braced() : expression());
+        if (close == "}") set_context(since, all.back().text);
+        if (!take(",")) break;
+    }
+    expect(close);
+    return all;
+}
+
+Expression ExpressionReader::braced() {
+    expect("{");
+    std::vector<Expression> all = arguments("}");
+    for (Expression& one : all)
+        if (one.is_literal) one.code = one.text;
+    Expression whole{"(" + list(all, &Expression::text) + ")", "{" + list(all, &Expression::code) + "}", "", false};
+    whole.code = whole.inner;
+    return whole;
+}
+
+Expression ExpressionReader::postfix() {
+    Expression all = primary();
+    for (;;) {
+        if (take(".")) {
+            const std::string name = now().text;
+            ++at_;
+            all.text += "." + name, all.inner += "." + name;
+            if (take("(")) call(all, name, "");
+        } else if (take("[")) {
+            const Expression index = expression();
+            expect("]");
+            all.text += "[" + index.text + "]", all.inner = "textbook::element(" + all.inner + ", " + index.code + ")";
+        } else {
+            return all;
+        }
+        finish(all);
+    }
+}
+
+void ExpressionReader::call(Expression& function, const std::string& name, const std::string& qualified) {
+    const std::string before = function.text;
+    const auto all = arguments(")");
+    called_with_ = all;
+    function.text = before + "(" + list(all, &Expression::text) + ")";
+    const std::string code = list(all, &Expression::code);
+    function.inner = (qualified.empty() ? function.inner : qualified) + "(" + code + ")";
+    std::vector<std::string> alternatives, codes;
+    for (const std::string& other : functions_for(name)) {
+        alternatives.push_back(short_name(other) + "(" + list(all, &Expression::text) + ")");
+        codes.push_back(other + "(" + code + ")");
+    }
+    if ((name == "std::pow" || name == "std::atan2") && all.size() == 2) {
+        alternatives.push_back(fmt::format("{}({}, {})", short_name(name), all[1].text, all[0].text));
+        codes.push_back(fmt::format("{}({}, {})", name, all[1].code, all[0].code));
+        alternatives.push_back(fmt::format("{} * {}", all[0].text, all[1].text));
+        codes.push_back(fmt::format("({}) * ({})", all[0].code, all[1].code));
+    }
+    if (codes.empty()) return;
+    const int node = add(function.text, {}, alternatives);
+    nodes_.back().function = name;
+    std::string choice = function.inner;
+    for (std::size_t i = codes.size(); i-- > 0;)
+        choice = fmt::format("(textbook::chosen({}) == {} ? {} : {})", node, i + 1, codes[i], choice);
+    function.inner = choice;
+}
+
+Expression ExpressionReader::primary() {
+    Expression all;
+    if (take("(")) {
+        const Expression of = expression();
+        expect(")");
+        return {
+            "(" + of.text + ")", "(" + of.inner + ")", "(" + of.code + ")", of.is_literal, of.sides, of.sign, of.node};
+    }
+    if (is("[")) return function_object();
+    if (now().kind == Token::Kind::number) {
+        all.text = all.inner = now().text, all.is_literal = true;
+        ++at_;
+        watch(all, add(all.text));
+        return all;
+    }
+    if (!is_name()) fail(fmt::format("\"{}\"; expected an expression", now().text));
+    std::size_t end;
+    const std::string chain = chain_at(at_, end);
+    const std::string name = now().text;
+    at_ = end;
+    all.text = short_name(chain), all.inner = chain;
+    if (is("(") && end - 1 > 0 && chain == name) {
+        take("(");
+        call(all, name, fragments_.contains(name) ? "any::" + name : "");
+    } else if (is("{")) {
+        const Expression fields = braced();
+        all.text += fields.text, all.inner += fields.inner;
+    } else {
+        const bool is_constant = chain == "inf" || chain == "pi" || chain.find("::") != std::string::npos;
+        const bool is_once = uses_[chain] < 2 || (constants_.contains(chain) && uses_[chain] < 3);
+        all.code = all.inner;
+        if (!is_constant && !is_once && chain != "true" && chain != "false") watch(all, add(all.text));
+        return all;
+    }
+    finish(all);
+    return all;
+}
+
+void ExpressionReader::finish(Expression& all) {
+    if (is(".") || is("["))
+        all.code = all.inner;
+    else
+        watch(all, add(all.text, called_with_));
+    called_with_.clear();
+}
+
+Expression ExpressionReader::function_object() {
+    const std::size_t start = at_;
+    while (!is("{")) ++at_;
+    int depth = 0;
+    do depth += is("{") - is("}"), ++at_;
+    while (depth > 0);
+    Expression all;
+    all.text = "a function", all.inner = all.code = joined(start, at_);
+    return all;
+}
+
+}  // namespace grade::textbook

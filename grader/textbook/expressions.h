@@ -1,0 +1,127 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "textbook/tokens.h"
+#include "textbook/wrap.h"
+
+namespace grade::textbook {
+
+/// An expression: as it is written, and as it is compiled; `inner` is not watched itself.
+struct Expression {
+    std::string text, inner, code;
+    bool is_literal = false;
+    std::vector<Expression> sides{};  // of a sum in brackets
+    std::string sign{};               // between them
+    int node = -1;
+};
+
+/// Reads expressions of a form, and gives each a number by which watch.h knows it.
+class ExpressionReader {
+protected:
+    ExpressionReader(const std::string& file, const std::string& text, const std::vector<std::string>& fragments,
+                     int first)
+        : file_(file), tokens_(tokens_of(text)), fragments_(fragments.begin(), fragments.end()), first_(first) {}
+
+    const Token& now() const { return tokens_[at_]; }
+
+    bool is(std::string_view text) const { return now().kind != Token::Kind::end && now().text == text; }
+
+    bool is_name(std::size_t ahead = 0) const {
+        return at_ + ahead < tokens_.size() && tokens_[at_ + ahead].kind == Token::Kind::name;
+    }
+
+    bool take(std::string_view text) {
+        if (!is(text)) return false;
+        ++at_;
+        return true;
+    }
+
+    void expect(std::string_view text) {
+        if (!take(text)) fail(fmt::format("\"{}\"; expected \"{}\"", now().text, text));
+    }
+
+    [[noreturn]] void fail(const std::string& what) const {
+        throw std::runtime_error(fmt::format("{}:{}:{}: {}", file_, now().line, now().column, what));
+    }
+
+    std::string joined(std::size_t from, std::size_t to) const;
+
+    /// Past "namespace rt {".
+    void skip_to_function();
+
+    /// A chain of fields that stands there: "light.sphere.center"; where it ends.
+    std::string chain_at(std::size_t i, std::size_t& end) const;
+
+    void count_uses();
+
+    int add(const std::string& text, const std::vector<Expression>& parts = {},
+            std::vector<std::string> alternatives = {});
+
+    static void watch(Expression& of, int node) {
+        of.node = node;
+        of.code = fmt::format("textbook::at({}, {})", node, of.inner);
+    }
+
+    /// Puts the statement's text into the nodes that were added since.
+    void set_context(std::size_t since, const std::string& text) {
+        for (std::size_t i = since; i < nodes_.size(); ++i)
+            if (nodes_[i].context.empty()) nodes_[i].context = text;
+    }
+
+    /// The last node since then is a variable's value, whose name says more.
+    void name_last(std::size_t since, const std::string& name, const Expression& of) {
+        if (nodes_.size() > since && nodes_.back().text == of.text) nodes_.back().name = name;
+    }
+
+    Expression expression();
+
+    /// The sides of a sum are of interest where it stands in brackets.
+    Expression binary(int level);
+
+    Expression joined_by(const Expression& left, const std::string& sign, const Expression& right);
+
+    Expression unary();
+
+    /// What stands between brackets, after the opening one.
+    std::vector<Expression> arguments(std::string_view close);
+
+    static std::string list(const std::vector<Expression>& all, std::string Expression::*part) {
+        std::string text;
+        for (const Expression& one : all) text += (text.empty() ? "" : ", ") + one.*part;
+        return text;
+    }
+
+    /// Literals stay as they are: a constant may be a Real here, an int may not.
+    Expression braced();
+
+    Expression postfix();
+
+    /// Puts its arguments behind a function's name.
+    void call(Expression& function, const std::string& name, const std::string& qualified);
+
+    Expression primary();
+
+    /// What a field or an element is taken of is not watched itself.
+    void finish(Expression& all);
+
+    /// A lambda, as it is.
+    Expression function_object();
+
+    const std::string file_;
+    std::vector<Token> tokens_;
+    std::set<std::string> fragments_, constants_;
+    std::map<std::string, int> uses_;
+    int first_;
+    std::size_t at_ = 0;
+    std::vector<WrappedNode> nodes_;
+    std::vector<Expression> called_with_;  // the last call
+};
+
+}  // namespace grade::textbook
