@@ -128,7 +128,7 @@ private:
             } else if (is("{")) {
                 all += braced().inner;
             } else if (take("(")) {
-                all += "(" + list(arguments(")"), &Expression::code) + ")";
+                all += fmt::format("({})", list(arguments(")"), &Expression::code));
             }
             if (is(",")) all += ",";
         } while (take(","));
