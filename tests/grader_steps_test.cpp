@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -7,51 +6,14 @@
 #include <iterator>
 
 #include "catch.h"
-#include "diagnosis/sanitizer.h"
 #include "files/files.h"
-#include "programs/compile.h"
-#include "programs/object.h"
-#include "programs/runner.h"
+#include "programs/process.h"
 #include "programs/sandbox.h"
-#include "protocol/rows.h"
+#include "sandboxes.h"
 
 using namespace grade;
 
 namespace {
-
-/// Whether other users reach what is in a folder: what a step of another user compiles with is there.
-bool is_open_to_others(fs::path folder) {
-    for (; folder != folder.root_path(); folder = folder.parent_path())
-        if ((fs::status(folder).permissions() & fs::perms::others_exec) == fs::perms::none) return false;
-    return true;
-}
-
-/// Every kind of sandbox that works on this machine.
-std::vector<Sandbox> sandboxes() {
-    std::vector<Sandbox> all;
-    for (const auto& [kind, own_user] :
-         {std::pair(Sandbox::Kind::host, false), {Sandbox::Kind::container, true}, {Sandbox::Kind::container, false}}) {
-        Sandbox sandbox{kind, {}, {}, own_user};
-        if (own_user && (geteuid() != 0 || !is_open_to_others(fs::current_path()))) continue;
-        const std::string fault = fault_of(sandbox, {});
-        sandbox.description = fmt::format("kind {}, a user of its own: {}", int(kind), own_user);
-        if (fault.empty())
-            all.push_back(sandbox);
-        else
-            WARN(sandbox.description << " does not work here: " << fault);
-    }
-    return all;
-}
-
-/// A folder that a step of any user may start in.
-struct Place {
-    Place() {
-        fs::permissions(outer.path(), fs::perms(0711));
-        fs::create_directory(folder);
-    }
-    TemporaryFolder outer;
-    fs::path folder = outer.path() / "step";
-};
 
 Ending shell(const Sandbox& sandbox, const fs::path& folder, const std::string& text, bool is_tool = true,
              double wall = 20) {
@@ -69,35 +31,12 @@ int count_of(const std::string& word) {
     return count;
 }
 
-const Toolchain& chain() {
-    static const Toolchain toolchain = read_toolchain(GRADE_TOOLCHAIN);
-    return toolchain;
-}
-
-const std::string phong = read_text("solution/phong.cpp").value_or("");
-
-Compiled compiled(const Sandbox& sandbox, const std::string& text) {
-    return compile_fragment(chain(), sandbox, "phong", text, "phong.cpp", Place().folder);
-}
-
-/// A program with this object of a fragment, and the solution's others.
-fs::path linked(const Toolchain& chain, const Sandbox& sandbox, const std::string& fragment, const fs::path& object,
-                const Place& place) {
-    std::vector<fs::path> objects{object};
-    for (const auto& [name, others] : chain.solution_objects)
-        if (name != fragment) objects.push_back(others);
-    const fs::path program = place.outer.path() / "program/child";
-    fs::create_directory(program.parent_path());
-    CHECK(link_child(chain, sandbox, objects, program).empty());
-    return program;
-}
-
 }  // namespace
 
 TEST_CASE("a step sees its own folder, and neither another nor a secret, nor the environment", "[steps]") {
     for (const Sandbox& sandbox : sandboxes()) {
         INFO(sandbox.description);
-        const Place place, other;
+        const StepFolder place, other;
         write_text(other.folder / "secret", "secret");
         write_text(place.folder / "mine", "mine");
         setenv("PENUMBRA_SECRET", "secret", 1);
@@ -121,7 +60,7 @@ TEST_CASE("a step sees its own folder, and neither another nor a secret, nor the
 TEST_CASE("a tool writes into its folder, and nothing that it starts outlives it", "[steps]") {
     for (const Sandbox& sandbox : sandboxes()) {
         INFO(sandbox.description);
-        const Place place;
+        const StepFolder place;
         CHECK(
             shell(sandbox, place.folder, "echo made >made && mkdir -p deep && mv made deep/made && chmod 700 deep/made")
                 .good());
@@ -138,7 +77,7 @@ TEST_CASE("a tool writes into its folder, and nothing that it starts outlives it
 TEST_CASE("a student's program starts no other, and writes nowhere", "[steps]") {
     for (const Sandbox& sandbox : sandboxes()) {
         INFO(sandbox.description);
-        const Place place;
+        const StepFolder place;
         write_text(place.folder / "there", "there");
         CHECK(shell(sandbox, place.folder, "echo only this", false).out == "only this\n");
         const Ending forks = shell(sandbox, place.folder, "/bin/true; echo more", false);
@@ -159,7 +98,7 @@ TEST_CASE("a student's program starts no other, and writes nowhere", "[steps]") 
 TEST_CASE("nothing can be read again from where a step writes to", "[steps]") {
     for (const Sandbox& sandbox : sandboxes()) {
         INFO(sandbox.description);
-        const Place place;
+        const StepFolder place;
         for (const std::string file : {"/dev/stdout", "/dev/stdin", "/dev/zero", "/dev/tty", "/proc/self/fd/1",
                                        "/proc/self/fd/0", "/dev/fd/2"}) {
             const Ending ending = shell(sandbox, place.folder, "exec cat " + file);
@@ -177,143 +116,6 @@ TEST_CASE("a sandbox that does not work is told, and the grader goes no further"
                       Catch::Matchers::ContainsSubstring("there is no sandbox here") &&
                           Catch::Matchers::ContainsSubstring("--trusted"));
     CHECK(find_sandbox(true, {"/no/such/file"}).kind == Sandbox::Kind::limits_only);
-}
-
-TEST_CASE("a fragment compiles and links in every sandbox", "[steps]") {
-    for (const Sandbox& sandbox : sandboxes()) {
-        INFO(sandbox.description);
-        const Place place;
-        const Compiled result = compile_fragment(chain(), sandbox, "phong", phong, "phong.cpp", place.folder);
-        REQUIRE(result.message.empty());
-        CHECK(fs::exists(linked(chain(), sandbox, "phong", result.object, place)));
-        // what the precompiled header leaves out is there all the same
-        CHECK(compiled(sandbox, phong + "double eighth = std::beta(2.0, 3.0) * 1.5;\n").message.empty());
-    }
-}
-
-TEST_CASE("the compiler's warnings about the student's own file are kept, a few lines of them", "[steps]") {
-    for (const Sandbox& sandbox : sandboxes()) {
-        INFO(sandbox.description);
-        CHECK(compiled(sandbox, phong).warnings.empty());
-        const std::string unused = "static void f() { int a, b, c, d; }\n";
-        const std::string warnings = compiled(sandbox, phong + unused).warnings;
-        CHECK(warnings.starts_with("phong.cpp:"));
-        CHECK(std::ranges::count(warnings, '\n') == 4);
-        CHECK(warnings.find("and 2 more") != std::string::npos);
-        // an error behind more warnings than are kept
-        std::string many;
-        for (int i = 0; i < 2000; ++i) many += fmt::format("static void unused_function_{}() {{ int unused; }}\n", i);
-        CHECK(compiled(sandbox, many + phong + "int x = nothing;\n").message.find("nothing") != std::string::npos);
-    }
-}
-
-TEST_CASE("sanitizers say in which line a fragment breaks down", "[steps]") {
-    const auto said = [](const Sandbox& sandbox, const std::string& body) {
-        const Place place;
-        const Toolchain checked = with_sanitizers(chain());
-        const Compiled result = compile_fragment(checked, sandbox, "moved",
-                                                 "#include \"rt/fragments.h\"\n#include <vector>\nnamespace rt {\nvec3 "
-                                                 "moved(vec3 point, vec3 velocity, Real time) {\n" +
-                                                     body + "\n}\n}\n",
-                                                 "moved.cpp", place.folder);
-        REQUIRE(result.message.empty());
-        Runner runner(linked(checked, sandbox, "moved", result.object, place), sandbox, fs::absolute("scenes"), 5,
-                      true);
-        const auto outcome = runner.probe("moved", {row(rt::vec3(1), rt::vec3(2), 3.0)});
-        const Fault* fault = std::get_if<Fault>(&outcome);
-        return fault ? fault_in_words(fault->excerpt, "moved") : "answered";
-    };
-    for (const Sandbox& sandbox : sandboxes()) {
-        if (sandbox.kind == Sandbox::Kind::container) continue;
-        INFO(sandbox.description);
-        CHECK(said(sandbox, "return point + velocity * time;") == "answered");
-        CHECK(said(sandbox, "if (time < 0) return point;").starts_with("moved.cpp:4: a way through this function"));
-        CHECK(said(sandbox, "Real a[3] = {}; volatile int k = 5;\nreturn point * a[k];")
-                  .starts_with("moved.cpp:6: index 5"));
-        CHECK(said(sandbox, "return velocity + moved(velocity, point, time + 1);")
-                  .ends_with(": the function calls itself without end"));
-        CHECK(said(sandbox, "std::vector<Real> a(3);\nreturn point * a[std::size_t(time)];") ==
-              "moved.cpp:6: an index is out of range");
-    }
-}
-
-TEST_CASE("an object with sections that no compiler makes of a fragment goes no further", "[steps]") {
-    std::vector<std::string> sections{".gnu.lto_.opts",  ".gnu.warning.x", ".interp", ".dynamic", ".preinit_array",
-                                      ".gnu.debuglto_x", "penumbra",       ".init",   ".note.x"};
-    for (const Sandbox& sandbox : sandboxes()) {
-        INFO(sandbox.description);
-        for (const std::string& section : sections) {
-            const Compiled result = compiled(
-                sandbox, fmt::format("asm(\".section {},\\\"a\\\"\\n.byte 1\\n.text\\n\");\n{}", section, phong));
-            INFO(section);
-            CHECK_FALSE(result.good);
-            CHECK(result.message.find("a section " + section + " is made in it") != std::string::npos);
-        }
-        CHECK(compiled(sandbox,
-                       "static struct A { A() { x = 1; } int x; ~A() { x = 2; } } a;\nthread_local int y = 3;\ninline "
-                       "int z = 2;\n" +
-                           phong)
-                  .good);
-        sections.resize(1);  // the other sandboxes see the same objects
-    }
-}
-
-TEST_CASE("what cuts a compiler off is said in words, and is no fault of the compiler", "[steps]") {
-    for (const Sandbox& sandbox : sandboxes()) {
-        INFO(sandbox.description);
-        for (const std::string file : {"/dev/stdout", "/dev/stdin", "/proc/self/fd/1", "/dev/zero"}) {
-            const Compiled result = compiled(sandbox, "#include \"" + file + "\"\n" + phong);
-            INFO(result.message);
-            CHECK_FALSE(result.good);
-            CHECK(result.message.find(file) != std::string::npos);
-        }
-        for (const auto& [text, words] :
-             {std::pair<std::string, std::string>("char big[3000000000] = {1};\n",
-                                                  "the compiler writes more than 32 MB for it"),
-              {"asm(\".fill 1000000000, 8, 1\");\n", "the compiler"}}) {
-            const Compiled result = compiled(sandbox, text + phong);
-            INFO(result.message);
-            CHECK_FALSE(result.good);
-            CHECK(result.message.find("phong.cpp: error: " + words) != std::string::npos);
-            CHECK(result.message.find("internal compiler error") == std::string::npos);
-            CHECK(result.message.find("bug report") == std::string::npos);
-        }
-    }
-}
-
-TEST_CASE("symbols that explode when they are demangled cost the grader nothing", "[steps]") {
-    // each of them is twice the one before in words, and a few characters in the object
-    std::string text = "template <class A, class B> struct Pair {};\nusing T0 = Pair<int, int>;\n";
-    for (int i = 1; i < 26; ++i) text += fmt::format("using T{} = Pair<T{}, T{}>;\n", i, i - 1, i - 1);
-    text += "namespace rt { void phong(T25) {} }\n";
-    for (const Sandbox& sandbox : sandboxes()) {
-        INFO(sandbox.description);
-        const Compiled result = compiled(sandbox, text);
-        INFO(result.message.substr(0, 1000));
-        CHECK_FALSE(result.good);
-        CHECK(result.message.size() < 2000);
-    }
-}
-
-TEST_CASE("tables of an object that lead out of it, or are cut off, are refused", "[steps]") {
-    const std::string object = read_text(chain().solution_objects.at("phong")).value();
-    CHECK(object_fault(read_object(object)).empty());
-    CHECK(std::ranges::count(read_object(object).defined, chain().symbols.at("phong")) == 1);
-    for (std::size_t size = 0; size < object.size(); size += 1 + size / 50)
-        CHECK_THROWS_AS(read_object(object.substr(0, size)), BadObject);
-    std::uint64_t random = 1;
-    for (int trial = 0; trial < 20000; ++trial) {
-        std::string changed = object;
-        for (int i = 0; i < 4; ++i) {
-            random = random * 6364136223846793005u + 1442695040888963407u;
-            const std::size_t table = object.size() - std::min<std::size_t>(object.size(), 3000), at = random >> 33;
-            changed[i % 2 ? at % 64 : table + at % (object.size() - table)] = char(random >> 56);
-        }
-        try {
-            read_object(changed);
-        } catch (const BadObject&) {}
-    }
-    CHECK_THROWS_AS(read_object("BC\xc0\xde and more of LLVM's own kind"), BadObject);
 }
 
 TEST_CASE("only the runner of steps starts processes", "[steps]") {
@@ -334,4 +136,25 @@ TEST_CASE("only the runner of steps starts processes", "[steps]") {
                                             "grader/commands/command_line.cpp: execv",
                                             "grader/programs/process.cpp: execv",
                                             "grader/programs/process.cpp: fork("});
+}
+
+TEST_CASE("a program's end, output and limits are told") {
+    const auto shell = [](const std::string& text, Limits limits = {}) {
+        return run({"/bin/sh", "-c", text}, limits, "/");
+    };
+    CHECK(shell("echo out; echo err >&2; exit 3").code == 3);
+    CHECK(shell("echo out").out == "out\n");
+    CHECK(shell("kill -SEGV $$").how == Ending::How::signalled);
+    Limits limits;
+    limits.wall_seconds = 0.5;
+    CHECK(shell("sleep 100", limits).how == Ending::How::timed_out);
+    limits = {};
+    limits.cpu_seconds = limits.most_cpu_seconds = 1;
+    CHECK(shell("while :; do :; done", limits).how == Ending::How::timed_out);
+    limits = {};
+    limits.output = 1000;
+    CHECK(shell("yes | head -c 1000000", limits).out.size() == 1000);
+    CHECK(shell("sleep 100 & echo done").out == "done\n");
+    CHECK(shell("env").out.find("HOME") == std::string::npos);
+    CHECK(run({"/no/such/program"}, {}, "/").how == Ending::How::not_run);
 }

@@ -50,11 +50,60 @@ void check_traces(const fs::path& object, const std::string& symbol) {
     }
 }
 
+/// By line that a student must write, each comment and each string among them: its file.
+std::map<std::string, std::string> lines_to_write(const Assignment& assignment) {
+    std::map<std::string, std::string> origin;
+    for (const Fragment& fragment : assignment.fragments) {
+        if (fragment.given) continue;
+        const std::string solution = "solution/" + fragment.name + ".cpp";
+        for (const std::string& line : find_region(text_at(solution), solution).region)
+            if (const std::string text = trimmed(line); code_only(text).size() > 8 || text.starts_with("//"))
+                origin[text] = solution;
+    }
+    return origin;
+}
+
+/// Those for who teaches, a paragraph each.
+std::vector<std::string> answers() {
+    std::vector<std::string> all;
+    std::istringstream paragraphs(text_at("grader/THINK.md"));
+    for (std::string line; std::getline(paragraphs, line);)
+        if (line.size() > 80) all.push_back(line);
+    REQUIRE(all.size() > 32);
+    return all;
+}
+
+void holds_no_answer(const fs::path& path, const std::string& text) {
+    static const std::vector<std::string> all = answers();
+    for (const std::string& answer : all)
+        if (text.find(answer) != text.npos) FAIL_CHECK(path << " holds an answer: " << answer);
+}
+
+/// A compiler may hold a long text in pieces of eight bytes.
+void tells_not_where_it_was_built(const fs::path& path, const std::string& text) {
+    INFO(path);
+    const std::string built_in = fs::absolute(".").lexically_normal().parent_path().string();
+    CHECK(text.find(built_in) == std::string::npos);
+    if (built_in.size() >= 16) CHECK(text.find(built_in.substr(8, 8)) == std::string::npos);
+}
+
+/// The framework may say the same somewhere as a part of a longer line; a whole line may not.
+void holds_no_line_of(const std::map<std::string, std::string>& origin, const fs::path& path, const std::string& text) {
+    const bool is_source = path.extension() == ".cpp" || path.extension() == ".h";
+    for (const auto& [line, file] : origin) {
+        const std::size_t at = text.find(line);
+        if (at == text.npos) continue;
+        const std::size_t start = text.rfind('\n', at) + 1, end = text.find('\n', at);
+        const bool whole = !is_source || trimmed(text.substr(start, end - start)) == line;
+        INFO(path << " holds a line of " << file << ": " << line);
+        CHECK_FALSE((whole && path.extension() != ".md" && path.string().find("/glm/") == std::string::npos));
+    }
+}
+
 }  // namespace
 
-TEST_CASE("students get a kit, and nothing of what they must write is in it") {
+TEST_CASE("students get a kit") {
     const Assignment assignment = read_assignment("assignment.toml");
-    const Toolchain built = read_toolchain(built_kit());
     const TemporaryFolder temporary;
     const fs::path folder = temporary.path() / "handed_out", machine = folder / "grader" / kind_of_machine();
     hand_out(".", assignment, built_kit(), folder);
@@ -69,28 +118,24 @@ TEST_CASE("students get a kit, and nothing of what they must write is in it") {
         CHECK(fs::is_regular_file(folder / there));
     for (const char* there : {"grade", "grade_studies", "libchild.a", "librt.a", "reference/phong.o", "toolchain.toml"})
         CHECK(fs::is_regular_file(machine / there));
+    for (const Fragment& fragment : assignment.fragments) {
+        const std::string file = fragment.name + ".cpp", blank = text_at(folder / "grader/blanks" / file);
+        INFO(fragment.name);
+        CHECK(text_at(folder / "starter/fragments" / file) == blank);
+        if (!fragment.given) CHECK(blank.find("not_started(") != std::string::npos);
+    }
+}
+
+TEST_CASE("nothing of what students must write is in their kit, whatever a file's name") {
+    const Assignment assignment = read_assignment("assignment.toml");
+    const Toolchain built = read_toolchain(built_kit());
+    const TemporaryFolder temporary;
+    const fs::path folder = temporary.path() / "handed_out", machine = folder / "grader" / kind_of_machine();
+    hand_out(".", assignment, built_kit(), folder);
     for (const char* not_there : {"solution", "tests", "build", ".git", "grader/checks", "scenes/render_pictures"})
         CHECK_FALSE(fs::exists(folder / not_there));
 
-    // each line that a student must write, each comment and each string among them
-    std::map<std::string, std::string> origin;
-    for (const Fragment& fragment : assignment.fragments) {
-        const std::string file = fragment.name + ".cpp", solution = "solution/" + file;
-        INFO(fragment.name);
-        CHECK(text_at(folder / "starter/fragments" / file) == text_at(folder / "grader/blanks" / file));
-        if (fragment.given) continue;
-        CHECK(text_at(folder / "grader/blanks" / file).find("not_started(") != std::string::npos);
-        const Marked marked = find_region(text_at(solution), solution);
-        for (const std::string& line : marked.region)
-            if (const std::string text = trimmed(line); code_only(text).size() > 8 || text.starts_with("//"))
-                origin[text] = solution;
-    }
-    // the answers for those who teach are nowhere, whatever the file's name
-    std::vector<std::string> answers;
-    std::istringstream paragraphs(text_at("grader/THINK.md"));
-    for (std::string line; std::getline(paragraphs, line);)
-        if (line.size() > 80) answers.push_back(line);
-    REQUIRE(answers.size() > 32);
+    const std::map<std::string, std::string> origin = lines_to_write(assignment);
     std::uintmax_t bytes = 0;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
         if (!entry.is_regular_file()) continue;
@@ -98,24 +143,9 @@ TEST_CASE("students get a kit, and nothing of what they must write is in it") {
         // the page holds the pictures once more, and is there only where pandoc is
         if (entry.path().filename() != "handout.html") bytes += entry.file_size();
         const std::string text = text_at(entry.path());
-        // where it was built; a compiler may hold a long text in pieces of eight bytes
-        const std::string built_in = fs::absolute(".").lexically_normal().parent_path().string();
-        INFO(entry.path());
-        for (const std::string& answer : answers)
-            if (text.find(answer) != text.npos) FAIL_CHECK(entry.path() << " holds an answer: " << answer);
-        CHECK(text.find(built_in) == std::string::npos);
-        if (built_in.size() >= 16) CHECK(text.find(built_in.substr(8, 8)) == std::string::npos);
-        const bool is_source = entry.path().extension() == ".cpp" || entry.path().extension() == ".h";
-        for (const auto& [line, file] : origin) {
-            const std::size_t at = text.find(line);
-            if (at == text.npos) continue;
-            // the framework may say the same somewhere as a part of a longer line; a whole line may not
-            const std::size_t start = text.rfind('\n', at) + 1, end = text.find('\n', at);
-            const bool whole = !is_source || trimmed(text.substr(start, end - start)) == line;
-            INFO(entry.path() << " holds a line of " << file << ": " << line);
-            CHECK_FALSE((whole && entry.path().extension() != ".md" &&
-                         entry.path().string().find("/glm/") == std::string::npos));
-        }
+        holds_no_answer(entry.path(), text);
+        tells_not_where_it_was_built(entry.path(), text);
+        holds_no_line_of(origin, entry.path(), text);
     }
     CHECK(bytes < 25'000'000);
 

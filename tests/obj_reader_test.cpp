@@ -226,3 +226,41 @@ TEST_CASE("a quad that is bent is split into two triangles", "[obj]") {
     const auto mesh = read("v 0 0 0\nv 1 0 0.3\nv 1 1 0\nv 0 1 0.3\nf 1 2 3 4\n");
     CHECK(mesh.triangles.size() == 2);
 }
+
+TEST_CASE("faces of an OBJ file become triangles", "[reader]") {
+    const std::string vertices = "# a square\r\nv 0 0 0\r\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+    CHECK_THROWS_AS(read(vertices + "f -4/1/1 -3// -2\n"), rt::InputError);  // names a normal that is not there
+
+    const rt::Mesh mesh = read(vertices + "f -4 -3 -2");
+    REQUIRE(mesh.triangles.size() == 3);
+    CHECK(mesh.triangles[0] == glm::ivec3(0, 1, 2));
+    CHECK(mesh.triangles[1] == glm::ivec3(0, 2, 3));
+    CHECK(mesh.triangles[2] == glm::ivec3(0, 1, 2));
+    CHECK(mesh.normals.empty());
+
+    const rt::Mesh smooth = read(vertices + "f -4 -3 -2", true);
+    REQUIRE(smooth.normals.size() == smooth.vertices.size());
+    for (const auto& n : smooth.normals) CHECK(n == rt::vec3(0, 0, 1));
+}
+
+TEST_CASE("a mesh keeps the normals of its file, and turns them with a mirror image", "[reader]") {
+    read("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 1 0 1\nf 1//1 2//1 3//1\n");
+    const std::string scene = R"([camera]
+eye = [0, 0, 5]
+target = [0, 0, 0]
+[materials.m]
+[[shape]]
+type = "mesh"
+file = "penumbra_obj_test.obj"
+smooth = true
+scale = [-1, 1, 1]
+translate = [0, 0, 1]
+material = "m"
+)";
+    const rt::Mesh mesh = rt::parse_scene(scene, (fs::temp_directory_path() / "tilted.toml").string()).meshes.at(0);
+    const auto at = [&](int i) { return mesh.vertices[std::size_t(mesh.triangles[0][i])]; };
+    CHECK(rt::cross(at(1) - at(0), at(2) - at(0)) == rt::vec3(0, 0, 1));
+    CHECK(mesh.normals[0].x == Approx(-std::sqrt(0.5)));
+    CHECK(mesh.normals[0].z == Approx(std::sqrt(0.5)));
+    CHECK(at(0) == rt::vec3(0, 0, 1));
+}

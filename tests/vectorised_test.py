@@ -17,6 +17,8 @@ import subprocess
 import sys
 import tempfile
 
+from helpers import skip
+
 root = pathlib.Path(__file__).resolve().parent.parent
 
 # Loops that stay scalar, at most so many: strata are shuffled by a loop of unknown length, for any number of samples;
@@ -27,11 +29,6 @@ known = {
     "send": 1,  # translucency
     "try_shape": 2,  # triangles in scenes without a tree
 }
-
-
-def skip(why):
-    print("skipped: " + why)
-    sys.exit(77)
 
 
 def marked_loops():

@@ -1,7 +1,6 @@
 #include "assignment/strip.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
@@ -86,16 +85,6 @@ std::string blank(const Marked& file) {
 }
 
 std::string filled(const Marked& file) { return joined({file.before, file.region, file.after}); }
-
-std::vector<std::string> secrets(const Marked& file) {
-    std::vector<std::string> found;
-    for (const auto& line : file.region) {
-        const std::string text = trimmed(line);
-        const bool speaks = std::any_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c); });
-        if (speaks && text != "} else {" && text.compare(0, 2, "//") != 0) found.push_back(text);
-    }
-    return found;
-}
 
 std::map<std::string, std::string> make_starter(const std::string& solution, const std::set<std::string>& asked) {
     std::map<std::string, std::string> files;

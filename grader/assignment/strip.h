@@ -29,10 +29,6 @@ std::string blank(const Marked& file);
 /// The file with the region filled in, and no markers: a fragment that is given.
 std::string filled(const Marked& file);
 
-/// The lines of a region that must not reach a student, without indentation: all that say something, so neither
-/// brackets alone nor comments.
-std::vector<std::string> secrets(const Marked& file);
-
 /// File name and text of each fragment of the starter, made from the .cpp files of a folder. Those named in `asked`
 /// (without .cpp) are blank, the others filled in. Throws rt::InputError.
 std::map<std::string, std::string> make_starter(const std::string& solution, const std::set<std::string>& asked);

@@ -61,6 +61,7 @@ Record grade_as(const Record& before, const AgainArguments& arguments, const std
 }
 
 void tell_differences(const Record& before, const Record& after) {
+    if (before.sha256 != after.sha256) fmt::print("the submission has other texts\n");
     for (const std::string& line : made_differently(before, after)) fmt::print("{}\n", line);
 }
 
@@ -105,8 +106,7 @@ bool compare_classes(const std::vector<Result>& before, const std::vector<Result
     const auto graded = [](const Result& r) { return r.record.has_value(); };
     const auto a = std::ranges::find_if(before, graded), b = std::ranges::find_if(after, graded);
     if (a != before.end() && b != after.end())
-        for (const std::string& line : made_differently(*a->record, *b->record))
-            if (!line.starts_with("the submission")) fmt::print("{}\n", line);
+        for (const std::string& line : made_differently(*a->record, *b->record)) fmt::print("{}\n", line);
     fmt::print("{} rise, {} fall, {} as before\n", rise, fall, same);
     return rise + fall > 0;
 }

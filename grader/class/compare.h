@@ -17,8 +17,8 @@ struct Change {
 /// Losses first. Fragments that only one of them has are changes from or to 0.
 std::vector<Change> changes_between(const Record& before, const Record& after);
 
-/// What two records were made with that is not the same, a line each: other texts, grader, reference, checks, points,
-/// seed.
+/// What two records of the same texts were made with that is not the same, a line each: grader, reference, checks,
+/// points, seed.
 std::vector<std::string> made_differently(const Record& before, const Record& after);
 
 /// "4 -> 0  hit_sphere: failed, was passed: ...", a line each.

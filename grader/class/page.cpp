@@ -18,20 +18,6 @@ namespace {
 
 constexpr std::size_t most_mistakes = 40, most_names = 12, most_twins = 50;
 
-constexpr const char* class_style = R"css(
-.wide { overflow-x: auto; } .wide table { min-width: 520px; }
-.share { display: flex; height: 12px; min-width: 60px; border-radius: 3px; overflow: hidden; background: var(--track); }
-.share i { display: block; height: 100%; } .share .ok { background: var(--good); } .share .no { background: var(--bad); }
-.columns { display: flex; align-items: flex-end; gap: 4px; height: 130px; } .columns div { flex: 1; display: flex; flex-direction: column; justify-content: flex-end; text-align: center; height: 100%; font-size: 12px; color: var(--soft); }
-.columns i { display: block; background: var(--good); border-radius: 3px 3px 0 0; } .class td { overflow-wrap: anywhere; } .class td.number { overflow-wrap: normal; }
-.class td[data-is="fragment"] { white-space: nowrap; }
-@media (max-width: 640px) {
-    .wide table { min-width: 0; } .class, .class tbody, .class tr, .class td { display: block; } .class tr:has(th) { display: none; }
-    .class tr { border-top: 1px solid var(--line); padding: 6px 0; } .class td, .class td.number { border: 0; padding: 1px 0; text-align: left; }
-    td[data-is]:not(:empty)::before { content: attr(data-is) " "; color: var(--soft); font-size: 13px; }
-}
-)css";
-
 using Links = std::vector<std::string>;  // by result: its name, with a link where there is a page
 
 Links links_of(const std::vector<Result>& results) {
@@ -179,13 +165,12 @@ std::string class_page(const std::vector<Result>& results, const std::string& ti
     int count = 0;
     for (const Result& result : results)
         if (result.record) sum += result.record->score(), most = result.record->max_score(), ++count;
-    std::string text = fmt::format(
-        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-        "content=\"width=device-width\"><title>Class: {}</title><style>{}{}</style></head><body><main>\n"
-        "<header><div><h1>{}</h1><p>{}, {} graded</p><p class=\"soft\">{}</p></div><div "
+    std::string text = page_head("Class: " + title, class_style);
+    text += fmt::format(
+        "<main>\n<header><div><h1>{}</h1><p>{}, {} graded</p><p class=\"soft\">{}</p></div><div "
         "class=\"score\"><b>{}</b> <span>of {}, mean</span></div></header>\n",
-        html(title), page_style, class_style, html(title), counted(results.size()), count, html(made_with(results)),
-        short_number(count ? sum / count : 0), short_number(most));
+        html(title), counted(results.size()), count, html(made_with(results)), short_number(count ? sum / count : 0),
+        short_number(most));
     text += section("Scores", spread_of_scores(results)) + section("By fragment", by_fragment(results));
     text += section("Frequent mistakes", frequent_mistakes(results, links));
     text += section("Twins", suspicious_twins(results, links));

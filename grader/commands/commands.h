@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "judging/grading.h"
+
 namespace CLI {
 class App;
 }
@@ -15,12 +17,11 @@ namespace grade {
 
 struct GradeArguments {
     std::vector<std::string> words;  // a submission, and fragments
-    std::string json, html, keep, own_scene;
+    std::string json, html, own_scene;
     std::optional<std::uint64_t> seed;
     std::optional<double> required;
-    int jobs = 0;
-    double time_limit = 5;
-    bool trusted = false, fresh = false, watch = false;
+    GradingSettings settings;  // those that have an option
+    bool fresh = false, watch = false;
 };
 
 /// The options of a grading, which has no word of its own.

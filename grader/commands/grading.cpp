@@ -64,7 +64,8 @@ public:
           chain_(read_toolchain(toolchain)),
           assignment_(read_assignment((chain_.source / "assignment.toml").string())),
           chosen_(choose(arguments.words, chain_, assignment_)),
-          command_(command) {
+          command_(command),
+          settings_(arguments.settings) {
         require_folder_of(arguments.json, "--json");
         cache_ = cache_folder(chain_);
         // what its user edits gets the page as well
@@ -141,13 +142,10 @@ private:
         settings_.only = chosen_.fragments;
         settings_.seed = arguments_.seed ? *arguments_.seed : chosen_.own ? own_seed : fresh_seed();
         if (!arguments_.seed && !chosen_.own) command_ += fmt::format(" --seed {}", settings_.seed);
-        settings_.time_limit = arguments_.time_limit;
         settings_.pictures = !html_.empty() || chosen_.own;
-        settings_.build.jobs = arguments_.jobs;
         // a kit grades the code of its own user
-        settings_.build.trusted = arguments_.trusted || (chain_.is_kit && chosen_.own);
-        settings_.build.keep = arguments_.keep;
-        if (chosen_.own && cache_ && !arguments_.fresh && arguments_.keep.empty())
+        settings_.build.trusted |= chain_.is_kit && chosen_.own;
+        if (chosen_.own && cache_ && !arguments_.fresh && settings_.build.keep.empty())
             settings_.build.kept = Kept(*cache_ / "kept", chain_);
         const fs::path gallery = chain_.source / "scenes/gallery/everything.toml";
         if (!arguments_.own_scene.empty())
@@ -192,16 +190,18 @@ void add_grade_options(CLI::App& app, GradeArguments& arguments) {
                    "write a page with all pictures into this folder; a whole starter always gets one")
         ->type_name("DIR");
     app.add_option("--require", arguments.required, "exit with 1 below so many points")->type_name("POINTS");
-    app.add_option("--jobs", arguments.jobs, "how many programs run at a time; default: one for each core")
+    app.add_option("--jobs", arguments.settings.build.jobs,
+                   "how many programs run at a time; default: one for each core")
         ->check(CLI::Range(1, 1024));
-    app.add_option("--time-limit", arguments.time_limit, "CPU seconds for one answer of a fragment")
+    app.add_option("--time-limit", arguments.settings.time_limit, "CPU seconds for one answer of a fragment")
         ->capture_default_str()
         ->check(CLI::Range(1.0, 600.0));
-    app.add_option("--keep", arguments.keep, "leave objects and programs in this folder")->type_name("DIR");
+    app.add_option("--keep", arguments.settings.build.keep, "leave objects and programs in this folder")
+        ->type_name("DIR");
     app.add_option("--picture", arguments.own_scene, "the scene of the submission's own picture on the page")
         ->type_name("SCENE");
     app.add_flag("--fresh", arguments.fresh, "run all checks again, also those that nothing has changed for");
-    app.add_flag("--trusted", arguments.trusted, "the code is your own: limits, but no sandbox");
+    app.add_flag("--trusted", arguments.settings.build.trusted, "the code is your own: limits, but no sandbox");
 }
 
 int run_grade(const GradeArguments& arguments, const std::string& toolchain, const std::string& command) {

@@ -141,9 +141,10 @@ CLI::App* add_converge_command(CLI::App& app, ConvergeArguments& arguments) {
     converge->add_option("--folder", arguments.folder, "where results are kept, and work goes on after an interruption")
         ->type_name("DIR");
     converge->add_flag("--fresh", arguments.fresh, "measure anew what is kept, but for references");
-    converge->add_option("--jobs", arguments.jobs, "how many compilers run at a time; pictures are timed one by one")
+    converge
+        ->add_option("--jobs", arguments.build.jobs, "how many compilers run at a time; pictures are timed one by one")
         ->check(CLI::Range(1, 1024));
-    converge->add_flag("--trusted", arguments.trusted, "the code is your own: limits, but no sandbox");
+    converge->add_flag("--trusted", arguments.build.trusted, "the code is your own: limits, but no sandbox");
     converge->add_flag("--require", arguments.require, "exit with 1 where a bias is shown or a picture is missing");
     converge->fallthrough();
     return converge;
@@ -171,9 +172,7 @@ int converge(const ConvergeArguments& arguments, const std::string& toolchain, c
     };
     bench.progress(0, "compiling");
     Progress silent({});
-    BuildSettings build;
-    build.jobs = arguments.jobs, build.trusted = arguments.trusted, build.only_changed = true;
-    Programs programs(submission, chain, build, silent);
+    Programs programs(submission, chain, arguments.build, silent);
     bench.sandbox = programs.sandbox();
     add_programs(bench, programs, assignment, chain, record.note);
     int copies = 0;

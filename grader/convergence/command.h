@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "convergence/measure.h"
+#include "programs/programs.h"
 
 namespace CLI {
 class App;
@@ -15,8 +16,8 @@ struct ConvergeArguments {
     std::vector<std::string> words;  // a submission, scenes
     std::string json, csv, out, folder;
     Amounts amounts;
-    int jobs = 0;
-    bool trusted = false, fresh = false, require = false;
+    BuildSettings build{.only_changed = true};
+    bool fresh = false, require = false;
 };
 
 CLI::App* add_converge_command(CLI::App& app, ConvergeArguments& arguments);

@@ -95,12 +95,16 @@ std::optional<PictureCost> cost_of(const Node& node, const char* key) {
     return PictureCost{cost.number_or_null("mse").value_or(0), cost.number("cpu_seconds")};
 }
 
+Trouble trouble_of(const Node& node) {
+    return node.json.contains("trouble") ? Trouble(node.one_of(trouble_names, "trouble")) : Trouble::none;
+}
+
 CheckRecord check_of(const Node& node, const std::string& fragment) {
     CheckRecord c;
     c.name = node.text("name"), c.fragment = fragment;
     c.points = node.number("points"), c.max_points = node.number("max_points");
     c.verdict = node.verdict(), c.message = node.text_or_none("message");
-    if (node.json.contains("trouble")) c.trouble = Trouble(node.one_of(trouble_names, "trouble"));
+    c.trouble = trouble_of(node);
     c.cpu_seconds = node.number("cpu_seconds");
     c.scene = node.text_or_none("scene");
     if (!c.scene.empty()) c.samples = node.count("samples"), c.sampler = node.text("sampler");
@@ -115,6 +119,7 @@ FragmentRecord fragment_of(const Node& node) {
     f.points = node.number("points"), f.max_points = node.number("max_points");
     if (node.json.contains("visibility")) f.visibility = node.text("visibility");
     f.verdict = node.verdict(), f.finished = node.flag("finished");
+    f.trouble = trouble_of(node);
     f.file = node.text_or_none("file"), f.sha256 = node.text_or_none("sha256");
     f.cpu_seconds = node.number("cpu_seconds");
     if (node.json.contains("finding")) {

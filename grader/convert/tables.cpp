@@ -32,11 +32,10 @@ std::string points_or_none(const TableRow& row) { return row.record ? short_numb
 
 /// Without its name where that is all that is said.
 std::string own_words_on(const FragmentRecord& fragment) {
-    if (fragment.verdict == Verdict::not_started && fragment.message.starts_with("fill in "))
-        return in_words(fragment.verdict);
-    constexpr std::string_view missing = "not in the submission";
-    return fragment.message.ends_with(missing) ? fmt::format("{}: {}", in_words(fragment.verdict), missing)
-                                               : words_on(fragment);
+    if (fragment.trouble == Trouble::missing)
+        return fmt::format("{}: not in the submission", in_words(fragment.verdict));
+    const bool is_blank = fragment.verdict == Verdict::not_started && !fragment.file.empty();
+    return is_blank ? in_words(fragment.verdict) : words_on(fragment);
 }
 
 /// What is to be said of each fragment; the same words of several once, where the first of them stands.

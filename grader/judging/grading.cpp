@@ -7,7 +7,7 @@
 #include <mutex>
 
 #include "files/files.h"
-#include "files/sha256.h"
+#include "judging/blank_record.h"
 #include "judging/fault.h"
 #include "judging/finding.h"
 #include "judging/lanes.h"
@@ -23,7 +23,14 @@ namespace {
 class Grading {
 public:
     Grading(Programs& programs, const Assignment& assignment, const Toolchain& chain, const FutureChecks& checks,
-            const GradingSettings& settings, Progress& progress);
+            const GradingSettings& settings, Progress& progress)
+        : programs_(programs),
+          chain_(chain),
+          checks_(checks),
+          settings_(settings),
+          progress_(progress),
+          record_(blank_record(programs, assignment, settings)),
+          check_settings_{settings} {}
 
     Record run();
 
@@ -54,16 +61,6 @@ private:
     std::mutex lock_;
 };
 
-/// The record of a check that there is no time for any more.
-void leave_out(CheckRecord& record) {
-    record.verdict = Verdict::timed_out;
-    record.message = std::string(not_run) + "an earlier check of this fragment timed out";
-    record.excerpt.clear();
-    record.statistics.clear();
-    record.cost = record.solution_cost = std::nullopt;
-    record.picture = record.solution_picture = {};
-}
-
 bool is_timed_out(const CheckRecord& record) { return record.verdict == Verdict::timed_out; }
 
 bool is_measured(const CheckRecord& record) {
@@ -71,36 +68,8 @@ bool is_measured(const CheckRecord& record) {
            record.verdict == Verdict::inconclusive;
 }
 
-Grading::Grading(Programs& programs, const Assignment& assignment, const Toolchain& chain, const FutureChecks& checks,
-                 const GradingSettings& settings, Progress& progress)
-    : programs_(programs), chain_(chain), checks_(checks), settings_(settings), progress_(progress) {
-    record_.submission = programs.submission();
-    record_.title = assignment.title;
-    record_.seed = settings.seed;
-    record_.sandbox = programs.sandbox().description;
-    record_.command = settings.command;
-    record_.date = now();
-    record_.provenance = settings.provenance;
-    record_.limits.time = settings.time_limit;
-    record_.parts = assignment.parts;
-
-    for (const Fragment& fragment : assignment.fragments) {
-        if (fragment.given || (!settings.only.empty() && !settings.only.contains(fragment.name))) continue;
-        FragmentRecord record;
-        record.name = fragment.name, record.part = fragment.part, record.max_points = fragment.points;
-        record.visibility = fragment.visibility;
-        if (const auto text = programs.texts().find(fragment.name); text != programs.texts().end())
-            record.file = programs.file_of(fragment.name), record.sha256 = sha256(text->second);
-        if (!settings.only.empty()) record_.selection.push_back(fragment.name);
-        record_.fragments.push_back(std::move(record));
-    }
-    record_.sha256 = hash_of(programs.texts(), assignment);
-}
-
 void Grading::add_checks() {
     const std::vector<Check>& checks = checks_.get();
-    check_settings_.seed = settings_.seed;
-    check_settings_.pictures = settings_.pictures;
     check_settings_.statistics.statistics = settings_.statistics > 0 ? settings_.statistics : noisy_statistics(checks);
     check_settings_.statistics.cap = settings_.replicates;
     record_.limits.replicates = settings_.replicates;
@@ -123,6 +92,7 @@ void Grading::finish(FragmentRecord& fragment) {
     if (const auto problem = programs_.problems().find(fragment.name); problem != programs_.problems().end()) {
         fragment.verdict = problem->second.verdict;
         fragment.message = problem->second.message;
+        fragment.trouble = problem->second.trouble;
         for (CheckRecord& check : fragment.checks) check.verdict = fragment.verdict;
         give_points(fragment);
     } else {

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "diagnosis/divergence.h"
+#include "judging/blank_record.h"
 #include "judging/check_decision.h"
 #include "judging/picture_cost.h"
 #include "statistics/image_fault.h"
@@ -91,19 +92,6 @@ void add_solution_picture(CheckRecord& record, const std::vector<rt::Image>& sho
 
 }  // namespace
 
-CheckRecord blank_record(const Check& check) {
-    CheckRecord record;
-    record.name = check.name;
-    record.fragment = check.fragment;
-    record.share = check.share;
-    if (const auto* render = std::get_if<Render>(&check.experiment)) {
-        record.scene = render->scene;
-        record.samples = render->samples;
-        record.sampler = render->sampler;
-    }
-    return record;
-}
-
 std::optional<Fault> unfit(const Check& check, const Observation& first, const Observation& again,
                            Reference& reference) {
     if (!is_same(first, again))
@@ -162,7 +150,7 @@ private:
     }
 
     Outcome<Observation> ask(int replicate) {
-        const std::uint64_t seed = replicate_seed(settings_.seed, check_, Stream::submission, replicate);
+        const std::uint64_t seed = replicate_seed(settings_.grading.seed, check_, Stream::submission, replicate);
         Outcome<Observation> answer = observe(runner_, check_, seed);
         if (std::holds_alternative<Fault>(answer)) return answer;
         ++answers_;
@@ -183,8 +171,9 @@ private:
         for (int y = corner.y; y < std::min(corner.y + side, mine.height); ++y)
             for (int x = corner.x; x < std::min(corner.x + side, mine.width); ++x)
                 if (off({x, y}) > off(pixel)) pixel = {x, y};
-        const auto told = settings_.another()->trace(
-            std::get<Render>(check_.experiment), replicate_seed(settings_.seed, check_, Stream::submission, 0), pixel);
+        const auto told =
+            settings_.another()->trace(std::get<Render>(check_.experiment),
+                                       replicate_seed(settings_.grading.seed, check_, Stream::submission, 0), pixel);
         if (const auto* text = std::get_if<std::string>(&told))
             record_.parting = first_divergence(*text, reference_.trace(pixel));
         if (!record_.parting.empty())
@@ -196,7 +185,7 @@ private:
     }
 
     void show(const Observation& observation) {
-        if (!settings_.pictures || !is_render(check_) || shown_.size() >= most_pictures) return;
+        if (!settings_.grading.pictures || !is_render(check_) || shown_.size() >= most_pictures) return;
         add_picture(record_.picture, observation.image, shown_.size());
         shown_.push_back(observation.image);
     }
@@ -245,7 +234,7 @@ private:
             record_.message = "two seeds give one picture: are the random numbers that the fragment is handed used?";
         }
         if (is_render(check_)) add_picture_costs(record_, first_.image, fastest_, reference_);
-        if (!settings_.pictures || !is_render(check_)) return;
+        if (!settings_.grading.pictures || !is_render(check_)) return;
         add_solution_picture(record_, shown_, reference_);
         if (!record_.tiles.empty() && settings_.another) trace();
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "judging/budget.h"
+#include "judging/grading.h"
 #include "judging/reference.h"
 #include "record/record.h"
 #include "statistics/engine.h"
@@ -8,15 +9,11 @@
 namespace grade {
 
 struct CheckSettings {
-    std::uint64_t seed = 0;
-    Settings statistics;       // alpha is shared by all statistics of the assignment
-    bool pictures = false;     // keep pictures for the page
+    const GradingSettings& grading;
+    Settings statistics{};     // alpha is shared by all statistics of the assignment
     Budget* budget = nullptr;  // of the fragment; none: there is no limit but that of each answer
-    std::function<std::unique_ptr<Runner>()> another;  // program of the fragment, for what no verdict hangs on
+    std::function<std::unique_ptr<Runner>()> another{};  // program of the fragment, for what no verdict hangs on
 };
-
-/// A check as the record has it before it ran.
-CheckRecord blank_record(const Check& check);
 
 /// Runs a check's experiment, replicate after replicate, until each statistic has its verdict.
 CheckRecord run_check(const Check& check, Runner& runner, Reference& reference, const CheckSettings& settings);

@@ -41,7 +41,7 @@ CLI::App* add_lesson_command(CLI::App& app, LessonArguments& arguments) {
     CLI::App* lesson = app.add_subcommand("lesson", purpose_of("lesson"));
     lesson->add_option("SUBMISSION", arguments.submission, "a folder, a .zip or a .tar.gz; default: starter");
     lesson->add_option("--out", arguments.out, "write the plots into this folder")->type_name("DIR");
-    lesson->add_flag("--trusted", arguments.trusted, "the code is your own: limits, but no sandbox");
+    lesson->add_flag("--trusted", arguments.build.trusted, "the code is your own: limits, but no sandbox");
     lesson->fallthrough();
     return lesson;
 }
@@ -54,9 +54,7 @@ void run_lesson(const LessonArguments& arguments, const std::string& toolchain) 
     const Submission submission = read_submission(path, assignment.names());
     const std::set<std::string> fragments{"integrate_uniform", "integrate_monte_carlo", "integrate_stratified"};
     Progress silent({});
-    BuildSettings build;
-    build.trusted = arguments.trusted, build.only_changed = true;
-    Programs programs(submission, chain, build, silent);
+    Programs programs(submission, chain, arguments.build, silent);
     programs.compile(fragments);
     for (const std::string& name : fragments)
         if (const std::string complaint = programs.complaint(name); !complaint.empty())

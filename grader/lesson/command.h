@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "programs/programs.h"
+
 namespace CLI {
 class App;
 }
@@ -10,7 +12,7 @@ namespace grade::lesson {
 
 struct LessonArguments {
     std::string submission, out;
-    bool trusted = false;
+    BuildSettings build{.only_changed = true};
 };
 
 CLI::App* add_lesson_command(CLI::App& app, LessonArguments& arguments);

@@ -70,10 +70,7 @@ std::optional<fs::path> cache_folder(const Toolchain& chain) {
 }
 
 fs::path precompiled_header(const Toolchain& chain) try {
-    // one call is not worth it; Clang takes none that it is not told of
-    if (chain.checked || chain.description.find("clang") != std::string::npos ||
-        chain.description.find("Clang") != std::string::npos)
-        return {};
+    if (chain.checked || !chain.is_gcc) return {};  // one call is not worth it
     static std::mutex lock;
     static std::map<std::string, fs::path> made;
     const std::string stamp = stamp_of(chain);

@@ -38,99 +38,84 @@ Stamp stamp_of_framework(const Toolchain& chain) {
     return stamp;
 }
 
-using Json = KeptJson;
+/// This type, or the same as a constant.
+template <class Type, class Record>
+concept Some = std::same_as<std::remove_const_t<Type>, Record>;
 
-Json to_json(const std::optional<double>& x) { return x ? Json(*x) : Json(); }
-std::optional<double> number(const Json& x) { return x.is_null() ? std::nullopt : std::optional(x.get<double>()); }
-
-Json to_json(const StatisticRecord& s) {
-    return {{"id", s.id},
-            {"what", s.what},
-            {"value", to_json(s.value)},
-            {"truth", to_json(s.truth)},
-            {"low", to_json(s.low)},
-            {"high", to_json(s.high)},
-            {"delta0", s.delta0},
-            {"tolerance", s.tolerance},
-            {"exact", s.exact},
-            {"replicates", s.replicates},
-            {"verdict", int(s.verdict)},
-            {"hint", s.hint},
-            {"worth", int(s.worth)},
-            {"without_numbers", s.without_numbers}};
+void each_field(Some<StatisticRecord> auto& s, auto&& field) {
+    field("id", s.id), field("what", s.what), field("value", s.value), field("truth", s.truth), field("low", s.low);
+    field("high", s.high), field("delta0", s.delta0), field("tolerance", s.tolerance), field("exact", s.exact);
+    field("replicates", s.replicates), field("verdict", s.verdict), field("hint", s.hint), field("worth", s.worth);
+    field("without_numbers", s.without_numbers);
 }
 
-StatisticRecord statistic(const Json& j) {
-    return {j.at("id"),
-            j.at("what"),
-            number(j.at("value")),
-            number(j.at("truth")),
-            number(j.at("low")),
-            number(j.at("high")),
-            j.at("delta0"),
-            j.at("tolerance"),
-            j.at("exact"),
-            j.at("replicates"),
-            Verdict(j.at("verdict").get<int>()),
-            j.at("hint"),
-            StatisticRecord::Worth(j.at("worth").get<int>()),
-            j.at("without_numbers")};
+void each_field(Some<Tiles> auto& t, auto&& field) {
+    field("columns", t.columns), field("rows", t.rows), field("mine", t.mine), field("right", t.right);
+    field("t", t.t), field("p", t.p);
 }
 
-Json to_json(const CheckRecord& c) {
-    Json statistics = Json::array();
-    for (const StatisticRecord& s : c.statistics) statistics.push_back(to_json(s));
-    // what a program prints may be any bytes
-    const std::vector<std::uint8_t> excerpt(c.excerpt.begin(), c.excerpt.end());
-    return {{"name", c.name},
-            {"fragment", c.fragment},
-            {"scene", c.scene},
-            {"samples", c.samples},
-            {"sampler", c.sampler},
-            {"share", c.share},
-            {"verdict", int(c.verdict)},
-            {"message", c.message},
-            {"trouble", int(c.trouble)},
-            {"excerpt", Json::binary(excerpt)},
-            {"statistics", statistics},
-            {"cpu_seconds", c.cpu_seconds},
-            {"tiles",
-             {{"columns", c.tiles.columns},
-              {"rows", c.tiles.rows},
-              {"mine", c.tiles.mine},
-              {"right", c.tiles.right},
-              {"t", c.tiles.t},
-              {"p", c.tiles.p}}},
-            {"parting", c.parting},
-            {"picture", kept_image(c.picture)},
-            {"solution_picture", kept_image(c.solution_picture)}};
+/// But for points and costs, which are made anew.
+void each_field(Some<CheckRecord> auto& c, auto&& field) {
+    field("name", c.name), field("fragment", c.fragment), field("scene", c.scene), field("samples", c.samples);
+    field("sampler", c.sampler), field("share", c.share), field("verdict", c.verdict), field("message", c.message);
+    field("trouble", c.trouble), field("excerpt", c.excerpt), field("statistics", c.statistics);
+    field("cpu_seconds", c.cpu_seconds), field("tiles", c.tiles), field("parting", c.parting);
+    field("picture", c.picture), field("solution_picture", c.solution_picture);
 }
 
-CheckRecord check_record(const Json& j) {
-    CheckRecord c;
-    c.name = j.at("name"), c.fragment = j.at("fragment"), c.scene = j.at("scene"), c.samples = j.at("samples");
-    c.sampler = j.at("sampler"), c.share = j.at("share"), c.verdict = Verdict(j.at("verdict").get<int>());
-    c.message = j.at("message"), c.cpu_seconds = j.at("cpu_seconds");
-    c.trouble = Trouble(j.at("trouble").get<int>());
-    const auto& excerpt = j.at("excerpt").get_binary();
-    c.excerpt.assign(excerpt.begin(), excerpt.end());
-    for (const Json& s : j.at("statistics")) c.statistics.push_back(statistic(s));
-    const Json& tiles = j.at("tiles");
-    c.tiles = {tiles.at("columns"), tiles.at("rows"), tiles.at("mine"),
-               tiles.at("right"),   tiles.at("t"),    tiles.at("p")};
-    c.parting = j.at("parting");
-    c.picture = image_of(j.at("picture")), c.solution_picture = image_of(j.at("solution_picture"));
-    return c;
+void each_field(Some<Finding> auto& f, auto&& field) {
+    field("how", f.how), field("where", f.where), field("arguments", f.arguments), field("answer", f.answer);
+    field("right", f.right), field("sampled", f.sampled), field("code", f.code), field("command", f.command);
+    field("fault", f.fault);
 }
 
-Finding finding_record(const Json& j) {
-    return {j.at("how"),     j.at("where"), j.at("arguments"), j.at("answer"), j.at("right"),
-            j.at("sampled"), j.at("code"),  j.at("command"),   j.at("fault")};
+template <class Type>
+KeptJson json_of(const Type& x) {
+    if constexpr (requires { each_field(x, [](const char*, const auto&) {}); }) {
+        KeptJson json;
+        each_field(x, [&](const char* name, const auto& field) { json[name] = json_of(field); });
+        return json;
+    } else if constexpr (std::is_same_v<Type, std::vector<StatisticRecord>>) {
+        KeptJson all = KeptJson::array();
+        for (const StatisticRecord& s : x) all.push_back(json_of(s));
+        return all;
+    } else if constexpr (std::is_same_v<Type, std::optional<double>>) {
+        return x ? KeptJson(*x) : KeptJson();
+    } else if constexpr (std::is_same_v<Type, rt::Image>) {
+        return kept_image(x);
+    } else {
+        return x;
+    }
+}
+
+template <class Type>
+Type of_json(const KeptJson& json) {
+    if constexpr (requires(Type x) { each_field(x, [](const char*, auto&) {}); }) {
+        Type x;
+        each_field(x, [&]<class Field>(const char* name, Field& field) { field = of_json<Field>(json.at(name)); });
+        return x;
+    } else if constexpr (std::is_same_v<Type, std::vector<StatisticRecord>>) {
+        Type all;
+        for (const KeptJson& s : json) all.push_back(of_json<StatisticRecord>(s));
+        return all;
+    } else if constexpr (std::is_same_v<Type, std::optional<double>>) {
+        return json.is_null() ? std::nullopt : std::optional(json.get<double>());
+    } else if constexpr (std::is_same_v<Type, rt::Image>) {
+        return image_of(json);
+    } else {
+        return json.get<Type>();
+    }
 }
 
 bool stays(Verdict verdict) {
     return verdict == Verdict::passed || verdict == Verdict::failed || verdict == Verdict::not_finite ||
            verdict == Verdict::inconclusive;
+}
+
+/// What was kept under this name is of no use any more.
+void forget(const fs::path& folder, const std::string& name) {
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.path().stem() == name) fs::remove(entry.path());
 }
 
 }  // namespace
@@ -148,16 +133,6 @@ std::optional<fs::path> Kept::object(const std::string& fragment, const std::str
     const fs::path object = path(fragment + ".o", text);
     return fs::exists(object) ? std::optional(object) : std::nullopt;
 }
-
-namespace {
-
-/// What was kept under this name is of no use any more.
-void forget(const fs::path& folder, const std::string& name) {
-    for (const auto& entry : fs::directory_iterator(folder))
-        if (entry.path().stem() == name) fs::remove(entry.path());
-}
-
-}  // namespace
 
 std::string Kept::warnings(const std::string& fragment, const std::string& text) const {
     return folder_.empty() ? "" : read_text(path(fragment + ".warnings", text)).value_or("");
@@ -184,28 +159,19 @@ std::optional<Value> Kept::read(const std::string& name, const std::string& made
 }
 
 std::optional<CheckRecord> Kept::check(const std::string& key, const std::string& made_from) const {
-    return read<CheckRecord>(key, made_from, check_record);
+    return read<CheckRecord>(key, made_from, of_json);
 }
 
 void Kept::keep_check(const std::string& key, const std::string& made_from, const CheckRecord& record) const {
-    if (stays(record.verdict)) write(key, made_from, to_json(record));
+    if (stays(record.verdict)) write(key, made_from, json_of(record));
 }
 
 std::optional<Finding> Kept::finding(const std::string& key, const std::string& made_from) const {
-    return read<Finding>(key, made_from, finding_record);
+    return read<Finding>(key, made_from, of_json);
 }
 
 void Kept::keep_finding(const std::string& key, const std::string& made_from, const Finding& f) const {
-    write(key, made_from,
-          Json{{"how", f.how},
-               {"where", f.where},
-               {"arguments", f.arguments},
-               {"answer", f.answer},
-               {"right", f.right},
-               {"sampled", f.sampled},
-               {"code", f.code},
-               {"command", f.command},
-               {"fault", f.fault}});
+    write(key, made_from, json_of(f));
 }
 
 std::optional<rt::Image> Kept::picture(const std::string& name, const std::string& made_from) const {

@@ -15,11 +15,12 @@ namespace grade {
 
 namespace {
 
-std::string not_started(const Submission& submission, const std::string& fragment) {
+Programs::Problem not_started(const Submission& submission, const std::string& fragment) {
     if (const auto complaint = submission.complaints.find(fragment); complaint != submission.complaints.end())
-        return fmt::format("{}.cpp is {}", fragment, complaint->second);
-    if (submission.texts.contains(fragment)) return fmt::format("fill in {}{}.cpp", submission.folder, fragment);
-    return fmt::format("{}{}.cpp is not in the submission", submission.folder, fragment);
+        return {Verdict::not_started, fmt::format("{}.cpp is {}", fragment, complaint->second)};
+    const std::string file = submission.folder + fragment + ".cpp";
+    if (submission.texts.contains(fragment)) return {Verdict::not_started, "fill in " + file};
+    return {Verdict::not_started, file + " is not in the submission", Trouble::missing};
 }
 
 }  // namespace
@@ -53,8 +54,8 @@ void Programs::fails(const std::string& fragment, const std::string& message) {
 std::string Programs::complaint(const std::string& fragment) const {
     const auto problem = problems_.find(fragment);
     if (problem == problems_.end()) return {};
-    const auto& [verdict, message] = problem->second;
-    return (verdict == Verdict::not_started ? "not started: " : "did not build: ") + message;
+    const bool started = problem->second.verdict != Verdict::not_started;
+    return (started ? "did not build: " : "not started: ") + problem->second.message;
 }
 
 const std::string& Programs::warnings(const std::string& fragment) const {
@@ -90,7 +91,7 @@ void Programs::compile(const std::set<std::string>& fragments) {
     for (const std::string& name : fragments) {
         if (has(name) || problems_.contains(name)) continue;
         if (!is_filled(name))
-            problems_[name] = {Verdict::not_started, not_started(submission_, name)};
+            problems_[name] = not_started(submission_, name);
         else if (settings_.only_changed && read_text(chain_.source / "solution" / (name + ".cpp")) == text(name))
             objects_[name] = chain_.solution_objects.at(name);
         else

@@ -34,6 +34,7 @@ public:
     struct Problem {
         Verdict verdict;  // not_started or did_not_build
         std::string message;
+        Trouble trouble = Trouble::none;
     };
 
     /// Who stands in for the fragments that a program does not have from the submission.

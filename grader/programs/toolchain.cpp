@@ -98,6 +98,11 @@ std::string first_line(const fs::path& compiler) {
     return said.out.substr(0, said.out.find('\n'));
 }
 
+bool defines_no_clang(const fs::path& compiler) {
+    const Ending said = run({compiler.string(), "-dM", "-E", "-x", "c++", "/dev/null"}, Limits{}, "/");
+    return said.good() && said.out.find("#define __clang__ ") == said.out.npos;
+}
+
 /// The option among these that changes arithmetic; empty: none.
 std::string changing_option(const Toolchain& chain) {
     std::string contraction = "the missing -ffp-contract=off", fast;
@@ -166,6 +171,7 @@ Toolchain read_toolchain(const fs::path& path) try {
     chain.is_kit = file["kit"].value_or(false);
     chain.compiler = text("compiler").empty() ? find_compiler() : fs::path(text("compiler"));
     chain.description = text("description").empty() ? first_line(chain.compiler) : text("description");
+    chain.is_gcc = file["gcc"].value_or(false) || (!file.contains("gcc") && defines_no_clang(chain.compiler));
     chain.commit = text("commit");
     chain.compile = list(file, "compile");
     for (const std::string& option : list(file, "options")) chain.compile.push_back(option);

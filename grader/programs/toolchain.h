@@ -17,6 +17,7 @@ struct Toolchain {
     fs::path source;  // the folder of the assignment: starter/, scenes/, assignment.toml
     fs::path compiler;
     std::string description;           // "GNU 12.2.0, Release"
+    bool is_gcc = true;                // which looks for compiled headers by itself
     std::string commit;                // what was checked out when it was built; empty: nobody knows
     std::string processor;             // the least kind that the archives run on: "x86-64-v2"; "": any
     bool is_kit = false;               // handed out: no sources of the solution, and the code that runs is its owner's

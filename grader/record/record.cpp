@@ -49,7 +49,7 @@ bool Record::is_complete() const {
     return !fragments.empty() && std::ranges::all_of(fragments, &FragmentRecord::finished);
 }
 
-bool is_not_run(const CheckRecord& check) { return check.message.starts_with(not_run); }
+bool is_not_run(const CheckRecord& check) { return check.trouble == Trouble::not_run; }
 
 Verdict worse(Verdict a, Verdict b) {
     constexpr std::array order{Verdict::did_not_build, Verdict::not_started, Verdict::crashed,      Verdict::timed_out,

@@ -39,9 +39,6 @@ struct PictureCost {
     double rmse() const;
 };
 
-/// How the message of a check begins that did not run.
-constexpr std::string_view not_run = "not run, since ";
-
 struct CheckRecord {
     std::string name, fragment;
     std::string scene;  // TOML text; empty for a probe
@@ -89,8 +86,9 @@ struct FragmentRecord {
     std::string visibility = "visible";  // to students; one of the assignment's visibilities
     Verdict verdict = Verdict::inconclusive;
     std::string message;  // what to know about it as a whole; compiler errors are untrusted text
-    std::string file;     // its path within the submission; empty: there is none
-    std::string sha256;   // of its text; likewise
+    Trouble trouble = Trouble::none;
+    std::string file;    // its path within the submission; empty: there is none
+    std::string sha256;  // of its text; likewise
     std::vector<CheckRecord> checks;
     double cpu_seconds = 0;
     bool finished = false;

@@ -49,12 +49,16 @@ std::string links_of(const fs::path& folder, const std::string& own) {
 
 }  // namespace
 
-std::string plain_page(const std::string& title, const std::string& about, const std::string& body) {
+std::string page_head(const std::string& title, const char* style) {
     return fmt::format(
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-        "content=\"width=device-width\"><title>{0}</title><style>{1}</style></head><body><main>\n{2}"
-        "<header><div><h1>{0}</h1><p>{3}</p></div></header>\n{4}</main></body></html>\n",
-        html(title), page_style, page_links, html(about), body);
+        "content=\"width=device-width\"><title>{}</title><style>{}{}</style></head><body>",
+        html(title), page_style, style);
+}
+
+std::string plain_page(const std::string& title, const std::string& about, const std::string& body) {
+    return fmt::format("{0}<main>\n{1}<header><div><h1>{2}</h1><p>{3}</p></div></header>\n{4}</main></body></html>\n",
+                       page_head(title), page_links, html(title), html(about), body);
 }
 
 void write_page(const fs::path& folder, const std::string& file, const std::string& text) {

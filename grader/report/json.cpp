@@ -73,6 +73,7 @@ Json fragment_json(const FragmentRecord& fragment) {
     json["finished"] = fragment.finished;
     const Diagnosis diagnosis = diagnose(fragment);
     json["message"] = diagnosis.words;
+    if (fragment.trouble != Trouble::none) json["trouble"] = name(fragment.trouble);
     add_texts(json, {{"read", reading(diagnosis.section)}, {"file", fragment.file}, {"sha256", fragment.sha256}});
     const Finding& finding = fragment.finding;
     if (!finding.how.empty() || !finding.where.empty() || !finding.arguments.empty()) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 
 #include "record/record.h"
@@ -7,9 +8,33 @@
 /// What pages are put together from.
 namespace grade {
 
-/// page.css and page.js, as every page holds them; the build makes them texts.
+/// page.css and page.js, as every page holds them, and class.css and stress.css, for one page each; the build makes
+/// them texts.
 extern const char* const page_style;
 extern const char* const page_script;
+extern const char* const class_style;
+extern const char* const stress_style;
+
+/// All before <main>.
+///
+/// style  of this page alone
+std::string page_head(const std::string& title, const char* style = "");
+
+std::string badge(Verdict verdict);
+
+/// Yours, the right one, and the difference; without the right one, yours alone.
+///
+/// what  "for NAME" or "of SCENE"
+std::string three_pictures(const rt::Image& mine, const rt::Image& right, double exposure, const std::string& what);
+
+/// All pictures of a check; empty: it draws none.
+std::string pictures(const CheckRecord& check);
+
+/// What a page tells once, however many statistics say it.
+using Told = std::set<std::string>;
+
+/// A check with its pictures and statistics.
+std::string check_section(const CheckRecord& check, bool fragment_passes, Told& told);
 
 /// Deviations that are right; without noise, all that are not wrong.
 double right_within(const StatisticRecord& statistic);

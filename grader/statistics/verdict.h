@@ -23,12 +23,15 @@ enum class Trouble {
     keeps_state,  // the same arguments give another answer
     not_a_number,
     no_radiance,  // numbers, but no picture of light
+    not_run,      // an earlier check of the fragment timed out
+    missing,      // the submission has no file of this fragment, nor one that may be meant
 };
 
 constexpr std::array<std::string_view, 8> verdict_names = {"passed",  "failed",    "not_started", "did_not_build",
                                                            "crashed", "timed_out", "not_finite",  "inconclusive"};
 
-constexpr std::array<std::string_view, 4> trouble_names = {"none", "keeps_state", "not_a_number", "no_radiance"};
+constexpr std::array<std::string_view, 6> trouble_names = {"none",        "keeps_state", "not_a_number",
+                                                           "no_radiance", "not_run",     "missing"};
 
 /// As the record spells them.
 constexpr std::string_view name(Verdict verdict) { return verdict_names[static_cast<std::size_t>(verdict)]; }

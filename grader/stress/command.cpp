@@ -47,7 +47,9 @@ CLI::App* add_stress_command(CLI::App& app, StressArguments& arguments) {
         ->type_name("NAME");
     stress->add_option("--json", arguments.json, "write the record")->type_name("FILE");
     stress->add_option("--html", arguments.html, "write a page with plots into this folder")->type_name("DIR");
-    stress->add_option("--jobs", arguments.settings.jobs, "how many programs run at a time; default: one for each core")
+    stress
+        ->add_option("--jobs", arguments.settings.build.jobs,
+                     "how many programs run at a time; default: one for each core")
         ->check(CLI::Range(1, 1024));
     stress->add_option("--time-limit", arguments.settings.time_limit, "CPU seconds for one answer")
         ->capture_default_str()
@@ -57,7 +59,7 @@ CLI::App* add_stress_command(CLI::App& app, StressArguments& arguments) {
     stress->add_option("--rays", arguments.rays, "of --long against meshes; twice as many leave surfaces")
         ->type_name("N")
         ->check(CLI::Range(1.0, 1e12));
-    stress->add_flag("--trusted", arguments.settings.trusted, "the code is your own: limits, but no sandbox");
+    stress->add_flag("--trusted", arguments.settings.build.trusted, "the code is your own: limits, but no sandbox");
     stress->add_flag("--list", arguments.list, "print the families and leave");
     stress->add_flag("--require", arguments.require, "exit with 1 unless the scored tier is full");
     stress->fallthrough();

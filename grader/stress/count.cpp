@@ -51,7 +51,7 @@ void count_faults(Swarm kind, CountRecord& record, Programs& programs, const fs:
     const fs::path program = programs.must_link({record.fragments.begin(), record.fragments.end()});
     const auto total = std::uint64_t(record.calls), requests = (total + calls_of_a_request - 1) / calls_of_a_request;
     const int cores = std::max(1, int(std::thread::hardware_concurrency())),
-              workers = std::min(int(requests), settings.jobs > 0 ? settings.jobs : cores);
+              workers = std::min(int(requests), settings.build.jobs > 0 ? settings.build.jobs : cores);
     std::mutex lock;
     std::uint64_t next = 0, done = 0;
     record.calls = 0;

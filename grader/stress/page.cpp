@@ -10,19 +10,6 @@ namespace grade::stress {
 
 namespace {
 
-constexpr const char* stress_style = R"css(
-:root { --ordinary: #c4e6d6; } @media (prefers-color-scheme: dark) { :root { --ordinary: #1f4d3a; } }
-main { max-width: 1200px; }
-svg text { font: 10.5px system-ui, "DejaVu Sans", sans-serif; fill: var(--soft); }
-.tried { fill: var(--track); } .ordinary { fill: var(--ordinary); } .passes.good { fill: var(--good); } .passes.bad { fill: var(--bad); } .solution { fill: var(--ink); }
-svg.reach, svg.errors { display: block; } .plots { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(330px, 100%), 1fr)); gap: 18px 22px; }
-.plots figure { break-inside: avoid; } .plots figcaption { max-width: none; } .plots b { color: var(--ink); font-family: ui-monospace, "DejaVu Sans Mono", monospace; }
-.key { display: inline-block; width: 22px; height: 10px; margin: 0 4px 0 12px; }
-.key.tried { background: var(--track); } .key.ordinary { background: var(--ordinary); } .key.good { background: var(--good); } .key.bad { background: var(--bad); }
-.key.solution { background: var(--ink); height: 3px; vertical-align: middle; }
-.overview td { padding-top: 2px; padding-bottom: 2px; } .overview td:nth-child(n+5) { font-size: 13px; } @media (min-width: 641px) { header p { white-space: nowrap; } }
-)css";
-
 std::string badge(const FamilyRecord& f) {
     if (!f.started) return "<span class=\"badge not_started\">not run</span>";
     if (!f.is_scored()) return "<span class=\"soft\">bonus only</span>";
@@ -90,11 +77,9 @@ std::string plots(const StressRecord& record) {
 
 std::string page(const StressRecord& record, const std::string& title) {
     const double share = record.most_scored() > 0 ? double(record.scored()) / record.most_scored() : 0;
-    std::string text = fmt::format(
-        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-        "content=\"width=device-width\">"
-        "<title>{} of {}: {}</title><style>{}{}</style></head><body><main>\n{}",
-        record.scored(), record.most_scored(), html(record.submission), page_style, stress_style, page_links);
+    std::string text =
+        page_head(fmt::format("{} of {}: {}", record.scored(), record.most_scored(), record.submission), stress_style) +
+        "<main>\n" + page_links;
     text += fmt::format(
         "<header><div><h1>{}: stiff and extreme cases</h1><p>{}</p></div><div "
         "class=\"score\"><b>{}</b> <span>of {} families</span>"

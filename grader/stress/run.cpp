@@ -124,9 +124,7 @@ StressRecord stress_submission(const Submission& submission, const Assignment& a
                                const StressSettings& settings) {
     const fs::path meshes = chain.source / "scenes";
     Progress silent({});
-    BuildSettings build;
-    build.jobs = settings.jobs, build.trusted = settings.trusted, build.only_changed = true;
-    Programs programs(submission, chain, build, silent);
+    Programs programs(submission, chain, settings.build, silent);
     StressRecord record{.submission = submission.name,
                         .toolchain = chain.description,
                         .version = PENUMBRA_VERSION,
@@ -147,7 +145,7 @@ StressRecord stress_submission(const Submission& submission, const Assignment& a
     if (settings.rays > 0) record.counts = big_counts(programs, meshes, settings);
     std::mutex lock;
     int done = 0;
-    in_parallel(all, settings.jobs, [&](int i) {
+    in_parallel(all, settings.build.jobs, [&](int i) {
         FamilyRecord& one = record.families[std::size_t(i)];
         const double seconds = run_family(one, programs, meshes, settings.time_limit);
         const std::scoped_lock guard(lock);

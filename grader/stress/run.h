@@ -15,8 +15,7 @@ bool is_named(const Family& family, const std::string& name);
 
 struct StressSettings {
     std::vector<std::string> only;  // families, or fragments with all of theirs; empty: all
-    bool trusted = false;
-    int jobs = 0;           // at a time; 0: one for each core
+    BuildSettings build{.only_changed = true};
     double time_limit = 5;  // CPU time of one answer [s]
     double rays = 0;        // of the big counts on meshes; twice as many that leave surfaces; 0: none
     std::function<void(int done, int all, const std::string& doing)> progress;  // never called twice at a time

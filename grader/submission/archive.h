@@ -27,6 +27,10 @@ struct Found {
     void look_at_name(const std::string& path, const std::vector<std::string>& fragments);
 };
 
+/// Where fragments are expected, and in archives that lie beside them; where there is none, in all folders within; and
+/// where there is none either, in the archives in them.
+Found look_into_folder(const fs::path& folder, const std::vector<std::string>& fragments, const fs::path& framework);
+
 /// Looks into a .zip or a .tar.gz; nothing is unpacked to the disk. framework: what FrameworkFiles compares with.
 /// Throws SubmissionError. A kit has no library for archives, and says so.
 Found look_into_archive(const fs::path& path, const std::vector<std::string>& fragments, const fs::path& framework);

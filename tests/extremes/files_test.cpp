@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
+#include "exr.h"
 #include "extremes/transform.h"
-#include "rt/files/image.h"
 
 using namespace rt;
 

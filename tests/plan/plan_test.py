@@ -110,7 +110,7 @@ def compile_whitted(chain, shadow, program):
     growth = [f"--param={what}=10000" for what in ("inline-unit-growth", "large-function-growth", "large-stack-frame-growth")]
     inlined = [f"--param=max-inline-insns-{what}=100000" for what in ("single", "auto")]
     of_gcc = ["-fno-tree-sink", "-finline-limit=100000", *growth, *inlined]
-    limits = of_gcc if "GNU" in chain["description"] else ["-mllvm", "-inline-threshold=100000"]
+    limits = of_gcc if chain["gcc"] else ["-mllvm", "-inline-threshold=100000"]
     command = [chain["compiler"], *chain["compile"], *options, "-w", "-iquote", shadow, "-I", ROOT / "starter"]
     for source, more in ((stages, limits), (rest, [])):
         subprocess.run([*command, *more, "-c", source, "-o", source.with_suffix(".o")], check=True)

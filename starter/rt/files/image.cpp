@@ -1,11 +1,9 @@
 #include "rt/files/image.h"
 
-#include <OpenEXR/ImfArray.h>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfDoubleAttribute.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
-#include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfIntAttribute.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
@@ -29,8 +27,8 @@ namespace {
 
 constexpr const char* channels[] = {"R", "G", "B"};
 
-[[noreturn]] void fail_with_image(const std::string& path, const std::string& what, const std::string& cause) {
-    throw std::runtime_error(fmt::format("{}: {}: {}", path, what, cause));
+[[noreturn]] void fail_to_write(const std::string& path, const std::string& cause) {
+    throw std::runtime_error(fmt::format("{}: cannot be written: {}", path, cause));
 }
 
 std::string last_error() { return std::generic_category().message(errno); }
@@ -44,7 +42,7 @@ void replace_file(const std::string& path, Write write) {
         if (std::rename(temporary.c_str(), path.c_str()) != 0) throw std::runtime_error(last_error());
     } catch (const std::exception& error) {
         std::remove(temporary.c_str());
-        fail_with_image(path, "cannot be written", error.what());
+        fail_to_write(path, error.what());
     }
 }
 
@@ -72,18 +70,6 @@ Imf::Header header_of(const Image& image, const Label& label) {
     return header;
 }
 
-/// The three channels as they lie in an array of floats, R G B after each other.
-Imf::FrameBuffer frame(std::vector<float>& samples, const Imath::Box2i& window) {
-    const std::ptrdiff_t width = std::ptrdiff_t(window.max.x) - window.min.x + 1;
-    const std::size_t pixel = 3 * sizeof(float), row = std::size_t(width) * pixel;
-    char* corner = reinterpret_cast<char*>(samples.data());
-    char* origin = corner - window.min.x * std::ptrdiff_t(pixel) - window.min.y * std::ptrdiff_t(row);
-    Imf::FrameBuffer buffer;
-    for (int i = 0; i < 3; ++i)
-        buffer.insert(channels[i], Imf::Slice(Imf::FLOAT, origin + i * std::ptrdiff_t(sizeof(float)), pixel, row));
-    return buffer;
-}
-
 }  // namespace
 
 std::uint8_t to_srgb(Real linear) {
@@ -93,7 +79,7 @@ std::uint8_t to_srgb(Real linear) {
 }
 
 void write_exr(const std::string& path, const Image& image, const Label& label) {
-    if (image.width < 1 || image.height < 1) fail_with_image(path, "cannot be written", "the image has no pixels");
+    if (image.width < 1 || image.height < 1) fail_to_write(path, "the image has no pixels");
     replace_file(path, [&](const std::string& temporary) {
         std::vector<float> samples;
         samples.reserve(image.pixels.size() * 3);
@@ -101,57 +87,13 @@ void write_exr(const std::string& path, const Image& image, const Label& label) 
             for (int i = 0; i < 3; ++i) samples.push_back(to_float(c[i]));
         const Imf::Header header = header_of(image, label);
         Imf::OutputFile file(temporary.c_str(), header);
-        file.setFrameBuffer(frame(samples, header.dataWindow()));
+        Imf::FrameBuffer buffer;
+        for (int i = 0; i < 3; ++i)
+            buffer.insert(channels[i],
+                          Imf::Slice::Make(Imf::FLOAT, samples.data() + i, header.dataWindow(), 3 * sizeof(float)));
+        file.setFrameBuffer(buffer);
         file.writePixels(image.height);
     });
-}
-
-Image read_exr(const std::string& path) {
-    try {
-        Imf::InputFile file(path.c_str());
-        const Imath::Box2i window = file.header().dataWindow();
-        const auto width = std::int64_t(window.max.x) - window.min.x + 1;
-        const auto height = std::int64_t(window.max.y) - window.min.y + 1;
-        if (width < 1 || height < 1 || width > 65536 || height > 65536 || width * height > (1 << 28))
-            throw std::runtime_error(fmt::format("an image of {} x {} pixels", width, height));
-        for (const char* name : channels) {
-            const Imf::Channel* channel = file.header().channels().findChannel(name);
-            if (!channel) throw std::runtime_error(fmt::format("there is no channel {}", name));
-            if (channel->xSampling != 1 || channel->ySampling != 1)
-                throw std::runtime_error(fmt::format("channel {} is subsampled", name));
-        }
-        std::vector<float> samples(std::size_t(width * height) * 3);
-        file.setFrameBuffer(frame(samples, window));
-        file.readPixels(window.min.y, window.max.y);
-
-        Image image{int(width), int(height)};
-        for (std::size_t i = 0; i < image.pixels.size(); ++i)
-            image.pixels[i] = {samples[3 * i], samples[3 * i + 1], samples[3 * i + 2]};
-        return image;
-    } catch (const std::exception& error) {
-        fail_with_image(path, "cannot be read", error.what());
-    }
-}
-
-Label read_label(const std::string& path) {
-    try {
-        const Imf::InputFile file(path.c_str());
-        const Imf::Header& header = file.header();
-        const Imath::Box2i &display = header.displayWindow(), &data = header.dataWindow();
-        Label label{{data.min.x - display.min.x, data.min.y - display.min.y},
-                    {display.max.x - display.min.x + 1, display.max.y - display.min.y + 1}};
-        for (auto it = header.begin(); it != header.end(); ++it) {
-            if (const auto* number = dynamic_cast<const Imf::IntAttribute*>(&it.attribute()))
-                label.attributes.emplace_back(it.name(), number->value());
-            if (const auto* number = dynamic_cast<const Imf::DoubleAttribute*>(&it.attribute()))
-                label.attributes.emplace_back(it.name(), number->value());
-            if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&it.attribute()))
-                label.attributes.emplace_back(it.name(), text->value());
-        }
-        return label;
-    } catch (const std::exception& error) {
-        fail_with_image(path, "cannot be read", error.what());
-    }
 }
 
 std::uint64_t hash_of(const Image& image) {

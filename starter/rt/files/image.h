@@ -32,12 +32,6 @@ struct Label {
 /// path stays whole until the new one is complete.
 void write_exr(const std::string& path, const Image& image, const Label& label = {});
 
-/// Reads channels R, G, B of the data window. Throws std::runtime_error that names the path and the cause.
-Image read_exr(const std::string& path);
-
-/// The label of a file: the attributes that a label can hold, in the order of their names. Throws as read_exr.
-Label read_label(const std::string& path);
-
 /// A number for the pixels as an EXR file holds them: equal pictures have equal hashes, whenever and however they were
 /// made.
 std::uint64_t hash_of(const Image& image);

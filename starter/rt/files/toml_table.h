@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "rt/files/words.h"
 #include "rt/math.h"
 
 namespace rt {
@@ -77,11 +78,5 @@ private:
     struct Inside;  // toml++'s types, whose header takes seconds to read
     std::shared_ptr<const Inside> inside_;
 };
-
-/// The word of the list that differs least; none: all of them differ in too many letters.
-std::optional<std::string> nearest_word(std::string_view word, const std::vector<std::string>& words);
-
-/// A user's word as it may stand in a message: in quotes, without control characters, not too long.
-std::string in_quotes(std::string_view word);
 
 }  // namespace rt

@@ -1,6 +1,7 @@
+#include "rt/fragments.h"
 #include "rt/lamps/importance.h"
 #include "rt/stages/lamps.h"
-#include "rt/stages/outgoing.h"
+#include "rt/stages/reflectances.h"
 
 /// The light that surfaces reflect straight from the lamps. Each lamp adds one sample of its integral:
 ///
@@ -8,11 +9,10 @@
 ///
 ///     d  direction to a point of the lamp, and p its density; P: the probability with which this lamp was chosen
 ///
-/// In this file, in this order:
+/// In this file, in this order; what the materials of all lanes reflect is looked up before, in reflectances.cpp:
 ///
 ///     from_...                 one lane: the light of one lamp, by your fragments, and the shadow ray it depends on
 ///     shine_on_..., ..._light  the same for all lanes
-///     look_up_...              what the materials of all lanes reflect
 ///     send_shadow_rays         and add what arrives
 ///     direct_stage             lamp after lamp
 namespace rt {
@@ -72,18 +72,6 @@ Lit from_point_light(const PointLight& lamp, const Material& m, const Hit& hit, 
     const Color light = sample.direction.z / (pi * sample.density) * albedo * radiance;
     return {light, shadow_ray(hit, frame_about(n).to_world(sample.direction), inf)};
 }
-
-/// What the lanes' materials reflect: black where there is no surface.
-struct Reflectances {
-    Colors albedo, specular;
-    Real shininess[lanes];  // specular and shininess: where there are highlights
-};
-
-/// What glossy lobes reflect to the viewer; black where there is none.
-struct Lobes {
-    Colors mirror;
-    Real exponent[lanes];
-};
 
 template <bool highlights, bool by_angle, class L>
 [[gnu::noinline]] void shine_on_surfaces(const L& lamps_in_memory, const Numbers& u, const Batch& b, const Surfaces& s,
@@ -147,70 +135,6 @@ void ambient_light(const World& world, const Batch& b, const Surfaces& s, Colors
         const vec3 n = s.normal(i);
         found.set(i, found.at(i) + b.weight.at(i) * phong(m, world.scene.ambient, Color(0), n, n, n));
     }
-}
-
-/// What each lane's material reflects; black where there is no surface. Returns whether any lane reflects.
-[[gnu::noinline]] bool look_up_each(const World& world, int count, const Surfaces& s, Reflectances& r) {
-    const Reflectance* table = world.reflectances.data();
-    const Index last = count;
-    Index any = 0;
-    for (Index i = 0; i < lanes; ++i) {
-        const Reflectance& m = table[i < last ? s.material[i] + 1 : 0];
-        any |= m.reflects;
-        r.albedo.set(int(i), m.albedo);
-    }
-    if (!world.plan.phong) return any != 0;
-    for (Index i = 0; i < lanes; ++i) {
-        const Reflectance& m = table[i < last ? s.material[i] + 1 : 0];
-        r.specular.set(int(i), m.specular);
-        r.shininess[i] = m.shininess;
-    }
-    return any != 0;
-}
-
-/// The same where all lanes that are on a surface have one material.
-[[gnu::noinline]] bool spread(const Reflectance& in_memory, bool phong, int count, const Surfaces& s, Reflectances& r) {
-    const Reflectance m = in_memory;
-    const Index last = count;
-    Index any = 0;
-    for (Index i = 0; i < lanes; ++i) {
-        const bool on = bool(i < last) & bool(s.material[i] >= 0);
-        any |= on;
-        r.albedo.set(int(i), {on ? m.albedo.x : 0, on ? m.albedo.y : 0, on ? m.albedo.z : 0});
-    }
-    for (Index i = 0; phong && i < lanes; ++i) {
-        const bool on = bool(i < last) & bool(s.material[i] >= 0);
-        r.specular.set(int(i), {on ? m.specular.x : 0, on ? m.specular.y : 0, on ? m.specular.z : 0});
-        r.shininess[i] = m.shininess;
-    }
-    return m.reflects != 0 && any != 0;
-}
-
-bool look_up_reflectances(const World& world, int count, const Surfaces& s, Reflectances& r) {
-    const auto [material, one] = met_by(s.material);
-    if (!one || world.scene.materials.empty()) return look_up_each(world, count, s, r);
-    return spread(world.reflectances[std::size_t(material) + 1], world.plan.phong, count, s, r);
-}
-
-/// The lobes of the lanes whose rays go on, where lamps are weighed against them. Returns whether there is any.
-bool look_up_lobes(const World& world, const Batch& b, const Surfaces& s, Lobes& lobes) {
-    if (!world.plan.weigh) return false;
-    const Reflectance* table = world.reflectances.data();
-    const Index last = b.count, depth = world.scene.depth;
-    Index lobe[lanes], any = 0;
-    for (Index i = 0; i < lanes; ++i) {
-        lobe[i] = table[i < last ? s.material[i] + 1 : 0].lobe & (b.depth[i] < depth);
-        any |= lobe[i];
-    }
-    if (!any) return false;
-    lobes = {};
-    for (int i = 0; i < b.count; ++i) {
-        if (!lobe[i]) continue;
-        const Material& m = world.scene.materials[std::size_t(s.material[i])];
-        lobes.mirror.set(i, outgoing(m, b, s, i).mirror);
-        lobes.exponent[i] = m.exponent;
-    }
-    return true;
 }
 
 /// Dims what shadow rays carry by the medium in which their surfaces lie.

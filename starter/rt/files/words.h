@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rt {
+
+/// Without line breaks and other control characters.
+std::string one_line(std::string text);
+
+/// The word of the list that differs least; none: all of them differ in too many letters.
+std::optional<std::string> nearest_word(std::string_view word, const std::vector<std::string>& words);
+
+/// A user's word as it may stand in a message: in quotes, without control characters, not too long.
+std::string in_quotes(std::string_view word);
+
+}  // namespace rt
