@@ -45,13 +45,13 @@ std::string number_in_table(std::optional<double> x) {
 /// Yours, the right one, and the difference; without the right one, yours alone.
 std::string three_pictures(const rt::Image& mine, const rt::Image& right, double exposure, const std::string& what) {
     std::string text = fmt::format("<div class=\"pictures\" data-exposure=\"{:.6g}\">\n", exposure);
-    text += figure(data_uri(mine, exposure), "the submission's picture " + what, "yours");
+    text += figure(data_uri(mine, exposure), "your picture " + what, "yours");
     if (!right.pixels.empty()) {
-        text += figure(data_uri(right, exposure), "the solution's picture " + what, "the right one");
+        text += figure(data_uri(right, exposure), "the right picture " + what, "the right one");
         const Difference map = difference(mine, right);
-        text += figure(data_uri(map.image, 1),
-                       "where the submission's picture " + what + " is darker or brighter than the solution's",
-                       fmt::format("difference: darker {} brighter; full colour at ±{:.2g}", scale, map.full), "map");
+        text +=
+            figure(data_uri(map.image, 1), "where your picture " + what + " is darker or brighter than the right one",
+                   fmt::format("difference: darker {} brighter; full colour at ±{:.2g}", scale, map.full), "map");
     }
     return text + "</div>\n";
 }
@@ -77,7 +77,7 @@ std::string tile_map(const CheckRecord& check) {
 /// The first answer along a path that is not the solution's.
 std::string parting(const CheckRecord& check) {
     if (check.parting.empty()) return {};
-    return "<details class=\"parting\"><summary>Where a path parts from the solution's, with the same random numbers"
+    return "<details class=\"parting\"><summary>Where a path parts from the right one, with the same random numbers"
            "</summary><pre tabindex=\"0\">" +
            html(check.parting) + "</pre></details>\n";
 }
@@ -143,7 +143,8 @@ std::string check_section(const CheckRecord& check, bool fragment_passes, Told& 
         text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(check.verdict), html_with_code(check.message));
     if (!check.excerpt.empty())
         text += fmt::format("<p class=\"soft\">It printed:</p><pre tabindex=\"0\">{}</pre>\n", html(check.excerpt));
-    text += pictures(check) + cost_line(check, fragment_passes) + statistics(check, told);
+    const std::string found = pictures(check) + cost_line(check, fragment_passes) + statistics(check, told);
+    text += found.empty() && !folded && check.excerpt.empty() ? "<p class=\"soft\">As said above.</p>\n" : found;
     if (!check.scene.empty())
         text += fmt::format(
             "<details><summary class=\"soft\">scene: <code>--samples {} --sampler {}</code></summary><pre "
@@ -259,17 +260,16 @@ std::string next_step(const Record& record) {
 std::string own_picture(const Record& record) {
     if (!record.own_picture_fault.empty())
         return fmt::format(
-            "<h2>The submission's own picture</h2><section class=\"card\"><p class=\"hint crashed\">No picture: "
+            "<h2>Your own picture</h2><section class=\"card\"><p class=\"hint crashed\">No picture: "
             "{}</p></section>\n",
             html(record.own_picture_fault));
     if (record.own_picture.pixels.empty()) return {};
-    const char* made_of =
-        record.own_picture_of_some
-            ? "with the fragments that were graded, and right ones in place of the others"
-            : "with all fragments of the submission; blanks stand in for those that are missing or do "
-              "not build";
+    const char* made_of = record.own_picture_of_some
+                              ? "with the fragments that were graded, and right ones in place of the others"
+                              : "with all of your fragments; blanks stand in for those that are missing or do "
+                                "not build";
     return fmt::format(
-        "<h2>The submission's own picture</h2><section class=\"card own\">{}<p class=\"soft\">{}, "
+        "<h2>Your own picture</h2><section class=\"card own\">{}<p class=\"soft\">{}, "
         "{}{}.</p></section>\n",
         three_pictures(record.own_picture, record.own_picture_right, record.own_picture_exposure,
                        "of " + record.own_picture_scene),

@@ -48,6 +48,7 @@ def make_pages(grade, folder):
     shutil.copytree("tests/example", example)
     (example / "fragments/uniform_disk.cpp").unlink()  # does not end, and would be part of the picture
     run(example, *FRAGMENTS, "--seed", "1", "--html", folder / "grade")
+    run("solution", "phong", "shadow_ray", "--seed", "1", "--html", folder / "passing")
     run("stress", "solution", "--only", "phong", "--html", folder / "stress")
     run("lesson", "solution", "--out", folder / "stress")
     run("converge", "solution", "scenes/penumbra.toml", "--samples", "1,4", "--replicates", "2", "--side", "16", "--out",
@@ -59,15 +60,18 @@ def make_pages(grade, folder):
             shutil.copy(example / f"fragments/{name}.cpp", folder / f"export/hw1-{student}")
     (folder / "export/hw1-a-name-as-long-as-names-of-repositories-and-groups-are-at-some-schools.zip").write_text("no archive")
     run("class", folder / "export", "-o", folder / "class", "--seed", "1")
-    (folder / "grade/handout.html").unlink(missing_ok=True)  # has a test of its own
+    for name in ("grade", "passing"):
+        (folder / name / "handout.html").unlink(missing_ok=True)  # has a test of its own
     return sorted(folder.glob("*/*.html"))
 
 
-# What stands beyond the edge, or in a box that scrolls on a narrow page: nobody sees that digits are missing.
+# What stands beyond the edge or beyond its card, or in a box that scrolls on a narrow page: nobody sees that digits are
+# missing.
 CUT = """[...document.querySelectorAll('td, th, .score, figcaption, svg.bar, .points')].filter(e => {
     const box = e.getBoundingClientRect(), scroll = e.closest('.scroll, .wide');
     if (!box.width) return false;
-    return box.right > innerWidth + 1 || (scroll && innerWidth <= 640 && scroll.scrollWidth > scroll.clientWidth + 1);
+    const card = e.closest('.card'), edge = card && !scroll && card.getBoundingClientRect().right;
+    return (edge && box.right > edge - 4) || box.right > innerWidth + 1 || (scroll && innerWidth <= 640 && scroll.scrollWidth > scroll.clientWidth + 1);
 }).map(e => e.textContent.trim().slice(0, 60))"""
 
 
@@ -123,6 +127,8 @@ def check_widths(browser, page_file, keep):
                     expect(False, f"{name}: {violation['id']}, {len(violation['nodes'])} times: {node['html'][:120]} "
                                   f"{node['failureSummary'].splitlines()[-1]}")
             if keep:
+                page.evaluate("for (const image of document.images) image.loading = 'eager'")
+                page.wait_for_function("[...document.images].every(image => image.complete)")
                 page.screenshot(path=keep / f"{page_file.parent.name}_{page_file.stem}_{scheme}_{width}.png", full_page=True)
             page.close()
 
@@ -229,9 +235,38 @@ def check_words(browser, page_file):
         expect(len(hints) == len(set(hints)), f"{section.get_attribute('id')}: told twice: {sorted(hints)}")
     headers = page.locator(".statistics").first.locator("th").all_text_contents()
     expect(headers[:5] == ["measures", "yours", "must be", "right within", "wrong beyond"], f"headers {headers}")
-    text = page.locator("main").inner_text()
-    for word in ("RMSE", "Welch", "replicates", "^2"):
-        expect(word not in text, f"the page says {word}")
+    page.close()
+
+
+def check_plain_words(browser, page_file):
+    """What students read speaks of errors, of what is theirs and of what is right."""
+    page = browser.new_page()
+    page.goto(page_file.as_uri())
+    text = page.evaluate("""() => {
+        const main = document.querySelector('main').cloneNode(true);
+        for (const code of main.querySelectorAll('pre, code, figcaption details')) code.remove();
+        return main.textContent;
+    }""")
+    for word in ("RMSE", "MSE", "Welch", "replicates", "^", "the solution", "ubmission's", "the submission"):
+        expect(word not in text, f"{page_file.stem} of {page_file.parent.name} says {word}")
+    page.close()
+
+
+def check_passing(browser, page_file):
+    page = browser.new_page()
+    page.goto(page_file.as_uri())
+    expect("All of it passes." in page.locator("header").inner_text(), "what passes says so at its head")
+    expect(page.locator("details.check[open]").count() == 0, "what passes is folded")
+    page.close()
+
+
+def check_narrow_stress(browser, page_file):
+    page = browser.new_page(viewport={"width": 320, "height": 900})
+    page.goto(page_file.as_uri())
+    expect(page.locator(".overview tr.part").first.inner_text().strip() == "phong", "stress at 320: of which fragment a family is")
+    names = page.evaluate("[...document.querySelectorAll('.overview td[data-is]')].slice(0, 2).map("
+                          "cell => getComputedStyle(cell, '::before').content)")
+    expect(names == ['"passes "', '"the right one "'], f"stress at 320: what its numbers are: {names}")
     page.close()
 
 
@@ -244,12 +279,18 @@ def main():
         words.keep.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
         pages = make_pages(words.grade, pathlib.Path(folder))
-        expect(len(pages) == 6, f"six kinds of pages are written, not {len(pages)}")
+        expect(len(pages) == 7, f"seven kinds of pages are written, not {len(pages)}")
         browser = playwright.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
         for page_file in pages:
             check_widths(browser, page_file, words.keep)
         check_links(browser, pathlib.Path(folder) / "stress")
         graded = pathlib.Path(folder) / "grade/index.html"
+        student = [graded, pathlib.Path(folder) / "passing/index.html"]
+        student += [pathlib.Path(folder) / f"stress/{name}.html" for name in ("stress", "lesson", "converge")]
+        for page_file in student:
+            check_plain_words(browser, page_file)
+        check_passing(browser, student[1])
+        check_narrow_stress(browser, student[2])
         for check in (check_without_script, check_comforts, check_words, check_print):
             check(browser, graded)
         browser.close()
