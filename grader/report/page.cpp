@@ -51,7 +51,10 @@ std::string three_pictures(const rt::Image& mine, const rt::Image& right, double
         const Difference map = difference(mine, right);
         text +=
             figure(data_uri(map.image, 1), "where your picture " + what + " is darker or brighter than the right one",
-                   fmt::format("difference: darker {} brighter; full colour at ±{:.2g}", scale, map.full), "map");
+                   mine.pixels == right.pixels
+                       ? "no difference"
+                       : fmt::format("difference: darker {} brighter; full colour at ±{:.2g}", scale, map.full),
+                   "map");
     }
     return text + "</div>\n";
 }

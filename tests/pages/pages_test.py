@@ -212,6 +212,8 @@ def check_print(browser, page_file):
     opened = page.evaluate("[...document.querySelectorAll('details.check')].map(d => [d.open, !d.querySelector('.badge.passed')])")
     page.emulate_media(media="print")
     expect(page.locator("header").bounding_box()["y"] < 100, "print: the first page begins with the score")
+    kept = page.evaluate("[...document.querySelectorAll('.legend, .scale, .meter i')].map(e => getComputedStyle(e).printColorAdjust)")
+    expect(set(kept) == {"exact"}, "print: legends and bars are there")
     # what passes stays folded
     expect(not page.locator("#phong table").first.is_visible(), "print: a check that passes is folded")
     expect(page.locator("#shadow_ray table").first.is_visible(), "print: a check that fails is whole")
@@ -257,6 +259,7 @@ def check_passing(browser, page_file):
     page.goto(page_file.as_uri())
     expect("All of it passes." in page.locator("header").inner_text(), "what passes says so at its head")
     expect(page.locator("details.check[open]").count() == 0, "what passes is folded")
+    expect(page.locator(".own .map figcaption").inner_text() == "no difference", "a picture like the right one says so")
     page.close()
 
 
