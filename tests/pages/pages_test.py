@@ -31,6 +31,7 @@ if not chromium:
 WIDTHS = (320, 768, 1280, 1920)
 # A crash, a compiler's message, statistics, pictures, a time-out, a blank, and what passes.
 FRAGMENTS = "integrate_stratified whitted shadow_ray light_sample lens_ray free_flight phong".split()
+patience = 600_000  # ms: of a machine that does much else
 faults = []
 
 
@@ -38,6 +39,12 @@ def expect(holds, what):
     if not holds:
         faults.append(what)
         print("FAILED:", what)
+
+
+def new_page(browser, **options):
+    page = browser.new_page(**options)
+    page.set_default_timeout(patience)
+    return page
 
 
 def make_pages(grade, folder):
@@ -107,7 +114,7 @@ def check_widths(browser, page_file, keep):
     for scheme in ("light", "dark"):
         for width in WIDTHS:
             name = f"{page_file.stem} of {page_file.parent.name} at {width}, {scheme}"
-            page = browser.new_page(viewport={"width": width, "height": 900}, color_scheme=scheme)
+            page = new_page(browser, viewport={"width": width, "height": 900}, color_scheme=scheme)
             asked = []
             page.on("request", lambda request: asked.append(request.url))
             page.goto(page_file.as_uri())
@@ -135,7 +142,7 @@ def check_widths(browser, page_file, keep):
 
 def check_links(browser, folder):
     """The page that was written first leads to the one that followed, and back; both name what is not there."""
-    page = browser.new_page()
+    page = new_page(browser)
     page.goto((folder / "stress.html").as_uri())
     page.get_by_role("link", name="integrals").click()
     expect(page.url.endswith("lesson.html"), f"pages of one folder: stress leads to {page.url}")
@@ -152,6 +159,7 @@ def check_links(browser, folder):
 def check_without_script(browser, page_file):
     context = browser.new_context(java_script_enabled=False)
     page = context.new_page()
+    page.set_default_timeout(patience)
     page.goto(page_file.as_uri())
     expect(not page.locator(".tools").first.is_visible(), "without script: buttons that do nothing")
     expect(page.locator(".own img").count() == 3, "without script: yours, right and difference side by side")
@@ -160,7 +168,7 @@ def check_without_script(browser, page_file):
 
 
 def check_comforts(browser, page_file):
-    page = browser.new_page()
+    page = new_page(browser)
     page.goto(page_file.as_uri())
     page.keyboard.press("Tab")
     expect(page.evaluate("document.activeElement.className") == "skip", "keyboard: the first stop skips to the verdicts")
@@ -205,7 +213,7 @@ def check_radiance(page):
 
 
 def check_print(browser, page_file):
-    page = browser.new_page()
+    page = new_page(browser)
     page.goto(page_file.as_uri())
     page.evaluate("for (const d of document.querySelectorAll('details.check')) d.open = false")
     page.evaluate("window.dispatchEvent(new Event('beforeprint'))")
@@ -225,7 +233,7 @@ def check_print(browser, page_file):
 
 def check_words(browser, page_file):
     """What is wrong is said once in a fragment, also in the overview; the words are the handout's."""
-    page = browser.new_page()
+    page = new_page(browser)
     page.goto(page_file.as_uri())
     for text in page.locator("#overview tr:has-text('integrate_stratified')").all_inner_texts() + [
             page.locator("header").inner_text()]:
@@ -242,7 +250,7 @@ def check_words(browser, page_file):
 
 def check_plain_words(browser, page_file):
     """What students read speaks of errors, of what is theirs and of what is right."""
-    page = browser.new_page()
+    page = new_page(browser)
     page.goto(page_file.as_uri())
     text = page.evaluate("""() => {
         const main = document.querySelector('main').cloneNode(true);
@@ -255,7 +263,7 @@ def check_plain_words(browser, page_file):
 
 
 def check_passing(browser, page_file):
-    page = browser.new_page()
+    page = new_page(browser)
     page.goto(page_file.as_uri())
     expect("All of it passes." in page.locator("header").inner_text(), "what passes says so at its head")
     expect(page.locator("details.check[open]").count() == 0, "what passes is folded")
@@ -264,7 +272,7 @@ def check_passing(browser, page_file):
 
 
 def check_narrow_stress(browser, page_file):
-    page = browser.new_page(viewport={"width": 320, "height": 900})
+    page = new_page(browser, viewport={"width": 320, "height": 900})
     page.goto(page_file.as_uri())
     expect(page.locator(".overview tr.part").first.inner_text().strip() == "phong", "stress at 320: of which fragment a family is")
     names = page.evaluate("[...document.querySelectorAll('.overview td[data-is]')].slice(0, 2).map("
