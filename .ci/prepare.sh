@@ -248,10 +248,15 @@ build_release() {
         configure "${@:2}"
     fi
 
-    local at=0 total=0 began=$SECONDS skip="" aside=""
+    local at=0 total=0 began=$SECONDS skip="" aside="" load=0 left
+    # a step takes 1.5 s of one processor, whose time is shared with what else runs: in hundredths of a second
+    read -r load _ 2>/dev/null </proc/loadavg || true
+    local step=$((150 * (processors + ${load%.*}) / processors / processors))
     if [ ! -e "$build/.ninja_log" ]; then
         total=$(ninja -C "$build" -t commands "${targets[@]}" 2>/dev/null | wc -l) || total=0
-        say "Building, the first time: $total steps, $(in_words $((total / processors)))."
+        left=$(in_words $((total * step / 100)))
+        [ "$step" -lt $((300 / processors)) ] || left+=" beside what else runs on this machine"
+        say "Building, the first time: $total steps, $left."
     fi
     NINJA_STATUS='[%f/%t] ' follow build_line cmake --build "$build" --target "${targets[@]}" && exec {lock}>&- && return
     ! disk_is_full || give_up "The disk is full, so the build failed."
@@ -274,9 +279,9 @@ build_line() {
         [[ $1 == FAILED:* ]] && skip=1 || skip=""
         return 0
     fi
-    # a second of one processor for a step, until dozens of them have shown better
+    # what was forecast, until dozens of steps have shown better
     local text="building: $((SECONDS - began)) s" tenth=$milestone
-    local left=$(((total - at) * (40 / processors + SECONDS - began) / (40 + at)))
+    local left=$(((total - at) * (step / 5 + SECONDS - began) / (20 + at)))
     [ "$total" = 0 ] || text="building: $at of $total"
     [ "$at" = "$total" ] || text+=", $(in_words $left) left"
     [ "$total" -lt 20 ] || tenth=$((10 * at / total))

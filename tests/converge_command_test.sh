@@ -14,7 +14,7 @@ expect 0 "random" "$grade" converge solution "$work/tiny.toml" "${few[@]}" --req
     --json "$work/a.json" --csv "$work/a.csv"
 expect 0 '"schema": "penumbra/convergence/v1"' cat "$work/a.json"
 expect 0 "tiny,solution,sobol,64,4," cat "$work/a.csv"
-expect 0 "![RMSE of tiny against CPU seconds](tiny-seconds.svg)" cat "$work/report/converge.md"
+expect 0 "![error of tiny against CPU seconds](tiny-seconds.svg)" cat "$work/report/converge.md"
 expect 0 "</svg>" cat "$work/report/tiny-seconds.svg"
 expect 0 "</svg>" cat "$work/report/tiny-rays.svg"
 expect 0 "independent points have the slope -1/2, strata a steeper one, nothing is biased" python3 - "$work/a.json" <<'END'
@@ -52,10 +52,10 @@ variant() {
 variant wrong 46_light_from_its_corner
 expect 0 "Biased: with" "$grade" converge "$work/wrong/solution" "$work/tiny.toml" "${few[@]}" --out "$work/wrong.out"
 expect 0 "does not fall below a plateau of" cat "$work/wrong.out/converge.md"
-expect 0 "random, solution" cat "$work/wrong.out/tiny-seconds.svg"
+expect 0 "random, right" cat "$work/wrong.out/tiny-seconds.svg"
 expect 1 "Biased: with" "$grade" converge "$work/wrong/solution" "$work/tiny.toml" "${few[@]}" --require
 variant right light_sample_near_half
-expect 0 "MSE at equal time" "$grade" converge "$work/right/solution" "$work/tiny.toml" "${few[@]}" --require
+expect 0 "error^2 at equal time" "$grade" converge "$work/right/solution" "$work/tiny.toml" "${few[@]}" --require
 
 # what a fragment does costs the submission's curves alone
 cp -r solution "$work/mine"

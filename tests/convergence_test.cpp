@@ -189,7 +189,7 @@ TEST_CASE("a submission that needs three times the time and twice the samples ha
     CHECK(to_csv(record).find("made_up,solution,random,1024,8,") != std::string::npos);
     CHECK(to_json(record).find("\"biased\": true") != std::string::npos);
     const std::string svg = log_log(error_plot(scene, Against::seconds));
-    for (const char* piece : {"-1/2", "-3/4", "random, solution", "<polygon", "stroke-dasharray"}) {
+    for (const char* piece : {"-1/2", "-3/4", "random, right", "<polygon", "stroke-dasharray"}) {
         INFO(piece);
         CHECK(svg.find(piece) != std::string::npos);
     }

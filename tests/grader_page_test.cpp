@@ -41,6 +41,7 @@ TEST_CASE("what stands between backquotes is code, and as harmless as the rest")
     // elsewhere powers are raised
     CHECK(html_with_code("[pixel^2], (1 - g)^3, `x^2`, N^-1.50.") ==
           "[pixel<sup>2</sup>], (1 - g)<sup>3</sup>, <code>x^2</code>, N<sup>-1.50</sup>.");
+    CHECK(html_with_code("v N^(-2q), f^(x) (^2)") == "v N<sup>-2q</sup>, f<sup>x</sup> (^2)");
     CHECK(html_with_code("[m2] ^2 a^b a^ a^-") == "[m<sup>2</sup>] ^2 a^b a^ a^-");
 }
 

@@ -36,7 +36,22 @@ TEST_CASE("a terminal tells what is wrong, the call, what to read, and last what
     const std::string below = "      For time = -1 the answer is 1, must be 2\n";
     const std::string last = "      read: handout.md, \"moved\"\n      fragments/moved.cpp:9:5: warning: unused\n";
     CHECK(table(record, {}) == row + below + last);
-    CHECK(table(record, {.own = true}) == row + below + "      again: ./grade call moved 'time = -1'\n" + last);
+    const std::string again = "      again: ./grade call moved 'time = -1'\n";
+    const std::string defaults =
+        "Fields that a call does not name have the defaults of starter/rt/parts.h and ray.h.\n";
+    CHECK(table(record, {.own = true}) == row + below + again + last + defaults);
+    // files are named as they are from where the reader stands
+    const std::string text = table(record, {.own = true, .folder = "../starter/"});
+    CHECK(text.find(" ../starter/fragments/moved.cpp\n") != text.npos);
+    CHECK(text.find(" ../starter/fragments/moved.cpp:9:5: warning: unused\n") != text.npos);
+    // what does not fit has the answers in lines of their own
+    Record long_call = record;
+    long_call.fragments[0].finding.arguments = "camera.focus = 3, pinhole.direction = (0.123456, 0.234567, 0.345678)";
+    long_call.fragments[0].finding.answer = "origin = (0, 0, 1)",
+    long_call.fragments[0].finding.right = "origin = (0, 1, 1)";
+    CHECK(table(long_call, {})
+              .find("0.345678)\n      the answer is origin = (0, 0, 1),\n      must be origin = (0, 1, 1)\n") !=
+          std::string::npos);
     // of several, those of parts where there are several
     FragmentRecord blank;
     blank.name = "phong", blank.part = "one", blank.max_points = 3, blank.verdict = Verdict::not_started;

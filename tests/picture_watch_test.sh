@@ -16,6 +16,8 @@ expect 2 "one submission too many" ./grade starter grader
 expect 2 "a kit grades folders" ./grade grader/x86_64-linux/librt.a
 expect 2 "a kit is handed out by the project" ./grade hand-out "$work/again"
 expect 0 "not started" ./grade hit_sphere
+expect 0 "next: fill in starter/fragments/hit_sphere.cpp, then ./grade hit_sphere" ./grade hit_sphere
+(cd starter && expect 0 "fill in fragments/hit_sphere.cpp" ../grade hit_sphere; exit "$failures") || failures=$((failures + 1))
 ln -s "$work/kit/grade" "$work/link"
 (cd / && expect 0 "fill in" "$work/link" hit_sphere; exit "$failures") || failures=$((failures + 1))
 
@@ -23,12 +25,14 @@ ln -s "$work/kit/grade" "$work/link"
 expect 0 "0 of 100" ./grade
 cp "$solution/phong.cpp" starter/fragments/
 expect 0 "phong: passed, was not started (+3 points)" ./grade phong moved
+expect 0 "next: fill in starter/fragments/shadow_ray.cpp" ./grade phong
 sed -i 's|cosine / pi|cosine|' starter/fragments/phong.cpp
 expect 0 "phong: failed, was passed (-3 points)" ./grade
 expect 0 "phong: failed, was passed" cat build/report/index.html
 # of one's own it is always the same: neither a seed nor what walls there are
 expect 1 "" grep -q "^seed" <(./grade phong)
 expect 0 "1/pi is missing" ./grade phong
+expect 0 "next: mend starter/fragments/phong.cpp, then ./grade phong" ./grade phong
 # the call that the hint shows, without typing it
 expect 1 "must be" ./grade call phong
 expect 1 "" grep -q "Since the last run" <(./grade phong)

@@ -33,6 +33,8 @@ begin() {
     mkdir -p "$tree/.ci" "$tree/grader" "$tree/starter/rt" "$stub" "$work/elsewhere"
     cp "$source/grade" "$source/check" "$tree"
     cp "$source/.ci/prepare.sh" "$source/.ci/run" "$tree/.ci"
+    sed -i "s|</proc/loadavg|<'$stub/load'|" "$tree/.ci/prepare.sh"
+    echo "0.24 0.20 0.18 1/200 9999" >"$stub/load"
     touch "$tree/assignment.toml"
     : >"$stub/missing"
     : >"$stub/log"
@@ -120,7 +122,13 @@ expect 0 "" test -e "$build/build.ninja"
 
 # the first build, without a terminal: a line at each tenth, on stderr alone
 begin
-expect 0 "Building, the first time: 260 steps, about 2 minutes." in_it ./grade
+expect 0 "Building, the first time: 260 steps, about 3 minutes." in_it ./grade
+begin
+echo "8.15 5.20 2.18 9/200 9999" >"$stub/load"
+expect 0 "260 steps, about 16 minutes beside what else runs on this machine." in_it ./grade
+begin
+rm "$stub/load"
+expect 0 "260 steps, about 3 minutes." in_it ./grade
 begin
 expect 0 "12 lines" lines in_it ./grade
 begin
@@ -130,7 +138,7 @@ expect 0 "only graded" echo "only $(in_it ./grade 2>/dev/null)"
 # on a terminal: one line that goes
 begin
 steps 40
-expect 0 "~building: 2 of 40, about 20 s left~" on_terminal "" ./grade
+expect 0 "~building: 2 of 40, about 30 s left~" on_terminal "" ./grade
 begin
 steps 40
 expect 0 "2" grep -c "" <(on_terminal "" ./grade)
@@ -160,7 +168,7 @@ printf '/a/a.cpp:3:1: warning: unused\n    3 | int a\n\n      | ^\n'
 printf 'FAILED: b.o \n/usr/bin/c++ -DMANY_WORDS -c b.cpp\nb.cpp:1:1: error: no\n-- noise\nninja: build stopped: subcommand failed.\n'
 exit 1
 END
-expect 3 $'about 2 minutes.\n/a/a.cpp:3:1: warning: unused\n    3 | int a\n\n      | ^\nFAILED: b.o \nb.cpp:1:1: error: no\nThe build failed (above).' in_it ./grade
+expect 3 $'about 3 minutes.\n/a/a.cpp:3:1: warning: unused\n    3 | int a\n\n      | ^\nFAILED: b.o \nb.cpp:1:1: error: no\nThe build failed (above).' in_it ./grade
 expect 3 $'warning: unused' on_terminal "" ./grade
 steps 3
 expect 0 "graded" in_it ./grade

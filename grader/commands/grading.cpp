@@ -48,6 +48,16 @@ std::string handout_for(const fs::path& folder, const fs::path& handout) {
     return there;
 }
 
+/// A folder as one would type it, with a slash at its end; empty where one stands in it.
+std::string from_here(const fs::path& folder) {
+    std::error_code error;
+    const std::string whole = fs::weakly_canonical(folder, error).string();
+    const std::string near = fs::relative(folder, error).string();
+    if (error || near.empty()) return whole + "/";
+    return near == "." ? ""
+                       : std::min(near, whole, [](const auto& a, const auto& b) { return a.size() < b.size(); }) + "/";
+}
+
 /// Of every grading of what its user edits: what has not changed comes out as it did.
 constexpr std::uint64_t own_seed = 1;
 
@@ -79,6 +89,7 @@ public:
     }
 
     const Chosen& chosen() const { return chosen_; }
+    Reader reader() const { return {bool(isatty(STDOUT_FILENO)), chosen_.own, folder_}; }
     const Assignment& assignment() const { return assignment_; }
 
     Record grade() {
@@ -109,7 +120,7 @@ public:
 
     /// The table; the exit code.
     int tell(const Record& record) const {
-        fmt::print("{}", table(record, {bool(isatty(STDOUT_FILENO)), chosen_.own}));
+        fmt::print("{}", table(record, reader()));
         // of one's own it is always the same
         if (!chosen_.own || arguments_.seed) fmt::print("seed {}; {}\n", record.seed, record.sandbox);
         if (record.reused > 0)
@@ -117,6 +128,19 @@ public:
                        record.reused);
         std::fflush(stdout);
         return arguments_.required && record.score() < *arguments_.required ? 1 : 0;
+    }
+
+    /// What to do next, last of all that is said.
+    void tell_next(const Record& record) const {
+        if (!chosen_.own || !cache_) return;
+        const std::string within =
+            fs::path(record.fragments.empty() ? "" : record.fragments.front().file).parent_path();
+        const std::string folder = folder_ + (within.empty() ? "" : within + "/");
+        std::vector<std::string> names = assignment_.names();
+        const std::set<std::string> asked = assignment_.asked();
+        std::erase_if(names, [&](const std::string& name) { return !asked.contains(name); });
+        const std::string next = next_step(record, names, *cache_ / last_run_file, folder);
+        if (!next.empty()) fmt::print("{}\n", next);
     }
 
     /// The page, with a picture of its own of what was graded last.
@@ -139,6 +163,7 @@ public:
 
 private:
     void set_up() {
+        if (chosen_.own) folder_ = from_here(chosen_.submission);
         settings_.only = chosen_.fragments;
         settings_.seed = arguments_.seed ? *arguments_.seed : chosen_.own ? own_seed : fresh_seed();
         if (!arguments_.seed && !chosen_.own) command_ += fmt::format(" --seed {}", settings_.seed);
@@ -163,6 +188,7 @@ private:
     Toolchain chain_;
     Assignment assignment_;
     Chosen chosen_;
+    std::string folder_;  // of what is its user's own, from where they stand
     std::string command_;
     std::shared_future<Provenance> provenance_;
     std::optional<fs::path> cache_;
@@ -209,13 +235,14 @@ int run_grade(const GradeArguments& arguments, const std::string& toolchain, con
     Session session(arguments, toolchain, command);
     if (arguments.watch) {
         watch(
-            session.chosen().submission, session.chosen().own, session.assignment(), session.chosen().fragments,
+            session.chosen().submission, session.reader(), session.assignment(), session.chosen().fragments,
             [&] { return session.grade(); }, [&](const Record& record) { session.write_page(record); });
         return 0;
     }
     const Record record = session.grade();
     const int code = session.tell(record);
     session.write_page(record);
+    session.tell_next(record);
     return code;
 }
 

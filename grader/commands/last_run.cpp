@@ -22,6 +22,10 @@ std::string change_in_words(const std::string& was, const std::string& verdict, 
     return fmt::format("{}, was {}{}", verdict, was, gained != 0 ? fmt::format(" ({:+g} {})", gained, points) : "");
 }
 
+std::string to_do(bool is_blank, const std::string& folder, const std::string& name) {
+    return fmt::format("next: {} {}{}.cpp, then ./grade {}", is_blank ? "fill in" : "mend", folder, name, name);
+}
+
 }  // namespace
 
 void compare_with_last(Record& record, const std::filesystem::path& file) {
@@ -50,6 +54,24 @@ void compare_with_last(Record& record, const std::filesystem::path& file) {
     if (changes.size() > most)
         record.changes.push_back(fmt::format("and {} more; {:+g} points in all", changes.size() - most, all_gained));
     write_text(file, last.dump(1) + "\n");
+}
+
+std::string next_step(const Record& record, const std::vector<std::string>& names, const std::filesystem::path& file,
+                      const std::string& folder) {
+    for (const FragmentRecord& fragment : record.fragments)
+        if (fragment.verdict != Verdict::passed)
+            return to_do(fragment.verdict == Verdict::not_started, folder, fragment.name);
+    if (record.fragments.empty()) return {};
+    const auto last = nlohmann::json::parse(read_text(file).value_or(""), nullptr, false);
+    const auto begin = std::ranges::find(names, record.fragments.back().name);
+    const auto first = std::size_t(begin - names.begin());
+    for (std::size_t k = 1; k < names.size(); ++k) {
+        const std::string& name = names[(first + k) % names.size()];
+        const bool is_known = last.is_object() && last.contains(name) && last[name].is_object();
+        const std::string verdict = is_known ? last[name].value("verdict", "") : in_words(Verdict::not_started);
+        if (verdict != in_words(Verdict::passed)) return to_do(verdict == in_words(Verdict::not_started), folder, name);
+    }
+    return {};
 }
 
 std::string last_call(const std::filesystem::path& file, const std::string& fragment) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "record/record.h"
 
@@ -14,6 +15,13 @@ constexpr const char* last_run_file = "last_run.json";
 /// whose verdict or points are others, losses first, and for all beyond some a last one. Then keeps this one's there;
 /// fragments that were not graded stay as they were. A file that is none is as good as no last grading.
 void compare_with_last(Record& record, const std::filesystem::path& file);
+
+/// What to do next, as a line without its end: about the first fragment of a grading that does not pass, or else the
+/// next one in the order of these names that did not pass when it was graded last. Empty: there is none.
+///
+/// folder  where the fragments' files are, from where one stands: "starter/fragments/"
+std::string next_step(const Record& record, const std::vector<std::string>& names, const std::filesystem::path& file,
+                      const std::string& folder);
 
 /// The arguments of the simplest call of a fragment that was wrong then; empty: there was none.
 std::string last_call(const std::filesystem::path& file, const std::string& fragment);

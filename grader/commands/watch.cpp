@@ -74,14 +74,15 @@ std::string screen(const Record& record, const std::set<std::string>& edited, co
 
 }  // namespace
 
-void watch(const std::string& folder, bool own, const Assignment& assignment, const std::set<std::string>& only,
-           const std::function<Record()>& grade, const std::function<void(const Record&)>& shown) try {
+void watch(const std::string& folder, const Reader& reader, const Assignment& assignment,
+           const std::set<std::string>& only, const std::function<Record()>& grade,
+           const std::function<void(const Record&)>& shown) try {
     const bool terminal = isatty(STDOUT_FILENO);
     std::set<std::string> edited = only;
     for (;;) {
         const Texts texts = texts_of(folder, assignment);
         const Record record = grade();
-        fmt::print("{}{}", terminal ? "\033[H\033[2J\033[3J" : "", screen(record, edited, {terminal, own}));
+        fmt::print("{}{}", terminal ? "\033[H\033[2J\033[3J" : "", screen(record, edited, reader));
         if (!terminal) fmt::print("\n");
         std::fflush(stdout);
         shown(record);

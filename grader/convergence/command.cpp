@@ -72,14 +72,14 @@ void add_programs(Bench& bench, Programs& programs, const Assignment& assignment
         (problem.verdict == Verdict::did_not_build ? broken : missing).push_back(name);
     const auto stands_in = [&](const char* why, const std::vector<std::string>& fragments) {
         if (!fragments.empty())
-            note += fmt::format("{}; the solution's stands in: {}. ", why, fmt::join(fragments, ", "));
+            note += fmt::format("{}; the right one stands in: {}. ", why, fmt::join(fragments, ", "));
     };
     const std::set<std::string> own = programs.all();
     stands_in("Did not build", broken);
     if (!own.empty())
         stands_in("Not started", missing);
     else
-        note += "Nothing is filled in yet: the solution alone. ";
+        note += "Nothing is filled in yet: the right ones alone. ";
 
     bench.solution = programs.with({}).program;
     bench.solution_stamp = stamp_of_solution(chain);

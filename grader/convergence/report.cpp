@@ -35,13 +35,15 @@ std::string bias_of(const Curve& curve) {
     return fmt::format("{} ({} to {})", root(value), root(value - 1.96 * se), root(value + 1.96 * se));
 }
 
+const char* whose(Who who) { return who == Who::submission ? "yours" : "right"; }
+
 /// The result of each curve; the long form has relative errors and rays as well.
 Cells curve_rows(const SceneRecord& scene, bool is_long) {
     Cells rows{
-        {"", "sampler", "slope", "expected", "samples", "RMSE", "CPU s", "efficiency", "s to 64", "to 1024", "bias"}};
-    if (is_long) rows[0].insert(rows[0].begin() + 6, {"relative RMSE", "M rays"});
+        {"", "sampler", "slope", "expected", "samples", "error", "CPU s", "efficiency", "s to 64", "to 1024", "bias"}};
+    if (is_long) rows[0].insert(rows[0].begin() + 6, {"relative error", "M rays"});
     for (const Curve& curve : scene.curves) {
-        std::vector<std::string> row{name(curve.who), curve.sampler};
+        std::vector<std::string> row{whose(curve.who), curve.sampler};
         const Fit& fit = curve.fit;
         row.push_back(fit.good ? with_interval(fit.order, fit.low, fit.high, "{:.2f}") : "none");
         row.push_back(expected_order(curve.sampler));
@@ -62,7 +64,7 @@ Cells curve_rows(const SceneRecord& scene, bool is_long) {
 }
 
 Cells comparison_rows(const SceneRecord& scene) {
-    Cells rows{{"submission / solution", "MSE at equal time", "time to the error of 64", "of 1024"}};
+    Cells rows{{"yours / the right one", "error^2 at equal time", "time to the error of 64", "of 1024"}};
     for (const Comparison& c : scene.comparisons)
         rows.push_back({c.sampler, words(c.mse_at_equal_time), words(c.time_at_error[0]), words(c.time_at_error[1])});
     return rows;
@@ -70,23 +72,22 @@ Cells comparison_rows(const SceneRecord& scene) {
 
 /// What a bias does; empty: none is shown.
 std::string warning(const SceneRecord& scene) {
-    if (!scene.fault.empty())
-        return fmt::format("The submission's program breaks down: {}", printable(scene.fault, 200));
+    if (!scene.fault.empty()) return fmt::format("Your program breaks down: {}", printable(scene.fault, 200));
     const Curve* curve = scene.biased();
     if (!curve) return {};
-    std::string text = fmt::format("Biased: with {}, the error of the {} does not fall below a plateau of {}",
-                                   curve->sampler, name(curve->who), bias_of(*curve));
+    std::string text = fmt::format("Biased: with {}, {} error does not fall below a plateau of {}", curve->sampler,
+                                   curve->who == Who::submission ? "your" : "the right one's", bias_of(*curve));
     const Fit& fit = curve->fit;
     if (fit.good && fit.plateau > 0 && fit.order < 0) {
         const double samples = std::pow(fit.plateau / fit.v, 1 / (2 * fit.order));
         text += samples < 1 ? "; already the noise of a single sample is less"
                             : fmt::format("; from about {:.2g} samples on, that is more than its noise", samples);
     }
-    return text + ". More samples do not help: the mean picture is another one than the solution's.";
+    return text + ". More samples do not help: the mean picture is another one than the right one.";
 }
 
 std::string about_reference(const SceneRecord& scene) {
-    return fmt::format("{} x {} pixels; reference by the solution: 2 x {} samples, RMSE {:.2g}", scene.size.x,
+    return fmt::format("{} x {} pixels; compared with the right picture: 2 x {} samples, error {:.2g}", scene.size.x,
                        scene.size.y, scene.reference_samples, scene.reference_noise);
 }
 
@@ -120,9 +121,11 @@ std::string markdown(const Cells& rows) {
 
 /// What the columns mean.
 constexpr const char* legend =
-    "Slope: of the RMSE against the samples, from the fit MSE = b^2 + v N^(-2q), with its 95 % interval.\n"
-    "Efficiency: 1 / (MSE x CPU s). s to 64, to 1024: CPU time to the MSE of so many independent samples a pixel.\n"
-    "Bias: RMSE that is left when all noise is averaged away; <: none is shown, and none above that is likely.\n";
+    "Error: the root of the mean squared difference from the right picture.\n"
+    "Slope: of the error against the samples, from the fit error^2 = b^2 + v N^(-2q), with its 95 % interval.\n"
+    "Efficiency: 1 / (error^2 x CPU s). s to 64, to 1024: CPU time to the error of so many independent samples a "
+    "pixel.\n"
+    "Bias: error that is left when all noise is averaged away; <: none is shown, and none above that is likely.\n";
 
 }  // namespace
 
@@ -148,7 +151,7 @@ std::string report(const ConvergenceRecord& record) {
     text +=
         "\nCPU seconds are of rendering alone, with fragments linked as the grader does it; compare them within one "
         "run only.\n\n";
-    Cells orders{{"pattern", "RMSE slope on an edge in 2D", "for a smooth function in 2D"}};
+    Cells orders{{"pattern", "slope of the error on an edge in 2D", "for a smooth function in 2D"}};
     for (const ExpectedOrder& order : expected_orders())
         orders.push_back({order.sampler, order.edge ? fmt::format("{:.2f}", *order.edge) : "no law",
                           order.smooth ? fmt::format("{:.2f}", *order.smooth) : "no law"});
@@ -161,7 +164,7 @@ std::string report(const ConvergenceRecord& record) {
         if (const std::string words = warning(scene); !words.empty()) text += fmt::format("**{}**\n\n", words);
         if (scene.curves.empty()) continue;
         for (const Against against : {Against::seconds, Against::rays})
-            text += fmt::format("![RMSE of {} against {}]({})\n", scene.name,
+            text += fmt::format("![error of {} against {}]({})\n", scene.name,
                                 against == Against::seconds ? "CPU seconds" : "rays", plot_file(scene, against));
         text += "\n" + markdown(curve_rows(scene, true));
         if (!scene.comparisons.empty()) text += markdown(comparison_rows(scene));
@@ -172,7 +175,7 @@ std::string report(const ConvergenceRecord& record) {
 Plot error_plot(const SceneRecord& scene, Against against) {
     Plot plot{fmt::format("{}: error against {}", scene.name, against == Against::seconds ? "run time" : "rays"),
               against == Against::seconds ? "CPU time of rendering [s]" : "rays of all kinds",
-              "RMSE",
+              "error",
               {}};
     plot.guides = {{-0.5, "-1/2"}, {-0.75, "-3/4"}, {-1, "-1"}};
     std::vector<std::string> samplers;
@@ -183,7 +186,7 @@ Plot error_plot(const SceneRecord& scene, Against against) {
         grade::Series series{curve.sampler, {}};
         series.color = int(place - samplers.begin());
         series.dashed = both && curve.who == Who::solution;
-        if (series.dashed) series.name += ", solution";
+        if (series.dashed) series.name += ", right";
         for (const Level& level : curve.levels) {
             const auto [low, high] = level.mse_interval();
             series.points.push_back({against == Against::seconds ? level.seconds() : level.rays(),

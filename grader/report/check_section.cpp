@@ -52,7 +52,7 @@ std::string tile_map(const CheckRecord& check) {
 /// The first answer along a path that is not the solution's.
 std::string parting(const CheckRecord& check) {
     if (check.parting.empty()) return {};
-    return "<details class=\"parting\"><summary>Where a path parts from the solution's, with the same random numbers"
+    return "<details class=\"parting\"><summary>Where a path parts from the right one, with the same random numbers"
            "</summary><pre tabindex=\"0\">" +
            html(check.parting) + "</pre></details>\n";
 }
@@ -103,13 +103,16 @@ std::string badge(Verdict verdict) {
 
 std::string three_pictures(const rt::Image& mine, const rt::Image& right, double exposure, const std::string& what) {
     std::string text = fmt::format("<div class=\"pictures\" data-exposure=\"{:.6g}\">\n", exposure);
-    text += figure(data_uri(mine, exposure), "the submission's picture " + what, "yours");
+    text += figure(data_uri(mine, exposure), "your picture " + what, "yours");
     if (!right.pixels.empty()) {
-        text += figure(data_uri(right, exposure), "the solution's picture " + what, "the right one");
+        text += figure(data_uri(right, exposure), "the right picture " + what, "the right one");
         const Difference map = difference(mine, right);
-        text += figure(data_uri(map.image, 1),
-                       "where the submission's picture " + what + " is darker or brighter than the solution's",
-                       fmt::format("difference: darker {} brighter; full colour at ±{:.2g}", scale, map.full), "map");
+        text +=
+            figure(data_uri(map.image, 1), "where your picture " + what + " is darker or brighter than the right one",
+                   mine.pixels == right.pixels
+                       ? "no difference"
+                       : fmt::format("difference: darker {} brighter; full colour at ±{:.2g}", scale, map.full),
+                   "map");
     }
     return text + "</div>\n";
 }
@@ -134,7 +137,8 @@ std::string check_section(const CheckRecord& check, bool fragment_passes, Told& 
         text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(check.verdict), html_with_code(check.message));
     if (!check.excerpt.empty())
         text += fmt::format("<p class=\"soft\">It printed:</p><pre tabindex=\"0\">{}</pre>\n", html(check.excerpt));
-    text += pictures(check) + cost_line(check, fragment_passes) + statistics(check, told);
+    const std::string found = pictures(check) + cost_line(check, fragment_passes) + statistics(check, told);
+    text += found.empty() && !folded && check.excerpt.empty() ? "<p class=\"soft\">As said above.</p>\n" : found;
     if (!check.scene.empty())
         text += fmt::format(
             "<details><summary class=\"soft\">scene: <code>--samples {} --sampler {}</code></summary><pre "

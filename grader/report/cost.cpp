@@ -65,8 +65,9 @@ std::string error_section(const Record& record) {
     if (plot.series[0].points.empty()) return {};
     const auto ratio = record.efficiency_ratio();
     return fmt::format(
-        "<h2>Error against run time</h2><section class=\"card\"><div class=\"plot\">{}</div><p class=\"soft\">Each dot "
-        "is one picture, joined with the right one of the same check; what is wrong has a larger error, and its name "
+        "<h2>Error against run time</h2><section class=\"card\"><div class=\"plot\" tabindex=\"0\">{}</div>"
+        "<p class=\"soft\">Each dot is one picture, joined with the right one of the same check; what is wrong has a "
+        "larger error, and its name "
         "where there is room. The foot of the plot is 1e-6 and less. {}<code>grade converge</code> shows how the error "
         "falls "
         "with "

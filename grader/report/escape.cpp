@@ -67,6 +67,7 @@ std::string html(std::string_view text) {
 
 std::string with_powers(std::string_view safe, std::string_view open, std::string_view close) {
     constexpr std::string_view digits = "0123456789", square_metres = "[m2]";
+    constexpr std::size_t longest_power = 12;
     std::string raised;
     for (std::size_t i = 0; i < safe.size(); ++i) {
         const bool has_base = i > 0 && (std::isalnum(static_cast<unsigned char>(safe[i - 1])) || safe[i - 1] == ')');
@@ -74,6 +75,10 @@ std::string with_powers(std::string_view safe, std::string_view open, std::strin
         if (safe.substr(i).starts_with(square_metres)) {
             raised += fmt::format("[m{}2{}]", open, close);
             i += square_metres.size() - 1;
+        } else if (const std::size_t close_at = safe.find(')', i);
+                   has_base && safe.substr(i).starts_with("^(") && close_at - i < longest_power) {
+            raised += fmt::format("{}{}{}", open, safe.substr(i + 2, close_at - i - 2), close);
+            i = close_at;
         } else if (safe[i] == '^' && has_base && first < safe.size() && digits.find(safe[first]) != digits.npos) {
             std::size_t end = std::min(safe.find_first_not_of("0123456789./", first), safe.size());
             while (digits.find(safe[end - 1]) == digits.npos) --end;  // the end of a sentence

@@ -87,7 +87,7 @@ std::string picture_of(std::string_view line) {
     const auto middle = line.find("]("), end = line.find(')', middle);
     if (middle == line.npos || end == line.npos) return fmt::format("<p>{}</p>\n", inline_html(line));
     const std::string alt = html(line.substr(2, middle - 2));
-    return fmt::format("<figure class=\"plot\"><img src=\"{}\" alt=\"{}\"></figure>\n",
+    return fmt::format("<figure class=\"plot\" tabindex=\"0\"><img src=\"{}\" alt=\"{}\"></figure>\n",
                        html(line.substr(middle + 2, end - middle - 2)), alt);
 }
 

@@ -123,17 +123,16 @@ std::string next_step(const Record& record) {
 std::string own_picture(const Record& record) {
     if (!record.own_picture_fault.empty())
         return fmt::format(
-            "<h2>The submission's own picture</h2><section class=\"card\"><p class=\"hint crashed\">No picture: "
+            "<h2>Your own picture</h2><section class=\"card\"><p class=\"hint crashed\">No picture: "
             "{}</p></section>\n",
             html(record.own_picture_fault));
     if (record.own_picture.pixels.empty()) return {};
-    const char* made_of =
-        record.own_picture_of_some
-            ? "with the fragments that were graded, and right ones in place of the others"
-            : "with all fragments of the submission; blanks stand in for those that are missing or do "
-              "not build";
+    const char* made_of = record.own_picture_of_some
+                              ? "with the fragments that were graded, and right ones in place of the others"
+                              : "with all of your fragments; blanks stand in for those that are missing or do "
+                                "not build";
     return fmt::format(
-        "<h2>The submission's own picture</h2><section class=\"card own\">{}<p class=\"soft\">{}, "
+        "<h2>Your own picture</h2><section class=\"card own\">{}<p class=\"soft\">{}, "
         "{}{}.</p></section>\n",
         three_pictures(record.own_picture, record.own_picture_right, record.own_picture_exposure,
                        "of " + record.own_picture_scene),

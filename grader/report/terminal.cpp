@@ -16,8 +16,9 @@ namespace grade {
 
 namespace {
 
-constexpr std::size_t line_width = 100, row_width = 56;  // row_width: of a row's name, verdict and points
-constexpr const char *below_row = "      ", *bold = "\033[1m", *no_color = "\033[0m";
+constexpr std::size_t line_width = 100, word_width = 64;  // word_width: of what stands in a row, behind its points
+constexpr std::string_view below_row = "      ";
+constexpr const char *bold = "\033[1m", *no_color = "\033[0m";
 
 const char* color_of_verdict(Verdict verdict) {
     switch (verdict) {
@@ -30,6 +31,18 @@ const char* color_of_verdict(Verdict verdict) {
         default:
             return "\033[31m";
     }
+}
+
+/// A call that is too long for a line has its answer, and the right one, in lines of their own.
+std::string in_parts(std::string words, std::size_t most) {
+    for (std::size_t begin = 0; begin < words.size();) {
+        std::size_t end = std::min(words.find('\n', begin), words.size());
+        if (end - begin > most && words.compare(begin, 4, "For ") == 0)
+            for (const std::string_view before : {" the answer is ", " must be "})
+                if (const std::size_t at = words.find(before, begin); at < end) words[at] = '\n', begin = at + 1;
+        begin = end + 1;
+    }
+    return words;
 }
 
 /// Words in lines that are not too long, each after an indent. Lines of their own stay so.
@@ -56,8 +69,19 @@ std::string wrapped(const std::string& text, const std::string& indent, int most
 
 bool is_told_by_itself(Verdict verdict) { return verdict == Verdict::not_started || verdict == Verdict::did_not_build; }
 
-std::string what_to_open(const FragmentRecord& fragment) {
-    return fragment.verdict == Verdict::passed || is_told_by_itself(fragment.verdict) ? "" : printable(fragment.file);
+/// Words in which the fragment's file is named as it is from where their reader stands.
+std::string with_folder(std::string words, const FragmentRecord& fragment, const Reader& reader) {
+    const std::string& file = fragment.file;
+    if (reader.folder.empty() || file.empty()) return words;
+    for (std::size_t at = 0; (at = words.find(file, at)) != words.npos; at += file.size())
+        if (at == 0 || std::string_view(" \n(").find(words[at - 1]) != std::string_view::npos)
+            words.insert(at, reader.folder), at += reader.folder.size();
+    return words;
+}
+
+std::string what_to_open(const FragmentRecord& fragment, const Reader& reader) {
+    if (fragment.verdict == Verdict::passed || is_told_by_itself(fragment.verdict)) return {};
+    return printable(with_folder(fragment.file, fragment, reader));
 }
 
 /// A line with the points in a column, and more in another.
@@ -102,16 +126,16 @@ std::string fragment_rows(const Record& record, const Reader& reader) {
     std::string rows;
     for (const FragmentRecord& fragment : record.fragments) {
         const Diagnosis diagnosis = fragment.verdict == Verdict::passed ? Diagnosis{} : diagnose(fragment);
-        const std::string words = printable(diagnosis.words);
-        const bool in_a_word = fragment.verdict == Verdict::not_started && words.size() < line_width - row_width &&
-                               words.find('\n') == words.npos;
-        rows += line_of(fragment, in_a_word ? words : what_to_open(fragment), reader.color);
-        if (!in_a_word) rows += wrapped(words, below_row, 8);
+        const std::string words = printable(with_folder(diagnosis.words, fragment, reader));
+        const bool in_a_word =
+            fragment.verdict == Verdict::not_started && words.size() < word_width && words.find('\n') == words.npos;
+        rows += line_of(fragment, in_a_word ? words : what_to_open(fragment, reader), reader.color);
+        if (!in_a_word) rows += wrapped(in_parts(words, line_width - below_row.size()), std::string(below_row), 10);
         if (reader.own && !fragment.finding.command.empty())  // in one piece, for a shell
             rows += fmt::format("{}again: {}\n", below_row, printable(fragment.finding.command));
         if (const std::string where = where_to_read(fragment.verdict, diagnosis); !where.empty())
             rows += fmt::format("{}read: {}\n", below_row, where);
-        rows += wrapped(printable(fragment.warnings), below_row, 8);
+        rows += wrapped(printable(with_folder(fragment.warnings, fragment, reader)), std::string(below_row), 8);
     }
     return rows;
 }
@@ -129,6 +153,8 @@ std::string table(const Record& record, const Reader& reader) {
         text += parts.size() == 1 ? fragment_rows(of_part, reader)
                                   : sum_line(title, of_part, "", reader.color) + fragment_rows(of_part, reader) + "\n";
     if (record.fragments.size() > 1) text += sum_line("Total", record, verdicts_in_words(record), reader.color);
+    if (reader.own && std::ranges::any_of(record.fragments, [](const auto& f) { return !f.finding.command.empty(); }))
+        text += "Fields that a call does not name have the defaults of starter/rt/parts.h and ray.h.\n";
     for (const std::string& note : record.notes) text += "note: " + printable(note) + "\n";
     if (!record.changes.empty()) text += "Since the last run:\n";
     for (const std::string& change : record.changes) text += "  " + change + "\n";

@@ -11,7 +11,8 @@ namespace grade {
 /// Who reads it.
 struct Reader {
     bool color = false;
-    bool own = false;  // what was graded is what this grader's calls repeat
+    bool own = false;    // what was graded is what this grader's calls repeat
+    std::string folder;  // from where they stand to it, before the paths of the record: "starter/"
 };
 
 /// The result as a table: part, fragment, verdict, points, and what to do about each fragment that does not pass. Sums

@@ -30,17 +30,17 @@ std::string overview(const StressRecord& record) {
         "<span class=\"key ordinary\"></span>ordinary scenes: scored<span class=\"key tried\"></span>tried"
         "<span class=\"key passes good\"></span>passes<span class=\"key passes bad\"></span>passes, but not all of "
         "what is scored"
-        "<span class=\"key solution\"></span>the solution</p>\n<table class=\"overview\">\n"
-        "<tr><th>family</th><th>swept</th><th>scored tier</th><th>decades</th><th>passes</th><th>solution</th></tr>\n";
+        "<span class=\"key solution\"></span>the right one</p>\n<table class=\"overview\">\n"
+        "<tr><th>family</th><th>scored tier</th><th>decades</th><th>passes</th><th>the right one</th></tr>\n";
     std::string about;
     for (const FamilyRecord& f : record.families) {
         if (f.family->fragments.front() != about)
-            text += fmt::format("<tr class=\"part\"><td colspan=\"6\">{}</td></tr>\n",
+            text += fmt::format("<tr class=\"part\"><td colspan=\"5\">{}</td></tr>\n",
                                 html(about = f.family->fragments.front()));
         const std::string message = message_of(f);
         text += fmt::format(
-            "<tr><td><a href=\"#{0}\">{0}</a></td><td "
-            "class=\"soft\">{1}{2}</td><td>{3}</td><td>{4}</td><td>{5}</td><td>{6}</td></tr>\n",
+            "<tr><td><a href=\"#{0}\">{0}</a><br><span class=\"soft\">{1}{2}</span></td><td>{3}</td><td>{4}</td>"
+            "<td data-is=\"passes\">{5}</td><td data-is=\"the right one\">{6}</td></tr>\n",
             html(f.family->name), html(f.family->swept), message.empty() ? "" : "<br>" + html(message), badge(f),
             f.started ? reach_bar(f) : "", f.started ? html(in_words(f.reach)) : "", html(in_words(f.solution)));
     }
@@ -84,7 +84,7 @@ std::string page(const StressRecord& record, const std::string& title) {
         "<header><div><h1>{}: stiff and extreme cases</h1><p>{}</p></div><div "
         "class=\"score\"><b>{}</b> <span>of {} families</span>"
         "<div class=\"meter\" role=\"img\" aria-label=\"{:.0f} percent\"><i style=\"width:{:.1f}%\"></i></div>"
-        "<p class=\"soft\">bonus: {} decades beyond ordinary scenes; the solution {}</p></div></header>\n",
+        "<p class=\"soft\">bonus: {} decades beyond ordinary scenes; the right one {}</p></div></header>\n",
         html(title), html(record.submission), record.scored(), record.most_scored(), 100 * share, 100 * share,
         record.bonus(), record.most_bonus());
     text += overview(record) + counts(record) + plots(record);

@@ -11,7 +11,7 @@ std::string table(const StressRecord& record, bool color) {
         return color ? code + text + "\033[0m" : text;
     };
     std::string text = paint(
-        "\033[1m", fmt::format("{:<30}{:<47}{:<13}{:<17}{}\n", "family", "swept", "scored tier", "passes", "solution"));
+        "\033[1m", fmt::format("{:<30}{:<47}{:<13}{:<17}{}\n", "family", "swept", "scored tier", "passes", "right"));
     for (const FamilyRecord& f : record.families) {
         const std::string scored = !f.is_scored() ? "" : f.scored_passed() ? "passed" : f.started ? "failed" : "-";
         const char* code = !f.is_scored() || !f.started ? "\033[2m" : f.scored_passed() ? "\033[32m" : "\033[31m";
@@ -35,7 +35,7 @@ std::string table(const StressRecord& record, bool color) {
     }
     text += fmt::format("\nScored tier (ordinary scenes): {} of {} families. Bonus: {} decades beyond", record.scored(),
                         record.most_scored(), record.bonus());
-    return text + fmt::format("; the solution {}.\n", record.most_bonus());
+    return text + fmt::format("; the right one {}.\n", record.most_bonus());
 }
 
 }  // namespace grade::stress

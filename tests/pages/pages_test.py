@@ -31,6 +31,7 @@ if not chromium:
 WIDTHS = (320, 768, 1280, 1920)
 # A crash, a compiler's message, statistics, pictures, a time-out, a blank, and what passes.
 FRAGMENTS = "integrate_stratified whitted shadow_ray light_sample lens_ray free_flight phong".split()
+patience = 600_000  # ms: of a machine that does much else
 faults = []
 
 
@@ -38,6 +39,12 @@ def expect(holds, what):
     if not holds:
         faults.append(what)
         print("FAILED:", what)
+
+
+def new_page(browser, **options):
+    page = browser.new_page(**options)
+    page.set_default_timeout(patience)
+    return page
 
 
 def make_pages(grade, folder):
@@ -48,6 +55,7 @@ def make_pages(grade, folder):
     shutil.copytree("tests/example", example)
     (example / "fragments/uniform_disk.cpp").unlink()  # does not end, and would be part of the picture
     run(example, *FRAGMENTS, "--seed", "1", "--html", folder / "grade")
+    run("solution", "phong", "shadow_ray", "--seed", "1", "--html", folder / "passing")
     run("stress", "solution", "--only", "phong", "--html", folder / "stress")
     run("lesson", "solution", "--out", folder / "stress")
     run("converge", "solution", "scenes/penumbra.toml", "--samples", "1,4", "--replicates", "2", "--side", "16", "--out",
@@ -59,15 +67,18 @@ def make_pages(grade, folder):
             shutil.copy(example / f"fragments/{name}.cpp", folder / f"export/hw1-{student}")
     (folder / "export/hw1-a-name-as-long-as-names-of-repositories-and-groups-are-at-some-schools.zip").write_text("no archive")
     run("class", folder / "export", "-o", folder / "class", "--seed", "1")
-    (folder / "grade/handout.html").unlink(missing_ok=True)  # has a test of its own
+    for name in ("grade", "passing"):
+        (folder / name / "handout.html").unlink(missing_ok=True)  # has a test of its own
     return sorted(folder.glob("*/*.html"))
 
 
-# What stands beyond the edge, or in a box that scrolls on a narrow page: nobody sees that digits are missing.
+# What stands beyond the edge or beyond its card, or in a box that scrolls on a narrow page: nobody sees that digits are
+# missing.
 CUT = """[...document.querySelectorAll('td, th, .score, figcaption, svg.bar, .points')].filter(e => {
     const box = e.getBoundingClientRect(), scroll = e.closest('.scroll, .wide');
     if (!box.width) return false;
-    return box.right > innerWidth + 1 || (scroll && innerWidth <= 640 && scroll.scrollWidth > scroll.clientWidth + 1);
+    const card = e.closest('.card'), edge = card && !scroll && card.getBoundingClientRect().right;
+    return (edge && box.right > edge - 4) || box.right > innerWidth + 1 || (scroll && innerWidth <= 640 && scroll.scrollWidth > scroll.clientWidth + 1);
 }).map(e => e.textContent.trim().slice(0, 60))"""
 
 
@@ -103,7 +114,7 @@ def check_widths(browser, page_file, keep):
     for scheme in ("light", "dark"):
         for width in WIDTHS:
             name = f"{page_file.stem} of {page_file.parent.name} at {width}, {scheme}"
-            page = browser.new_page(viewport={"width": width, "height": 900}, color_scheme=scheme)
+            page = new_page(browser, viewport={"width": width, "height": 900}, color_scheme=scheme)
             asked = []
             page.on("request", lambda request: asked.append(request.url))
             page.goto(page_file.as_uri())
@@ -123,13 +134,15 @@ def check_widths(browser, page_file, keep):
                     expect(False, f"{name}: {violation['id']}, {len(violation['nodes'])} times: {node['html'][:120]} "
                                   f"{node['failureSummary'].splitlines()[-1]}")
             if keep:
+                page.evaluate("for (const image of document.images) image.loading = 'eager'")
+                page.wait_for_function("[...document.images].every(image => image.complete)")
                 page.screenshot(path=keep / f"{page_file.parent.name}_{page_file.stem}_{scheme}_{width}.png", full_page=True)
             page.close()
 
 
 def check_links(browser, folder):
     """The page that was written first leads to the one that followed, and back; both name what is not there."""
-    page = browser.new_page()
+    page = new_page(browser)
     page.goto((folder / "stress.html").as_uri())
     page.get_by_role("link", name="integrals").click()
     expect(page.url.endswith("lesson.html"), f"pages of one folder: stress leads to {page.url}")
@@ -146,6 +159,7 @@ def check_links(browser, folder):
 def check_without_script(browser, page_file):
     context = browser.new_context(java_script_enabled=False)
     page = context.new_page()
+    page.set_default_timeout(patience)
     page.goto(page_file.as_uri())
     expect(not page.locator(".tools").first.is_visible(), "without script: buttons that do nothing")
     expect(page.locator(".own img").count() == 3, "without script: yours, right and difference side by side")
@@ -154,7 +168,7 @@ def check_without_script(browser, page_file):
 
 
 def check_comforts(browser, page_file):
-    page = browser.new_page()
+    page = new_page(browser)
     page.goto(page_file.as_uri())
     page.keyboard.press("Tab")
     expect(page.evaluate("document.activeElement.className") == "skip", "keyboard: the first stop skips to the verdicts")
@@ -199,13 +213,15 @@ def check_radiance(page):
 
 
 def check_print(browser, page_file):
-    page = browser.new_page()
+    page = new_page(browser)
     page.goto(page_file.as_uri())
     page.evaluate("for (const d of document.querySelectorAll('details.check')) d.open = false")
     page.evaluate("window.dispatchEvent(new Event('beforeprint'))")
     opened = page.evaluate("[...document.querySelectorAll('details.check')].map(d => [d.open, !d.querySelector('.badge.passed')])")
     page.emulate_media(media="print")
     expect(page.locator("header").bounding_box()["y"] < 100, "print: the first page begins with the score")
+    kept = page.evaluate("[...document.querySelectorAll('.legend, .scale, .meter i')].map(e => getComputedStyle(e).printColorAdjust)")
+    expect(set(kept) == {"exact"}, "print: legends and bars are there")
     # what passes stays folded
     expect(not page.locator("#phong table").first.is_visible(), "print: a check that passes is folded")
     expect(page.locator("#shadow_ray table").first.is_visible(), "print: a check that fails is whole")
@@ -217,7 +233,7 @@ def check_print(browser, page_file):
 
 def check_words(browser, page_file):
     """What is wrong is said once in a fragment, also in the overview; the words are the handout's."""
-    page = browser.new_page()
+    page = new_page(browser)
     page.goto(page_file.as_uri())
     for text in page.locator("#overview tr:has-text('integrate_stratified')").all_inner_texts() + [
             page.locator("header").inner_text()]:
@@ -229,9 +245,39 @@ def check_words(browser, page_file):
         expect(len(hints) == len(set(hints)), f"{section.get_attribute('id')}: told twice: {sorted(hints)}")
     headers = page.locator(".statistics").first.locator("th").all_text_contents()
     expect(headers[:5] == ["measures", "yours", "must be", "right within", "wrong beyond"], f"headers {headers}")
-    text = page.locator("main").inner_text()
-    for word in ("RMSE", "Welch", "replicates", "^2"):
-        expect(word not in text, f"the page says {word}")
+    page.close()
+
+
+def check_plain_words(browser, page_file):
+    """What students read speaks of errors, of what is theirs and of what is right."""
+    page = new_page(browser)
+    page.goto(page_file.as_uri())
+    text = page.evaluate("""() => {
+        const main = document.querySelector('main').cloneNode(true);
+        for (const code of main.querySelectorAll('pre, code, figcaption details')) code.remove();
+        return main.textContent;
+    }""")
+    for word in ("RMSE", "MSE", "Welch", "replicates", "^", "the solution", "ubmission's", "the submission"):
+        expect(word not in text, f"{page_file.stem} of {page_file.parent.name} says {word}")
+    page.close()
+
+
+def check_passing(browser, page_file):
+    page = new_page(browser)
+    page.goto(page_file.as_uri())
+    expect("All of it passes." in page.locator("header").inner_text(), "what passes says so at its head")
+    expect(page.locator("details.check[open]").count() == 0, "what passes is folded")
+    expect(page.locator(".own .map figcaption").inner_text() == "no difference", "a picture like the right one says so")
+    page.close()
+
+
+def check_narrow_stress(browser, page_file):
+    page = new_page(browser, viewport={"width": 320, "height": 900})
+    page.goto(page_file.as_uri())
+    expect(page.locator(".overview tr.part").first.inner_text().strip() == "phong", "stress at 320: of which fragment a family is")
+    names = page.evaluate("[...document.querySelectorAll('.overview td[data-is]')].slice(0, 2).map("
+                          "cell => getComputedStyle(cell, '::before').content)")
+    expect(names == ['"passes "', '"the right one "'], f"stress at 320: what its numbers are: {names}")
     page.close()
 
 
@@ -244,12 +290,18 @@ def main():
         words.keep.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
         pages = make_pages(words.grade, pathlib.Path(folder))
-        expect(len(pages) == 6, f"six kinds of pages are written, not {len(pages)}")
+        expect(len(pages) == 7, f"seven kinds of pages are written, not {len(pages)}")
         browser = playwright.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
         for page_file in pages:
             check_widths(browser, page_file, words.keep)
         check_links(browser, pathlib.Path(folder) / "stress")
         graded = pathlib.Path(folder) / "grade/index.html"
+        student = [graded, pathlib.Path(folder) / "passing/index.html"]
+        student += [pathlib.Path(folder) / f"stress/{name}.html" for name in ("stress", "lesson", "converge")]
+        for page_file in student:
+            check_plain_words(browser, page_file)
+        check_passing(browser, student[1])
+        check_narrow_stress(browser, student[2])
         for check in (check_without_script, check_comforts, check_words, check_print):
             check(browser, graded)
         browser.close()
