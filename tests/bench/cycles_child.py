@@ -44,7 +44,7 @@ def lobe_node(nodes, material):
     text.write(LOBE)
     node = nodes.new("ShaderNodeScript")
     node.script = text
-    if not cycles.osl.update_script_node(node, lambda kind, what: print(what, file=sys.stderr)) and not node.inputs:
+    if not cycles.osl.update_script_node(node, lambda kind, what: None) and not node.inputs:
         raise RuntimeError("the lobe's OSL was not compiled")
     node.inputs["Color"].default_value = [*color(material["reflectance"]), 1][: len(node.inputs["Color"].default_value)]
     node.inputs["Exponent"].default_value = material["exponent"]
@@ -102,7 +102,7 @@ def add_lamp(scene, shape, emission):
         lamp.energy = math.pi * lamp.size * lamp.size_y
         matrix = frame(u, -v, -u.cross(v), shape["center"])
     lamp.color = emission
-    add(scene, lamp, matrix)
+    add(scene, lamp, matrix).visible_camera = True
 
 
 def behind(shape):

@@ -89,7 +89,7 @@ class Mitsuba:
         if "exponent" in scene.read_text() and self.variant.startswith("scalar"):
             return []  # the lobe is Python, which would be called for each sample
         if "medium" in scene.read_text():
-            return [f"{s} volpath" for s in ("independent", "multijitter", "stratified", "ldsampler")]
+            return [f"{s} volpath" for s in ("multijitter", "stratified")]
         if re.search(r"bounces = 0", scene.read_text()):
             return [f"{s} direct {k}" for k in (1, 4) for s in ("multijitter", "orthogonal", "stratified", "ldsampler")]
         return [f"{s} path" for s in ("multijitter", "orthogonal", "stratified", "ldsampler")]
@@ -99,7 +99,7 @@ class Mitsuba:
 
     def plain_way(self, scene):
         """Independent samples."""
-        return "independent direct 1" if re.search(r"bounces = 0", scene.read_text()) else "independent path"
+        return " ".join(["independent", *self.ways(scene)[0].split()[1:]])
 
     def xmls(self, scene, way):
         """The scene as Mitsuba reads it; moving shapes at the middles of time slices."""
