@@ -158,6 +158,12 @@ ObjectFile object_at(const fs::path& path) {
     return object;
 }
 
+/// Whether nothing of it meets other objects but the one function that it defines: then there is nothing to hide.
+bool is_private(const ObjectFile& object) {
+    const auto has = [&](const char* section) { return std::ranges::count(object.sections, section) > 0; };
+    return object.defined.size() == 1 && !has(".group") && !has(".linker-options");
+}
+
 }  // namespace
 
 Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const std::string& fragment,
@@ -195,6 +201,10 @@ Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const 
         const ObjectFile object = object_at(compiled);
         if (std::ranges::count(object.defined, symbol->second) == 0)
             return {false, {}, wrong_signature(chain, sandbox, object, fragment, shown, work), {}};
+        if (is_private(object)) {
+            fs::rename(compiled, own);
+            return {true, own, {}, first_warnings(compiler.err, source.string(), shown)};
+        }
         // groups of sections that other objects hold as well must go before their symbols become private
         step = run(sandbox, tool({"/bin/sh", "-c",
                                   "/usr/bin/ld -r --force-group-allocation \"$1\" -o \"$2\" && "

@@ -91,8 +91,7 @@ ObjectFile read_object(std::string_view bytes) {
         for (std::size_t at = 0; at + sizeof(Elf64_Sym) <= symbols.size(); at += sizeof(Elf64_Sym)) {
             const auto symbol = entry_at<Elf64_Sym>(symbols, at);
             if (ELF64_ST_BIND(symbol.st_info) == STB_LOCAL || symbol.st_shndx == SHN_UNDEF) continue;
-            const std::string_view name = name_at(words, symbol.st_name);
-            if (name.size() <= longest_name) object.defined.emplace_back(name);
+            object.defined.emplace_back(name_at(words, symbol.st_name).substr(0, longest_name));
         }
     }
     return object;

@@ -10,7 +10,7 @@ namespace grade {
 /// What the grader reads of an object that a compiler has made of a student's source.
 struct ObjectFile {
     std::vector<std::string> sections;
-    std::vector<std::string> defined;  // symbols for others, of at most 500 characters
+    std::vector<std::string> defined;  // symbols for others, the first 500 characters of each
 };
 
 struct BadObject : std::runtime_error {

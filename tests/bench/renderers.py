@@ -17,6 +17,7 @@ import sys
 import time
 import tomllib
 
+import drjit as dr
 import mitsuba as mi
 import numpy as np
 
@@ -24,6 +25,7 @@ from povray_scene import to_povray
 
 mi.set_variant("scalar_rgb")  # for reading images only
 mi.set_log_level(mi.LogLevel.Error)
+dr.set_thread_count(2)  # with those of one core alone no picture is ever read
 
 HERE = pathlib.Path(__file__).resolve().parent
 REFERENCE = 256  # samples of a pixel
@@ -58,6 +60,15 @@ class Penumbra:
         return read_image(self.out), float(re.search(r"time\s+([\d.]+) s CPU", done.stdout).group(1)), n
 
 
+def ask(renderer, order):
+    """A child's answer to an order, each of them a line."""
+    print(json.dumps(order), file=renderer.child.stdin)
+    line = renderer.child.stdout.readline()
+    if not line:
+        raise RuntimeError(f"{renderer.name} has ended; expected an answer")
+    return json.loads(line)
+
+
 class Mitsuba:
     """One of Mitsuba's variants, in a process of its own."""
 
@@ -77,6 +88,8 @@ class Mitsuba:
         """Samplers, and the integrator: that for direct light alone where it suffices, with its samples of the lamp."""
         if "exponent" in scene.read_text() and self.variant.startswith("scalar"):
             return []  # the lobe is Python, which would be called for each sample
+        if "medium" in scene.read_text():
+            return [f"{s} volpath" for s in ("multijitter", "stratified")]
         if re.search(r"bounces = 0", scene.read_text()):
             return [f"{s} direct {k}" for k in (1, 4) for s in ("multijitter", "orthogonal", "stratified", "ldsampler")]
         return [f"{s} path" for s in ("multijitter", "orthogonal", "stratified", "ldsampler")]
@@ -86,7 +99,7 @@ class Mitsuba:
 
     def plain_way(self, scene):
         """Independent samples."""
-        return "independent direct 1" if re.search(r"bounces = 0", scene.read_text()) else "independent path"
+        return " ".join(["independent", *self.ways(scene)[0].split()[1:]])
 
     def xmls(self, scene, way):
         """The scene as Mitsuba reads it; moving shapes at the middles of time slices."""
@@ -114,13 +127,9 @@ class Mitsuba:
             name.write_text(text)
         return files
 
-    def ask(self, xmls, n, seed):
+    def render_xmls(self, xmls, n, seed):
         out = self.folder / f"{self.variant}.npy"
-        print(json.dumps({"xmls": xmls, "samples": n, "seed": seed, "out": str(out)}), file=self.child.stdin)
-        line = self.child.stdout.readline()
-        if not line:
-            raise RuntimeError(f"{self.name} has ended; expected an answer")
-        answer = json.loads(line)
+        answer = ask(self, {"xmls": xmls, "samples": n, "seed": seed, "out": str(out)})
         return np.load(out), answer["cpu"], answer["samples"] * len(xmls)
 
     def render(self, scene, way, n, seed):
@@ -132,7 +141,40 @@ class Mitsuba:
             n = 4 ** round(math.log(n, 4))
         elif not way.startswith("independent"):
             n = max(round(math.sqrt(n)), 1) ** 2
-        return self.ask(xmls, round(n), seed)
+        return self.render_xmls(xmls, round(n), seed)
+
+    def close(self):
+        self.child.stdin.close()
+        self.child.wait()
+
+
+class Cycles:
+    """Blender's renderer, in a process of its own."""
+
+    name, compiles = "Cycles", False
+
+    def __init__(self, python, folder):
+        self.out = folder / "cycles.exr"
+        self.child = subprocess.Popen(
+            [python, HERE / "cycles_child.py"], text=True, bufsize=1, stdin=subprocess.PIPE, stdout=subprocess.PIPE
+        )
+
+    def ways(self, scene):
+        """Its default pattern; where there are several lamps, with and without its light tree."""
+        said = read_scene(scene)
+        materials, used = said["materials"], [shape["material"] for shape in said["shape"]]
+        if any("medium" in m or "transmittance" in m for m in materials.values()):
+            return []  # its exact balls hold no medium
+        lamps = sum("emission" in materials[name] for name in used) + ("environment" in said)
+        return ["tabulated_sobol", "tabulated_sobol tree"][: min(lamps, 2)]
+
+    def references(self, scene):
+        return [self.render(scene, "tabulated_sobol", REFERENCE // 2, 7 + k)[0] for k in range(2)]
+
+    def render(self, scene, way, n, seed):
+        order = {"scene": str(scene), "way": way.split(), "samples": round(n), "seed": seed, "out": str(self.out)}
+        cpu = ask(self, order)["cpu"]
+        return read_image(self.out), cpu, round(n)
 
     def close(self):
         self.child.stdin.close()
@@ -181,6 +223,23 @@ def newest_llvm():
     return best if best and version[best] > 16 else None
 
 
+def find_cycles():
+    """The Python of build/cycles, made where it is missing; its wheel is for Python 3.11 alone. None: it cannot be had."""
+    folder = HERE.parent.parent / "build" / "cycles"
+    python = folder / "bin" / "python3"
+    if not python.exists():
+        candidates = [shutil.which("python3.11"), "/usr/bin/python3", shutil.which("python3")]
+        version = "import sys; sys.exit(sys.version_info[:2] != (3, 11))"
+        found = next((p for p in candidates if p and not subprocess.run([p, "-c", version]).returncode), None)
+        if not found:
+            return None
+        print("Installing Cycles into build/cycles", flush=True)
+        subprocess.run([found, "-m", "venv", folder], stdout=subprocess.DEVNULL)
+        subprocess.run([python, "-m", "pip", "install", "-q", "bpy==4.2.*", "numpy"], stdout=subprocess.DEVNULL)
+    works = subprocess.run([python, "-c", "import bpy, numpy"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    return None if works.returncode else python
+
+
 def peers(raytrace, folder):
     """Those that this machine has, and a line for each that it has not."""
     found, missing = [], []
@@ -190,6 +249,10 @@ def peers(raytrace, folder):
     else:
         missing.append("Mitsuba llvm_ad_rgb: no libLLVM newer than 16; apt-get install libllvm19")
     found.append(Mitsuba("scalar_rgb", raytrace, folder, {}))
+    if python := find_cycles():
+        found.append(Cycles(python, folder))
+    else:
+        missing.append("Cycles: no Python 3.11 with bpy 4.2 and the X11 libraries that it loads")
     if shutil.which("povray"):
         found.append(PovRay(folder))
     else:
