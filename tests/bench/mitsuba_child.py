@@ -2,9 +2,11 @@
 
 Reads {"xmls": [...], "samples": n, "seed": s, "out": "NAME.npy"}, renders each scene with n samples a pixel on one
 thread, writes the mean of the pictures, and answers {"cpu": seconds of rendering alone, "samples": as the sampler
-rounds them}. Scenes are loaded once.
+rounds them}. One scene is loaded at a time: the kernels of the LLVM variants dispatch over the shapes and materials of all
+scenes that there are, and would pay for them.
 """
 
+import gc
 import json
 import os
 import pathlib
@@ -25,21 +27,30 @@ import lobe  # noqa: E402
 
 dr.set_thread_count(1)
 lobe.register()
-scenes = {}
+loaded, scene = None, None
+
+
+def load(xml):
+    """The scene, which is kept until another one is asked for."""
+    global loaded, scene
+    if xml != loaded:
+        scene = None
+        gc.collect()
+        loaded, scene = xml, mi.load_file(xml)
+    return scene
+
 
 for line in sys.stdin:
     order = json.loads(line)
-    for xml in order["xmls"]:
-        if xml not in scenes:
-            scenes[xml] = mi.load_file(xml)
-    chosen = [scenes[xml] for xml in order["xmls"]]
-    start = time.process_time()
-    images = []
-    for k, scene in enumerate(chosen):
-        image = mi.render(scene, spp=order["samples"], seed=order["seed"] * len(chosen) + k)
+    count, cpu, images = len(order["xmls"]), 0, []
+    for k, xml in enumerate(order["xmls"]):
+        chosen = load(xml)
+        start = time.process_time()
+        image = mi.render(chosen, spp=order["samples"], seed=order["seed"] * count + k)
         dr.eval(image)
-        images.append(image)
-    dr.sync_thread()
-    cpu = time.process_time() - start
-    np.save(order["out"], np.mean([np.array(image, dtype=np.float64)[..., :3] for image in images], axis=0))
-    print(json.dumps({"cpu": cpu, "samples": chosen[0].sensors()[0].sampler().sample_count()}), file=answers)
+        dr.sync_thread()
+        cpu += time.process_time() - start
+        images.append(np.array(image, dtype=np.float64)[..., :3])
+    np.save(order["out"], np.mean(images, axis=0))
+    print(json.dumps({"cpu": cpu, "samples": chosen.sensors()[0].sampler().sample_count()}), file=answers)
+    del chosen

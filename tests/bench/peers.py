@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Penumbra side by side with other renderers: CPU seconds to the same error. Writes the table peers.md.
 
-    tests/bench/peers.py BUILD [--rounds N] [--out FILE] [SCENE.toml ...]
+    tests/bench/peers.py BUILD [--rounds N] [--peers WORD] [--out FILE] [SCENE.toml ...]
 
 The peers are Mitsuba 3 in its variants llvm_ad_rgb and scalar_rgb, and Cycles and POV-Ray where they can express the scene;
 those that the machine lacks are skipped, with a word. Each renders on one thread; what counts is its CPU time of rendering alone.
@@ -209,6 +209,7 @@ def compare(scene, ours, peers, rounds, rows):
 
 def processes(raytrace, folder, peers, rounds):
     """The whole process on soft_shadow with 16 samples: wall and CPU seconds, in turn."""
+    os.sched_setaffinity(0, range(os.cpu_count()))  # Mitsuba writes no picture on one processor alone
     scene = ROOT / "scenes/bench/soft_shadow.toml"
     commands = {"Penumbra": ([raytrace, scene, "-o", folder / "x.exr", "--samples", "16", "--quiet"], {})}
     for p in peers:
@@ -314,6 +315,7 @@ def main():
     words.add_argument("build", type=pathlib.Path, help="the build folder")
     words.add_argument("scenes", nargs="*", type=pathlib.Path, help="default: all that are named above")
     words.add_argument("--rounds", type=int, default=3, help="more rounds, narrower intervals")
+    words.add_argument("--peers", default="", help="those alone whose names hold this word")
     words.add_argument("--out", type=pathlib.Path, default=HERE / "peers.md")
     words = words.parse_intermixed_args()
     start = time.monotonic()
@@ -323,6 +325,7 @@ def main():
         folder = pathlib.Path(folder)
         ours = Penumbra(raytrace, folder)
         others, missing = peers(raytrace, folder)
+        others = [p for p in others if words.peers in p.name]
         for line in missing:
             print(f"skipped: {line}", flush=True)
         scenes = words.scenes or [
@@ -333,7 +336,7 @@ def main():
         for scene in scenes:
             compare(bench_scene(scene, folder), ours, others, words.rounds, rows)
         whole = processes(raytrace, folder, others, words.rounds)
-        command = f"tests/bench/peers.py {words.build} --rounds {words.rounds}"
+        command = f"tests/bench/peers.py {words.build} --rounds {words.rounds}" + (f" --peers {words.peers}" if words.peers else "")
         write_tables(rows, missing, whole, command, words.out, time.monotonic() - start)
         for p in others:
             if hasattr(p, "close"):
