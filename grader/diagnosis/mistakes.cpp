@@ -168,7 +168,7 @@ private:
         if (is_literal(form_.nodes[node].text)) return cost + 0.4;
         if (other.node < 0 || std::string_view(words) != "{1}") return cost;
         const int depth = depth_within(other.node, node);
-        return depth > 0 ? 0.95 + 0.1 * depth : cost;
+        return depth > 0 ? 0.8 + 0.1 * depth : cost;
     }
 
     template <class Functions, class Make>
