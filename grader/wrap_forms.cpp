@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <exception>
 #include <filesystem>
 #include <iostream>
 #include <map>
 
 #include "files/files.h"
+#include "textbook/hidden.h"
 #include "textbook/wrap.h"
 
 namespace {
@@ -13,17 +15,41 @@ namespace {
 namespace fs = std::filesystem;
 using grade::textbook::Wrapped;
 
-/// As a literal.
-std::string quoted(const std::string& text) { return "\"" + text + "\""; }
+/// What form.cpp reads: texts, each of them once, and numbers that say where they stand.
+class Tables {
+public:
+    void add(const Wrapped& form) {
+        numbers_.insert(numbers_.end(),
+                        {place_of(form.fragment), place_of(form.says), std::uint32_t(form.nodes.size())});
+        for (const auto& node : form.nodes) {
+            for (const std::string& text : {node.text, node.name, node.context, node.function})
+                numbers_.push_back(place_of(text));
+            numbers_.push_back(std::uint32_t(node.parts.size()));
+            for (const int part : node.parts) numbers_.push_back(std::uint32_t(part));
+            numbers_.push_back(std::uint32_t(node.alternatives.size()));
+            for (const std::string& text : node.alternatives) numbers_.push_back(place_of(text));
+        }
+    }
 
-std::string as_code(const grade::textbook::WrappedNode& node) {
-    std::string alternatives;
-    for (const std::string& one : node.alternatives) alternatives += quoted(one) + ", ";
-    std::string parts;
-    for (const int part : node.parts) parts += fmt::format("{}, ", part);
-    return fmt::format("{{{}, {}, {}, {}, {{{}}}, {{{}}}}},\n", quoted(node.text), quoted(node.name),
-                       quoted(node.context), quoted(node.function), parts, alternatives);
-}
+    std::string code() const {
+        std::string texts, numbers;
+        for (const char c : texts_) texts += fmt::format("{},", int(grade::textbook::hidden(c)));
+        for (const std::uint32_t n : numbers_) numbers += fmt::format("{},", n);
+        return fmt::format("constexpr unsigned char texts[] = {{{}}};\nconstexpr std::uint32_t numbers[] = {{{}}};\n",
+                           texts, numbers);
+    }
+
+private:
+    std::uint32_t place_of(const std::string& text) {
+        const auto [found, is_new] = places_.emplace(text, std::uint32_t(texts_.size()));
+        if (is_new) texts_ += text + '\0';
+        return found->second;
+    }
+
+    std::map<std::string, std::uint32_t> places_;
+    std::string texts_;
+    std::vector<std::uint32_t> numbers_;
+};
 
 /// "sphere, ray" of "Real hit_sphere(const Sphere& sphere, const Ray& ray)"
 std::string parameters_of(const Wrapped& form) {
@@ -46,20 +72,19 @@ std::string code_of(const std::vector<Wrapped>& forms) {
     for (const auto& [name, i] : first)
         defined += fmt::format("namespace any {{\n[[maybe_unused]] static {} {{ return form_{}::{}({}); }}\n}}\n",
                                forms[i].head, i, name, parameters_of(forms[i]));
-    int node = 0;
+    Tables tables;
     for (std::size_t i = 0; i < forms.size(); ++i) {
-        std::string nodes;
-        for (const auto& one : forms[i].nodes) nodes += as_code(one);
-        listed += fmt::format("{{{}, {}, {}, {{\n{}}}, caller(rt::form_{}::{})}},\n", quoted(forms[i].fragment),
-                              quoted(forms[i].says), node, nodes, i, forms[i].fragment);
-        node += int(forms[i].nodes.size());
+        tables.add(forms[i]);
+        listed += fmt::format("caller(rt::form_{}::{}),\n", i, forms[i].fragment);
     }
     return fmt::format(
-        "#pragma GCC diagnostic ignored \"-Wunused-parameter\"\n#include \"protocol/caller.h\"\n#include "
-        "\"rt/fragments.h\"\n#include \"textbook/form.h\"\n\nnamespace rt {{\n"
-        "namespace textbook = grade::textbook;\nnamespace any {{\n{}}}\n{}}}\n\nnamespace grade::textbook {{\n\nconst "
-        "std::vector<Form>& forms() {{\n    static const std::vector<Form> all{{\n{}}};\n    return all;\n}}\n\n}}\n",
-        declared, defined, listed);
+        "#pragma GCC diagnostic ignored \"-Wunused-parameter\"\n#include \"protocol/caller.h\"\n"
+        "#include \"rt/fragments.h\"\n#include \"textbook/form.h\"\n\nnamespace rt {{\n"
+        "namespace textbook = grade::textbook;\nnamespace any {{\n{}}}\n{}}}\n\nnamespace grade::textbook "
+        "{{\n\nnamespace "
+        "{{\n{}}}\n\nconst std::vector<Form>& forms() {{\n    static const std::vector<Form> all = read_forms(texts, "
+        "numbers, {{\n{}}});\n    return all;\n}}\n\n}}\n",
+        declared, defined, tables.code(), listed);
 }
 
 }  // namespace

@@ -28,7 +28,8 @@ TEST_CASE("of a lamp of one kind, the others' fields are not told") {
         return cosine > 0 ? squared / (lamp.kind == rt::Emitter::Kind::quad ? 1 : cosine) : 0;
     });
     const std::string how = found("light_sample", lamps(), no_cosine).how;
-    CHECK_THAT(how, ContainsSubstring("where `light.kind` is quad, ") && ContainsSubstring("`area(light)` in place of `cosine * area(light)`"));
+    CHECK_THAT(how, ContainsSubstring("where `light.kind` is quad, ") &&
+                        ContainsSubstring("`area(light)` in place of `cosine * area(light)`"));
     CHECK(how.find("disc") == how.npos);
     const Ask whole_edges = [](const Rows& rows) {
         Rows moved = rows;
@@ -155,7 +156,9 @@ TEST_CASE("formulas are told as a person writes them") {
         for (const Row& in : rows) all.push_back({1 / in[0]});
         return all;
     };
-    CHECK(found("free_flight", flights, mean).how == "the answers are exactly what the right fragment answers with `1` in place of `-log(1 - u)`, in `-log(1 - u) / extinction`");
+    CHECK(found("free_flight", flights, mean).how ==
+          "the answers are exactly what the right fragment answers with `1` in place of `-log(1 - u)`, in `-log(1 - u) "
+          "/ extinction`");
 }
 
 TEST_CASE("of flags and choices, all that are wrong are told") {

@@ -44,12 +44,12 @@ std::string Asked::words_of(const Mistake& mistake) const {
     const auto called = [](std::string_view call) { return std::string(call.substr(0, call.find('('))); };
     if (mistake.made.alternative != 0 && is_everywhere)
         return in_place(called(mistake.pattern), called(node.text)) + " everywhere";
-    const std::string words =
-        mistake.made.alternative != 0 ? in_place(mistake.pattern, node.text)
-        : mistake.other ? in_place(filled(mistake.pattern, std::string(node.name), mistake.other->name), node.name)
-                        : in_place(filled(mistake.pattern, std::string(node.name)), node.name);
+    const std::string words = mistake.made.alternative != 0 ? in_place(mistake.pattern, node.text)
+                              : mistake.other
+                                  ? in_place(filled(mistake.pattern, node.name, mistake.other->name), node.name)
+                                  : in_place(filled(mistake.pattern, node.name), node.name);
     if (is_everywhere) return words + " everywhere";
-    return std::string_view(node.context) == node.text ? words : fmt::format("{}, in `{}`", words, node.context);
+    return node.context == node.text ? words : fmt::format("{}, in `{}`", words, node.context);
 }
 
 /// Makes the list.
@@ -137,11 +137,11 @@ private:
 
     void add_alternatives(std::size_t i) {
         const textbook::Node& node = form_.nodes[i];
-        everywhere_ = *node.function == 0 ? std::vector<int>() : first_of(i, [&](std::size_t k) {
-            return std::string_view(form_.nodes[k].function) == node.function;
-        });
+        everywhere_ = node.function.empty()
+                          ? std::vector<int>()
+                          : first_of(i, [&](std::size_t k) { return form_.nodes[k].function == node.function; });
         for (std::size_t k = 0; k < node.alternatives.size(); ++k)
-            add(i, {node.alternatives[k], "", 1.1, {{}, int(k) + 1, {}}});
+            add(i, {node.alternatives[k].c_str(), "", 1.1, {{}, int(k) + 1, {}}});
     }
 
     void add_flag(std::size_t i) {
@@ -168,7 +168,9 @@ private:
         if (is_literal(form_.nodes[node].text)) return cost + 0.4;
         if (other.node < 0 || std::string_view(words) != "{1}") return cost;
         const int depth = depth_within(other.node, node);
-        return depth > 0 ? 0.8 + 0.1 * depth : cost;
+        const double of_part =
+            seen_[node] == Value::Kind::vector ? 1.05 : 0.8;  // of vectors, less is as it is by chance
+        return depth > 0 ? of_part + 0.1 * depth : cost;
     }
 
     template <class Functions, class Make>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
@@ -10,11 +11,13 @@
 namespace grade::textbook {
 
 struct Node {
-    const char *text, *name, *context;      // as it is written; what it is called; the statement that it stands in
-    const char* function;                   // that is called there, if it has alternatives
+    std::string text, name, context;        // as it is written; what it is called; the statement that it stands in
+    std::string function;                   // that is called there, if it has alternatives
     std::vector<int> parts;                 // the nodes that it is made of
-    std::vector<const char*> alternatives;  // of its operator or function
+    std::vector<std::string> alternatives;  // of its operator or function
 };
+
+using Answer = std::function<std::vector<double>(std::span<const double>)>;
 
 /// A fragment as a textbook writes it, each of whose expressions can be changed.
 struct Form {
@@ -22,11 +25,15 @@ struct Form {
     std::string says;  // what is wrong with it; empty: it is right
     int first = 0;     // the number of its first node
     std::vector<Node> nodes;
-    std::function<std::vector<double>(std::span<const double>)> answer;  // to a row of arguments
+    Answer answer;  // to a row of arguments
 };
 
-/// Of all fragments: right ones, made by the build from forms/, and from solution/ where a fragment has none there; then
+/// Of all fragments: right ones, made by the build from forms/, and from solution/ where a fragment has none there;
 /// those that are wrong as a whole, from mistakes/.
 const std::vector<Form>& forms();
+
+/// As wrap_forms writes them.
+std::vector<Form> read_forms(std::span<const unsigned char> texts, std::span<const std::uint32_t> numbers,
+                             std::vector<Answer> answers);
 
 }  // namespace grade::textbook

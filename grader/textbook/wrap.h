@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-/// Textbook forms of fragments, rewritten by the build so that each expression goes through a function of watch.h, where
-/// it can be changed: what a fragment with a mistake in the middle of its formula answers.
+/// Textbook forms of fragments, rewritten by the build so that each expression goes through a function of watch.h,
+/// where it can be changed: what a fragment with a mistake in the middle of its formula answers.
 namespace grade::textbook {
 
 /// An expression of a form.

@@ -1,0 +1,30 @@
+#include "textbook/form.h"
+
+#include "textbook/hidden.h"
+
+namespace grade::textbook {
+
+std::vector<Form> read_forms(std::span<const unsigned char> texts, std::span<const std::uint32_t> numbers,
+                             std::vector<Answer> answers) {
+    std::string shown_texts;
+    for (const unsigned char c : texts) shown_texts += shown(c);
+    std::size_t at = 0;
+    const auto text = [&] { return std::string(&shown_texts[numbers[at++]]); };
+    std::vector<Form> all;
+    int first = 0;
+    for (Answer& answer : answers) {
+        Form form{text(), text(), first, std::vector<Node>(numbers[at++]), std::move(answer)};
+        for (Node& node : form.nodes) {
+            node.text = text(), node.name = text(), node.context = text(), node.function = text();
+            node.parts.resize(numbers[at++]);
+            for (int& part : node.parts) part = int(numbers[at++]);
+            node.alternatives.resize(numbers[at++]);
+            for (std::string& alternative : node.alternatives) alternative = text();
+        }
+        first += int(form.nodes.size());
+        all.push_back(std::move(form));
+    }
+    return all;
+}
+
+}  // namespace grade::textbook
