@@ -262,7 +262,8 @@ TEST_CASE("a mistake by which every ray misses is found by rays that start near 
         }
         return all;
     };
-    CHECK_THAT(found("hit_triangle", rays, reversed).how, ContainsSubstring("`-e1` in place of `e1`, in `e1 = "));
+    CHECK_THAT(found("hit_triangle", rays, reversed).how,
+               ContainsSubstring("`-ray.direction` in place of `ray.direction`, in `p = cross(ray.direction, e2)`"));
 }
 
 TEST_CASE("of a sum it is told which values it takes, and how often") {

@@ -14,6 +14,7 @@ namespace grade {
 namespace {
 
 constexpr std::size_t enough = 5;  // wrong calls
+constexpr double dearest_of_pairs = 1.3;
 
 /// Looks for mistakes in one form; the right answers are the form's.
 class Textbook {
@@ -34,6 +35,11 @@ public:
 
     std::size_t wrong() const { return wrong_.size(); }
 
+    /// Whether any answer tells a mistake from others: that nothing is ever hit may have many reasons.
+    bool tells() const {
+        return calls_.result.parts.front().kind == Kind::flag || std::ranges::any_of(calls_.mine, is_something);
+    }
+
     /// Whether a part of the answers is right in most wrong calls.
     bool has_right_part() const {
         return std::ranges::any_of(calls_.result.parts, [&](const Field& part) {
@@ -44,9 +50,12 @@ public:
     }
 
     /// The simplest mistake that explains all, or the one that explains most of what is wrong.
-    std::optional<Relation> one() {
+    std::optional<Relation> one(bool or_of_arguments = false, double dearest = rt::inf) {
         std::optional<Relation> most;
-        for (const Mistake& mistake : asked_.mistakes_in(calls_)) {
+        const std::vector<Change> changes =
+            or_of_arguments ? changes_of(calls_.layouts.front(), calls_.told) : std::vector<Change>();
+        for (const Mistake& mistake : mistakes_and(changes)) {
+            if (mistake.cost > dearest) break;
             if (!may_explain(mistake)) continue;
             const double share = share_of(mistake);
             if (share == 1) return relation(mistake, 1);
@@ -57,12 +66,10 @@ public:
     }
 
     std::optional<Relation> two() {
-        constexpr double dearest = 1.3;
+        constexpr double dearest = dearest_of_pairs;
         const std::vector<Change> changes = changes_of(calls_.layouts.front(), calls_.told);
-        std::vector<Mistake> all = asked_.mistakes_in(calls_);
-        for (const Change& change : changes) all.push_back({"", "", change.cost, {}, nullptr, &change});
+        std::vector<Mistake> all = mistakes_and(changes);
         std::erase_if(all, [&](const Mistake& m) { return m.cost > dearest || !changes_an_answer(m); });
-        std::ranges::stable_sort(all, {}, &Mistake::cost);
         for (std::size_t b = 1; b < all.size(); ++b)
             for (std::size_t a = 0; a < b; ++a) {
                 if (is_same_place(all[a], all[b])) continue;
@@ -78,6 +85,14 @@ public:
 private:
     static constexpr double least_share = 0.5, dearest_of_some = 1.3;
 
+    /// Those of expressions and those of arguments, the simplest first.
+    std::vector<Mistake> mistakes_and(const std::vector<Change>& changes) {
+        std::vector<Mistake> all = asked_.mistakes_in(calls_);
+        for (const Change& change : changes) all.push_back({"", "", change.cost, {}, nullptr, &change});
+        std::ranges::stable_sort(all, {}, &Mistake::cost);
+        return all;
+    }
+
     bool explains(std::size_t k, const Mistake& first, const Mistake* second = nullptr) {
         left_ -= left_ > 0;
         const Row answer = asked_.answer(calls_.rows[k], calls_.layouts[k], &first, second);
@@ -88,7 +103,7 @@ private:
     bool may_explain(const Mistake& mistake) {
         int tried = 0;
         for (std::size_t i = 0; i < sample_.size() && tried < 2; ++i) {
-            if (!is_computed(i, mistake)) continue;
+            if (!mistake.of_arguments && !is_computed(i, mistake)) continue;
             ++tried;
             if (left_ == 0) return false;
             if (explains(sample_[i], mistake)) return true;
@@ -227,7 +242,7 @@ std::optional<Relation> relation_of_textbook(const Calls& calls, bool sampled, b
             const Calls all = base.cost > 0 ? with_numbers(own, base, asked) : own;
             Textbook textbook(all, asked, left);
             right_otherwise = right_otherwise || (sampled && textbook.wrong() == 0);
-            if (textbook.wrong() < enough || right_otherwise) continue;
+            if (textbook.wrong() < enough || right_otherwise || !textbook.tells()) continue;
             if (base.cost > 0 && !textbook.has_right_part()) continue;
             auto found = textbook.one();
             if (!found) continue;
@@ -244,7 +259,7 @@ std::optional<Relation> relation_of_textbook(const Calls& calls, bool sampled, b
             std::optional<Relation> found;
             each_form(of_one_kind, false, [&](const Calls& own, Asked& asked) {
                 Textbook textbook(own, asked, left);
-                if (textbook.wrong() < enough) return;
+                if (textbook.wrong() < enough || !textbook.tells()) return;
                 auto one = textbook.one();
                 if (is_exact(one) && (!found || found->cost > one->cost)) found = std::move(one);
             });
@@ -253,13 +268,41 @@ std::optional<Relation> relation_of_textbook(const Calls& calls, bool sampled, b
     return best ? best : some;
 }
 
+namespace {
+
+/// A form that is wrong as a whole, with one more mistake in it.
+std::optional<Relation> known_mistake_and_another(const Calls& calls, const textbook::Form& form, std::size_t& left) {
+    Asked asked(form);
+    Calls as_form = calls;
+    for (std::size_t k = 0; k < calls.size(); ++k)
+        if (as_form.right[k] = asked.answer(calls.rows[k], calls.layouts[k]);
+            as_form.right[k].size() != calls.right[k].size())
+            return std::nullopt;
+    Textbook textbook(as_form, asked, left);
+    if (textbook.wrong() < enough) return std::nullopt;
+    auto found = textbook.one(true, dearest_of_pairs);
+    if (!is_exact(found)) return std::nullopt;
+    found->words = std::string(as_changed) + form.says + ", and " + found->words.substr(as_changed.size());
+    return found;
+}
+
+}  // namespace
+
 std::optional<Relation> two_of_textbook(const Calls& calls, std::size_t& left) {
     std::optional<Relation> best;
+    const auto forms = std::ranges::count(textbook::forms(), calls.signature.fragment, &textbook::Form::fragment);
+    const std::size_t share = left / std::size_t(std::max<std::ptrdiff_t>(forms, 1));
     each_form(calls, false, [&](const Calls& own, Asked& asked) {
         if (best) return;
-        Textbook textbook(own, asked, left);
-        if (textbook.wrong() >= enough) best = textbook.two();
+        std::size_t own_share = share;
+        Textbook textbook(own, asked, own_share);
+        if (textbook.wrong() >= enough && textbook.tells()) best = textbook.two();
+        left -= share - own_share;
     });
+    for (const textbook::Form& form : textbook::forms()) {
+        if (best || form.fragment != calls.signature.fragment || form.says.empty()) continue;
+        best = known_mistake_and_another(calls, form, left);
+    }
     return best;
 }
 

@@ -71,6 +71,7 @@ inline constexpr Function pair_functions[] = {
     {"{}", 1.15, [](double x) { return x; }},
     {"{} + 1", 1.4, [](double x) { return x + 1; }},
     {"2 * {} - 1", 1.5, [](double x) { return 2 * x - 1; }},
+    {"{} + 0.5", 1.3, [](double x) { return x + 0.5; }},
     {"{} - 0.5", 1.6, [](double x) { return x - 0.5; }},
     {"(1 + {}) / 2", 1.6, [](double x) { return (1 + x) / 2; }},
     {"{} / 2", 1.7, [](double x) { return x / 2; }},

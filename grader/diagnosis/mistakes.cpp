@@ -37,6 +37,12 @@ const double* Asked::numbers_of(const OtherValue& other) const {
     return value.kind == Value::Kind::none ? nothing : value.x;  // it is not computed yet
 }
 
+namespace {
+
+bool is_number(std::string_view text) { return text.find_first_not_of("0123456789.") == text.npos; }
+
+}  // namespace
+
 std::string Asked::words_of(const Mistake& mistake) const {
     if (mistake.of_arguments) return mistake.of_arguments->words;
     const textbook::Node& node = form_.nodes[std::size_t(mistake.made.nodes.front() - form_.first)];
@@ -44,10 +50,15 @@ std::string Asked::words_of(const Mistake& mistake) const {
     const auto called = [](std::string_view call) { return std::string(call.substr(0, call.find('('))); };
     if (mistake.made.alternative != 0 && is_everywhere)
         return in_place(called(mistake.pattern), called(node.text)) + " everywhere";
-    const std::string words = mistake.made.alternative != 0 ? in_place(mistake.pattern, node.text)
-                              : mistake.other
-                                  ? in_place(filled(mistake.pattern, node.name, mistake.other->name), node.name)
-                                  : in_place(filled(mistake.pattern, node.name), node.name);
+    const auto changed = [&] {
+        if (mistake.made.alternative != 0) return std::string(mistake.pattern);
+        if (mistake.other) return filled(mistake.pattern, node.name, mistake.other->name);
+        if (!is_number(node.text)) return filled(mistake.pattern, node.name);
+        double x[3]{std::stod(node.text)};  // another number in place of this one
+        mistake.made.make(x);
+        return number_in_words(x[0]);
+    };
+    const std::string words = in_place(changed(), mistake.made.alternative != 0 ? node.text : node.name);
     if (is_everywhere) return words + " everywhere";
     return node.context == node.text ? words : fmt::format("{}, in `{}`", words, node.context);
 }
@@ -151,6 +162,9 @@ private:
         add(i, {"!({0})", "", 1.15, {{}, 0, [](double* x) { *x = 1 - *x; }}});
     }
 
+    /// "film" of "film.x"; the whole name where there is none.
+    static std::string owner_of(const std::string& name) { return name.substr(0, name.rfind('.')); }
+
     /// How many steps a node lies within another; 0: it does not.
     int depth_within(int node, std::size_t whole) const {
         int best = 0;
@@ -166,7 +180,8 @@ private:
     /// That one value is taken for another costs less where that is a part of it, and more where it is a constant.
     double cost_of(const char* words, double cost, std::size_t node, const OtherValue& other) const {
         if (is_literal(form_.nodes[node].text)) return cost + 0.4;
-        if (other.node < 0 || std::string_view(words) != "{1}") return cost;
+        if (std::string_view(words) != "{1}") return cost;
+        if (other.node < 0) return owner_of(other.name) == owner_of(form_.nodes[node].text) ? cost - 0.3 : cost;
         const int depth = depth_within(other.node, node);
         const double of_part =
             seen_[node] == Value::Kind::vector ? 1.05 : 0.8;  // of vectors, less is as it is by chance
@@ -198,8 +213,13 @@ private:
 
     void add_number(std::size_t i) {
         set_everywhere(i);
-        add_functions(i, scalar_functions, is_literal(form_.nodes[i].text) ? 0.4 : 0,
-                      [](const Function& f, double* x) { *x = f.value(*x); });
+        // a constant is rarely half of it, but an answer that is one may be another
+        const bool is_answer = form_.nodes[i].context.ends_with("return " + form_.nodes[i].text);
+        add_functions(i, scalar_functions, is_literal(form_.nodes[i].text) && !is_answer ? 0.4 : 0,
+                      [is_whole = seen_[i] == Value::Kind::whole](const Function& f, double* x) {
+                          const double value = f.value(*x);
+                          if (!is_whole || value == std::floor(value)) *x = value;
+                      });
         for (const OtherValue& other : asked_.others_)
             if (is_number(other.kind) && other.name != form_.nodes[i].name)
                 add_functions_of_two(i, other, of_two_scalars,

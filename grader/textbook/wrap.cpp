@@ -45,7 +45,9 @@ private:
         if (is("{")) return block();
         if (take("if")) {
             const std::string condition = in_brackets();
+            if (is("return")) where_ = fmt::format("if ({}) return ", condition_);
             std::string all = "if (" + condition + ") " + statement();
+            where_.clear();
             if (take("else")) all += "else " + statement();
             return all;
         }
@@ -62,7 +64,7 @@ private:
         if (take("return")) {
             const Expression of = is("{") ? braced() : expression();
             expect(";");
-            set_context(since, of.text);
+            set_context(since, where_ + of.text);
             return "return " + of.code + ";\n";
         }
         return is_declaration() ? declaration() : assignment();
@@ -74,6 +76,7 @@ private:
         const Expression of = expression();
         expect(")");
         set_context(since, "if (" + of.text + ")");
+        condition_ = of.text;
         return of.code;
     }
 
@@ -166,6 +169,8 @@ private:
     static bool is_assigned(const std::string& sign) {
         return sign == "=" || sign == "+=" || sign == "-=" || sign == "*=" || sign == "/=";
     }
+
+    std::string condition_, where_;  // the last one; what stands before a return that depends on it
 };
 
 }  // namespace

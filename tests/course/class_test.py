@@ -244,7 +244,7 @@ def check_pictures(grade, work):
     expect("data:image/png" not in bare, "pictures that nobody asked for")
     expect("1 graded now" in run([*command, "--pictures"]), "what has no pictures is not graded again")
     drawn = page.read_text()
-    expect(drawn.count("data:image/png") >= 3 and 'alt="the solution' in drawn, "no pictures")
+    expect(drawn.count("data:image/png") >= 3 and 'alt="the right picture' in drawn, "no pictures")
     expect(record.stat().st_mtime_ns == written, "the record is written again")
     expect("1 as before" in run([*command, "--pictures"]) and page.read_text() == drawn, "pictures are drawn twice")
     expect("1 as before" in run(command) and page.read_text() == drawn, "pictures that are there are not shown")
