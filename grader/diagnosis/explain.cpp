@@ -50,7 +50,7 @@ Calls only_nan(Calls calls) {
 
 std::string which(const WrongCalls& region) { return (region.is_exact ? "those " : "") + region.words; }
 
-/// What sets wrong calls apart, in arguments or in steps of the formula; in these rather than in the right answers.
+/// What sets wrong calls apart, in arguments or in variables of a form; in these rather than in the right answers.
 WrongCalls region_of(const Calls& calls, bool is_known) {
     WrongCalls region = where_wrong(calls);
     const bool is_of_answers = region.words.starts_with("where the right ");

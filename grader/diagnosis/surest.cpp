@@ -10,7 +10,7 @@ namespace grade {
 
 namespace {
 
-/// A relation of the arguments, or of the steps of the formula; of both, where nothing tells them apart.
+/// A relation of the arguments, or of a form's expressions; of both, where nothing tells them apart.
 std::optional<Relation> simpler_one(std::optional<Relation> of_arguments, std::optional<Relation> of_steps) {
     if (!of_steps) return of_arguments;
     if (!of_arguments) return of_steps;

@@ -9,7 +9,7 @@ inline bool is_exact(const std::optional<Relation>& found) {
     return found && found->explains == Relation::Explains::all;
 }
 
-/// Of a relation of the arguments and one of the steps of the formula, the simpler one; both, where nothing tells them
+/// Of a relation of the arguments and one of a form's expressions, the simpler one; both, where nothing tells them
 /// apart.
 std::optional<Relation> simpler(const std::optional<Relation>& of_arguments, const std::optional<Relation>& of_steps);
 

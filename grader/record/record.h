@@ -75,7 +75,7 @@ struct Finding {
     std::string command;        // for a shell: "./grade call moved 'time = -1'"; empty: it cannot be written there
     std::string fault;          // "phong.cpp:24: no value is returned": what sanitizers say of a call; untrusted text
 
-    // not in the record: whether a change of arguments, of steps of the formula, gives the answers exactly; CPU time
+    // not in the record: whether a change of arguments, of an expression, gives the answers exactly; CPU time
     bool by_arguments = false, by_steps = false;
     double cpu_seconds = 0;
 };
