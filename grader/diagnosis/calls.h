@@ -8,9 +8,6 @@
 
 namespace grade {
 
-/// Parts that a mistake may change; others stay, and are taken in place of these.
-using Changeable = std::vector<bool>;
-
 /// A fragment's answers to calls; fewer than there are calls where it gave none.
 using Ask = std::function<Rows(const Rows& calls)>;
 
@@ -20,8 +17,7 @@ struct Calls {
     Rows rows, mine, right;
     std::vector<Layout> layouts;  // of the rows
     Layout result;
-    std::vector<bool> told;   // by argument's part: whether any answer depends on it
-    Changeable changeable{};  // by part; empty: all are
+    std::vector<bool> told;  // by argument's part: whether any answer depends on it
 
     std::size_t size() const { return rows.size(); }
 };
@@ -29,7 +25,7 @@ struct Calls {
 /// Those calls of which is_kept(k) holds.
 template <class Kept>
 Calls those_of(const Calls& calls, Kept is_kept) {
-    Calls some{calls.signature, {}, {}, {}, {}, calls.result, calls.told, calls.changeable};
+    Calls some{calls.signature, {}, {}, {}, {}, calls.result, calls.told};
     for (std::size_t k = 0; k < calls.size(); ++k) {
         if (!is_kept(k)) continue;
         some.rows.push_back(calls.rows[k]), some.layouts.push_back(calls.layouts[k]);

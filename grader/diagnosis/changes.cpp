@@ -23,39 +23,26 @@ bool fits(double& x, double before, bool whole) {
 
 }  // namespace
 
-Changes::Changes(const Layout& layout, const std::vector<bool>& told, const std::vector<bool>& changeable)
-    : layout_(layout), told_(told), scalars_(scalars_of(layout, told)), changeable_(changeable) {
+Changes::Changes(const Layout& layout, const std::vector<bool>& told)
+    : layout_(layout), told_(told), scalars_(scalars_of(layout, told)) {
     for (std::size_t i = 0; i < layout.parts.size(); ++i) {
         if (!is_told(i)) continue;
         if (layout.parts[i].kind == Kind::vector) vectors_.push_back(i);
         if (layout.parts[i].kind == Kind::color) colors_.push_back(i);
-        if (layout.parts[i].kind == Kind::flag && may_change(i)) add_flag(i);
+        if (layout.parts[i].kind == Kind::flag) add_flag(i);
     }
-    for (const Scalar& s : scalars_)
-        if (may_change(s.part)) add_scalar(s);
-    for (const std::size_t i : changed(vectors_)) add_vector(i, vectors_, vector_functions, of_two_vectors);
-    for (const std::size_t i : changed(colors_)) add_vector(i, colors_, color_functions, of_two_colors);
-    for (const std::size_t i : changed(vectors_)) add_scaled(i, 2.2);
-    if (!of_arguments())
-        for (const std::size_t i : changed(vectors_)) add_made_of_two(i);
-    for (const std::size_t i : changed(colors_)) add_scaled(i, 1.9);
-    if (of_arguments())
-        add_joint();
-    else
-        add_same_to_two();
+    for (const Scalar& s : scalars_) add_scalar(s);
+    for (const std::size_t i : vectors_) add_vector(i, vectors_, vector_functions, of_two_vectors);
+    for (const std::size_t i : colors_) add_vector(i, colors_, color_functions, of_two_colors);
+    for (const std::size_t i : vectors_) add_scaled(i, 2.2);
+    for (const std::size_t i : colors_) add_scaled(i, 1.9);
+    add_joint();
     add_pairs();
-    if (of_arguments()) add_lists();
+    add_lists();
     std::ranges::stable_sort(all_, {}, &Change::cost);
 }
 
 void Changes::add_flag(std::size_t i) {
-    if (!of_arguments()) {
-        add(name(i), 1.2, [i](Row& row, const Layout& l) {
-            row[l.parts[i].at] = 1;
-            return true;
-        });
-        return;
-    }
     add(in_place("!" + name(i), name(i)), 1, [i](Row& row, const Layout& l) {
         row[l.parts[i].at] = 1 - row[l.parts[i].at];
         return true;
@@ -80,10 +67,10 @@ void Changes::add_scalar(const Scalar& s) {
                 if (of_index && !(x >= 0)) return false;
                 return fits(x, of_index ? 0 : before, s.whole);
             });
-        if (of_arguments()) all_.back().usually = f.usually;
+        all_.back().usually = f.usually;
     }
     for (const Scalar& other : scalars_) {
-        if (other.name == s.name || (s.whole != other.whole && (of_arguments() || s.whole))) continue;
+        if (other.name == s.name || s.whole != other.whole) continue;
         const double near = s.owner() == other.owner() ? -0.3 : 0;
         for (const TwoScalars& f : of_two_scalars)
             add(in_place(filled(f.words, s.name, other.name), s.name), f.cost + near,
@@ -95,33 +82,12 @@ void Changes::add_scalar(const Scalar& s) {
                 });
         if (s.owner() == "u" && other.owner() == "u")
             all_[all_.size() - std::size(of_two_scalars)].usually = ": one number is used for both";
-        if (s.name < other.name && may_change(other.part))
-            add(fmt::format("`{}` and `{}` exchanged", s.name, other.name), of_arguments() ? 1.1 : 1.7,
-                [s, other](Row& row, const Layout& l) {
-                    std::swap(row[s.at(l)], row[other.at(l)]);
-                    return true;
-                });
+        if (s.name < other.name)
+            add(fmt::format("`{}` and `{}` exchanged", s.name, other.name), 1.1, [s, other](Row& row, const Layout& l) {
+                std::swap(row[s.at(l)], row[other.at(l)]);
+                return true;
+            });
     }
-}
-
-void Changes::add_made_of_two(std::size_t i) {
-    for (const std::size_t a : vectors_)
-        for (const std::size_t b : vectors_) {
-            if (a == b || a == i || b == i) continue;
-            add(in_place(filled("2 * dot({0}, {1}) * {0} - {1}", name(a), name(b)), name(i)), 1.9,
-                [=](Row& row, const Layout& l) {
-                    const vec3 n = vector_at(row, l.parts[a].at), v = vector_at(row, l.parts[b].at);
-                    put(row, l.parts[i].at, 2 * rt::dot(n, v) * n - v);
-                    return true;
-                });
-            if (a < b)
-                add(in_place(filled("unit({0} + {1})", name(a), name(b)), name(i)), 1.9,
-                    [=](Row& row, const Layout& l) {
-                        put(row, l.parts[i].at,
-                            rt::unit(vector_at(row, l.parts[a].at) + vector_at(row, l.parts[b].at)));
-                        return true;
-                    });
-        }
 }
 
 template <class Functions, class TwoFunctions>
@@ -139,7 +105,7 @@ void Changes::add_vector(std::size_t i, const std::vector<std::size_t>& others, 
                 put(row, l.parts[i].at, f.value(vector_at(row, l.parts[i].at), vector_at(row, l.parts[j].at)));
                 return true;
             });
-        if (i < j && may_change(j))
+        if (i < j)
             add(fmt::format("`{}` and `{}` exchanged", name(i), name(j)), 1.1, [i, j](Row& row, const Layout& l) {
                 const vec3 v = vector_at(row, l.parts[i].at), w = vector_at(row, l.parts[j].at);
                 put(row, l.parts[i].at, w), put(row, l.parts[j].at, v);
@@ -184,9 +150,8 @@ void Changes::add_scaled(std::size_t i, double cost) {
     }
 }
 
-std::vector<Change> changes_of(const Layout& layout, const std::vector<bool>& told,
-                               const std::vector<bool>& changeable) {
-    return Changes(layout, told, changeable).take();
+std::vector<Change> changes_of(const Layout& layout, const std::vector<bool>& told) {
+    return Changes(layout, told).take();
 }
 
 std::vector<Change> same_sampling(const Layout& layout) {

@@ -15,10 +15,8 @@ struct Change {
     std::string usually{};                                     // what that is in most code, if it is the only one
 };
 
-/// All that make sense for arguments of these kinds, the simplest first. told: the parts that matter; changeable:
-/// those that are changed, as steps of a formula, of which a flag is a mistake in words; empty: all, as arguments.
-std::vector<Change> changes_of(const Layout& layout, const std::vector<bool>& told,
-                               const std::vector<bool>& changeable = {});
+/// All that make sense for arguments of these kinds, the simplest first. told: the parts that matter.
+std::vector<Change> changes_of(const Layout& layout, const std::vector<bool>& told);
 
 /// Other random numbers that are as good: u.x and u.y exchanged, 1 - u. The first one changes nothing.
 std::vector<Change> same_sampling(const Layout& layout);

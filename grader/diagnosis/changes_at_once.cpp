@@ -35,35 +35,15 @@ void Changes::add_joint() {
     }
 }
 
-void Changes::add_same_to_two() {
-    constexpr double dearest = 1.5;
-    for (const Scalar& s : scalars_)
-        for (const Scalar& other : scalars_)
-            for (const Function& f : scalar_functions) {
-                // nobody adds the same to both
-                const std::string_view words = f.words;
-                const bool is_sum = words.ends_with("+ 1") || words.ends_with("- 1");
-                if (s.name >= other.name || s.whole || other.whole || f.cost > dearest || is_sum) continue;
-                if (!may_change(s.part) || !may_change(other.part)) continue;
-                const std::string first = filled(f.words, s.name), second = filled(f.words, other.name);
-                const double natural = first.starts_with("length(") ? 0.2 : 0;
-                add(in_place(first, s.name) + ", and " + in_place(second, other.name), f.cost + 0.7 - natural,
-                    [s, other, f](Row& row, const Layout& l) {
-                        for (const Scalar& one : {s, other}) row[one.at(l)] = f.value(row[one.at(l)]);
-                        return true;
-                    });
-            }
-}
-
 void Changes::add_pairs() {
     for (std::size_t i = 0; i < layout_.parts.size(); ++i) {
-        if (!may_change(i) || !is_told(i) || layout_.parts[i].kind != Kind::pair) continue;
+        if (!is_told(i) || layout_.parts[i].kind != Kind::pair) continue;
         for (std::size_t j = 0; j < layout_.parts.size(); ++j) {
             if (layout_.parts[j].kind != Kind::pair) continue;
             for (const Function& f : pair_functions) {
                 if (i != j && f.cost > 1.6) continue;
                 // what stands in the formula in their place says more
-                const double unusual = of_arguments() && i == j && name(i) == "u" ? 0.5 : 0;
+                const double unusual = i == j && name(i) == "u" ? 0.5 : 0;
                 add(in_place(filled(f.words, name(j)), name(i)), f.cost + unusual + (i != j ? 0.2 : 0),
                     [i, j, f](Row& row, const Layout& l) {
                         for (std::size_t c = 0; c < 2; ++c) row[l.parts[i].at + c] = f.value(row[l.parts[j].at + c]);

@@ -8,7 +8,7 @@ namespace grade {
 /// The changes as they are made.
 class Changes {
 public:
-    Changes(const Layout& layout, const std::vector<bool>& told, const std::vector<bool>& changeable);
+    Changes(const Layout& layout, const std::vector<bool>& told);
 
     std::vector<Change> take() { return std::move(all_); }
 
@@ -19,19 +19,10 @@ private:
 
     const std::string& name(std::size_t part) const { return layout_.parts[part].name; }
 
-    bool of_arguments() const { return changeable_.empty(); }
     bool is_told(std::size_t part) const { return part >= told_.size() || told_[part]; }
-    bool may_change(std::size_t part) const { return changeable_.empty() || changeable_[part]; }
-
-    std::vector<std::size_t> changed(std::vector<std::size_t> parts) const {
-        std::erase_if(parts, [this](std::size_t i) { return !may_change(i); });
-        return parts;
-    }
 
     void add_flag(std::size_t i);
     void add_scalar(const Scalar& s);
-    /// A step in place of which stands what else is made of two vectors: one mirrored at another, or between both.
-    void add_made_of_two(std::size_t i);
     template <class Functions, class TwoFunctions>
     void add_vector(std::size_t i, const std::vector<std::size_t>& others, const Functions& functions,
                     const TwoFunctions& of_two);
@@ -40,8 +31,6 @@ private:
 
     /// The same to each vector of one struct; to each of a camera's axes.
     void add_joint();
-    /// The same mistake made in two steps.
-    void add_same_to_two();
     /// A pair changed in both coordinates, or another one in its place, as of an extent's corners.
     void add_pairs();
     void add_lists();
@@ -50,7 +39,6 @@ private:
     const std::vector<bool>& told_;
     std::vector<Scalar> scalars_;
     std::vector<std::size_t> vectors_, colors_;
-    const std::vector<bool>& changeable_;
     std::vector<Change> all_;
 };
 

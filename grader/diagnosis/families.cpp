@@ -168,8 +168,6 @@ private:
     std::vector<Change> all_;
 };
 
-bool is_changeable(const Calls& calls, std::size_t part) { return calls.changeable.empty() || calls.changeable[part]; }
-
 }  // namespace
 
 std::vector<Change> changes_with_constants(const Calls& calls, const Ask& right,
@@ -177,10 +175,10 @@ std::vector<Change> changes_with_constants(const Calls& calls, const Ask& right,
     ConstantSearch search(calls, right, wrong);
     const Layout& layout = calls.layouts.front();
     for (const Scalar& s : scalars_of(layout, calls.told))
-        if (!s.whole && is_changeable(calls, s.part)) search.look({s.name, s.part, s.component, 1});
+        if (!s.whole) search.look({s.name, s.part, s.component, 1});
     for (std::size_t i = 0; i < layout.parts.size(); ++i)
         if ((layout.parts[i].kind == Kind::vector || layout.parts[i].kind == Kind::color) &&
-            (i >= calls.told.size() || calls.told[i]) && is_changeable(calls, i))
+            (i >= calls.told.size() || calls.told[i]))
             search.look({layout.parts[i].name, i, 0, 3});
     return search.take();
 }

@@ -55,7 +55,7 @@ std::optional<Relation> Search::run(bool& right_otherwise) {
         region_.clear();
     }
     if (!best_) one_of_several();
-    if (best_ || !calls_.changeable.empty()) return best_;
+    if (best_) return best_;
     return which_parts();
 }
 

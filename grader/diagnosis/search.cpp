@@ -21,7 +21,7 @@ Search::Search(const Calls& calls, const Ask& right, bool sampled) : calls_(call
                 parts_.push_back(&part);
                 break;
             }
-    changes_ = changes_of(calls.layouts.front(), calls.told, calls.changeable);
+    changes_ = changes_of(calls.layouts.front(), calls.told);
 }
 
 std::optional<Rows> Search::answers_in(const Change& first, const Change* second,

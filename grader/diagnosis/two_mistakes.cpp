@@ -8,7 +8,7 @@ namespace grade {
 
 namespace {
 
-constexpr std::size_t most_pairs = 36, most_pairs_of_steps = 150;  // changes that are tried by twos
+constexpr std::size_t most_pairs = 36;  // changes that are tried by twos
 
 }  // namespace
 
@@ -67,9 +67,8 @@ void Search::two_changes(const std::vector<std::size_t>& scope) {
     for (const std::size_t k : wrong_)
         if (sample.size() < few) sample.push_back(k);
     std::vector<const Change*> list;
-    const bool of_steps = !calls_.changeable.empty();
     for (const Change& change : changes_) {
-        if (list.size() >= (of_steps ? most_pairs_of_steps : most_pairs)) break;
+        if (list.size() >= most_pairs) break;
         if (change.cost > 1.5) break;
         const auto right = answers(change, nullptr, sample);
         if (right && std::ranges::any_of(
@@ -80,7 +79,6 @@ void Search::two_changes(const std::vector<std::size_t>& scope) {
         for (std::size_t b = 0; b < list.size(); ++b) {
             const double cost = list[a]->cost + list[b]->cost + 1;
             if (a == b || (best_ && cost >= best_->cost) || are_of_one(*list[a], *list[b])) continue;
-            if (of_steps && !is_same_in(*list[a], *list[b], {sample.front()})) continue;
             if (!is_same_in(*list[a], *list[b], sample)) continue;
             const auto right = answers(*list[a], list[b], scope);
             if (right && tells(*right, scope))
