@@ -142,9 +142,12 @@ struct Builder {
         int axis = 0;
         for (int a = 1; a < 3; ++a)
             if (middles.extent(a) > middles.extent(axis)) axis = a;
-        std::stable_sort(children.begin(), children.end(), [axis](const Range& a, const Range& b) {
+        const auto is_before = [axis](const Range& a, const Range& b) {
             return a.box.twice_center(axis) < b.box.twice_center(axis);
-        });
+        };
+        // by insertion: libstdc++ does not align the buffer of std::stable_sort as boxes must be
+        for (auto next = children.begin(); next != children.end(); ++next)
+            std::rotate(std::upper_bound(children.begin(), next, *next, is_before), next, next + 1);
         return axis;
     }
 
