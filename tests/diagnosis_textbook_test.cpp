@@ -106,7 +106,7 @@ TEST_CASE("mistakes in a form: operators, brackets, functions, parts in place of
     const textbook::Wrapped form = textbook::wrap("area.cpp", text, {}, 0);
     CHECK(form.fragment == "area");
     const auto of = [&](const std::string& expression) {
-        const auto node = std::ranges::find(form.nodes, expression, &textbook::WrappedNode::text);
+        const auto node = std::ranges::find(form.nodes, expression, &textbook::Node::text);
         REQUIRE(node != form.nodes.end());
         return *node;
     };

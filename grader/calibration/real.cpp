@@ -38,7 +38,8 @@ RealVerdict verdict_on(const FragmentRecord& fragment) {
                         fragment.cpu_seconds};
     if (!is_found(fragment.verdict)) return verdict;
     const Finding& finding = fragment.finding;
-    verdict.by_arguments = finding.by_arguments, verdict.by_steps = finding.by_steps;
+    verdict.by_arguments = finding.by_arguments, verdict.by_textbook = finding.by_textbook;
+    verdict.by_repair = finding.by_repair;
     verdict.by_suspect = has_suspect(fragment);
     verdict.is_bare = finding.how.empty() && finding.where.find(", ") == std::string::npos && finding.fault.empty() &&
                       !finding.arguments.empty() && !verdict.by_suspect;
@@ -114,7 +115,8 @@ void write_grading(const fs::path& path, const RealGrading& grading) {
                                      {"points", f.points},
                                      {"cpu_seconds", f.cpu_seconds},
                                      {"by_arguments", f.by_arguments},
-                                     {"by_steps", f.by_steps},
+                                     {"by_textbook", f.by_textbook},
+                                     {"by_repair", f.by_repair},
                                      {"by_suspect", f.by_suspect},
                                      {"is_bare", f.is_bare},
                                      {"diagnosis_seconds", f.diagnosis_seconds}});
@@ -129,10 +131,10 @@ std::optional<RealGrading> read_grading(const fs::path& path) {
     RealGrading grading{{}, json.at("record")};
     // of a fragment that an earlier grader has graded, nothing is known of its diagnosis
     for (const auto& f : json.at("fragments"))
-        grading.fragments.push_back({f.at("name"), verdict_named(f.at("verdict")), f.at("message"),
-                                     f.value("points", 0.0), f.at("cpu_seconds"), f.value("by_arguments", false),
-                                     f.value("by_steps", false), f.value("by_suspect", false),
-                                     f.value("is_bare", false), f.value("diagnosis_seconds", 0.0)});
+        grading.fragments.push_back(
+            {f.at("name"), verdict_named(f.at("verdict")), f.at("message"), f.value("points", 0.0), f.at("cpu_seconds"),
+             f.value("by_arguments", false), f.value("by_textbook", false), f.value("by_repair", false),
+             f.value("by_suspect", false), f.value("is_bare", false), f.value("diagnosis_seconds", 0.0)});
     return grading;
 }
 

@@ -31,7 +31,7 @@ struct RealVerdict {
     double points = 0, cpu_seconds = 0;  // cpu_seconds: of its checks
 
     // of what fails: what explains it exactly, whether its hint says where or how, what looking for the cause took
-    bool by_arguments = false, by_steps = false, by_suspect = false, is_bare = false;
+    bool by_arguments = false, by_textbook = false, by_repair = false, by_suspect = false, is_bare = false;
     double diagnosis_seconds = 0;
 };
 

@@ -132,14 +132,15 @@ std::string nominal_table(const Summary& s) {
 }
 
 std::string hint_table(const Summary& s) {
-    long found = 0, bare = 0, by_arguments = 0, by_steps = 0, by_suspect = 0, together = 0;
+    long found = 0, bare = 0, by_arguments = 0, by_textbook = 0, by_repair = 0, by_suspect = 0, together = 0;
     double seconds = 0, most = 0;
     std::string dearest = "none";
     for (const VariantSummary& v : s.wrong)
         for (const RealVerdict& hint : v.hints) {
             ++found, bare += hint.is_bare;
-            by_arguments += hint.by_arguments, by_steps += hint.by_steps, by_suspect += hint.by_suspect;
-            together += hint.by_arguments || hint.by_steps || hint.by_suspect;
+            by_arguments += hint.by_arguments, by_textbook += hint.by_textbook, by_repair += hint.by_repair;
+            by_suspect += hint.by_suspect;
+            together += hint.by_arguments || hint.by_textbook || hint.by_repair || hint.by_suspect;
             seconds += hint.diagnosis_seconds;
             if (hint.diagnosis_seconds > most) most = hint.diagnosis_seconds, dearest = v.variant->name;
         }
@@ -149,7 +150,9 @@ std::string hint_table(const Summary& s) {
                     total(s.wrong, [](const auto& v) { return v.variant->says.empty() ? 0 : v.found; })));
     goals.row("hints that say neither where nor how", "0", share(bare, found));
     goals.row("explained exactly by a change of arguments", "reported", share(by_arguments, found));
-    goals.row("by a change of an expression of a textbook's form", "reported", share(by_steps, found));
+    goals.row("by a change of an expression of a textbook's form", "reported", share(by_textbook, found));
+    goals.row("put right by a change of one or two of the fragment's own expressions", "reported",
+              share(by_repair, found));
     goals.row("by a suspect written by hand", "reported", share(by_suspect, found));
     goals.row("by any of these", "at least 95 %", share(together, found));
     goals.row("CPU seconds that the diagnosis of a fragment takes: mean; most", "at most 1",

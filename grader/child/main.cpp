@@ -18,6 +18,7 @@
 #include "rt/files/scene_reader.h"
 #include "rt/processor.h"
 #include "rt/render.h"
+#include "textbook/edits.h"
 
 /// child SECONDS: renders scenes and calls fragments as the grader asks. It only ever answers with data; each answer
 /// may take SECONDS of CPU time.
@@ -99,14 +100,34 @@ std::string trace(rt::Scene scene, const std::string& payload) {
     return frame(FrameKind::text, rt::trace_pixel(scene, settings, request.x, request.y));
 }
 
-std::string call(const std::string& fragment, const std::string& payload) {
+/// What a fragment with mistakes in it answers; nothing where it breaks off.
+std::vector<double> edited(const std::string& fragment, const std::vector<double>& row) {
+    const textbook::EditedCall call = textbook::edited_call_of(row);
+    const auto mistake = [&](std::size_t i) { return i < call.mistakes.size() ? &call.mistakes[i] : nullptr; };
+    std::vector<double> known = call.arguments;
+    known.insert(known.end(), call.more.begin(), call.more.end());
+    textbook::watch.begin(0, call.nodes, known, mistake(0), mistake(1));
+    std::vector<double> answer;
+    try {
+        answer = probe(fragment, call.arguments);
+    } catch (const std::exception&) {
+        answer.clear();
+    }
+    if (!call.only_kinds) return answer;
+    answer.clear();
+    for (const textbook::Value& value : textbook::watch.values) answer.push_back(double(value.kind));
+    return answer;
+}
+
+template <class Answer>
+std::string call(const std::string& fragment, const std::string& payload, Answer answer) {
     std::vector<double> flat(payload.size() / sizeof(double));
     copy_bytes(flat.data(), payload.data(), flat.size() * sizeof(double));
     std::vector<std::vector<double>> rows;
     if (!unflatten(flat, rows)) throw std::runtime_error("rows that are none");
 
     const double start = cpu_seconds();
-    for (auto& row : rows) row = probe(fragment, row);
+    for (auto& row : rows) row = answer(fragment, row);
     std::vector<double> numbers = flatten(rows);
     numbers.insert(numbers.begin(), cpu_seconds() - start);
     return frame(FrameKind::rows, bytes_of<double>(numbers));
@@ -159,7 +180,10 @@ int main(int argc, char** argv) {
                     write_all(call_many(payload));
                     break;
                 case FrameKind::rows:
-                    write_all(call(fragment, payload));
+                    write_all(call(fragment, payload, probe));
+                    break;
+                case FrameKind::edit:
+                    write_all(call(fragment, payload, edited));
                     break;
                 default:
                     return 1;

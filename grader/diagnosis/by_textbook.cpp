@@ -76,7 +76,7 @@ public:
                 if (left_ == 0) return std::nullopt;
                 if (!explain_all(all[a], all[b])) continue;
                 Relation both{std::string(as_changed) + asked_.words_of(all[a]) + ", and " + asked_.words_of(all[b])};
-                both.cost = all[a].cost + all[b].cost, both.by_steps = true;
+                both.cost = all[a].cost + all[b].cost, both.by_textbook = true;
                 return both;
             }
         return std::nullopt;
@@ -87,8 +87,8 @@ private:
 
     /// Those of expressions and those of arguments, the simplest first.
     std::vector<Mistake> mistakes_and(const std::vector<Change>& changes) {
-        std::vector<Mistake> all = asked_.mistakes_in(calls_);
-        for (const Change& change : changes) all.push_back({"", "", change.cost, {}, nullptr, &change});
+        std::vector<Mistake> all = asked_.mistakes_of(calls_);
+        for (const Change& change : changes) all.push_back({"", "", change.cost, {}, "", &change});
         std::ranges::stable_sort(all, {}, &Mistake::cost);
         return all;
     }
@@ -153,7 +153,7 @@ private:
 
     Relation relation(const Mistake& mistake, double share) const {
         Relation found{std::string(as_changed) + asked_.words_of(mistake), mistake.usually};
-        found.cost = mistake.cost, found.by_steps = share == 1, found.share = share;
+        found.cost = mistake.cost, found.by_textbook = share == 1, found.share = share;
         if (share < 1) {
             found.explains = Relation::Explains::some;
             found.words = "in most wrong calls " + found.words + std::string(other_mistakes);
@@ -222,7 +222,7 @@ std::optional<Relation> known_mistake(const Calls& calls, bool sampled) {
             if (!std::ranges::all_of(std::views::iota(std::size_t(0), calls.size()), is_explained)) continue;
             if (wrong < enough) continue;
             Relation found{std::string(as_changed) + form.says};
-            found.cost = 1 + base.cost, found.by_steps = true;
+            found.cost = 1 + base.cost, found.by_textbook = true;
             return found;
         }
     }

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "diagnosis/expressions.h"
-#include "diagnosis/functions.h"
 #include "diagnosis/quantities.h"
+#include "textbook/functions.h"
 
 namespace grade {
 

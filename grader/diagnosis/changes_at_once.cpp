@@ -1,6 +1,6 @@
 #include "diagnosis/changes_made.h"
 #include "diagnosis/expressions.h"
-#include "diagnosis/functions.h"
+#include "textbook/functions.h"
 
 namespace grade {
 

@@ -168,9 +168,31 @@ bool are_near(const Calls& all) {
     return true;
 }
 
+/// Where in the fragment's own source the mistake is, and where no relation says all, what it is.
+///
+/// known  what else is known then
+void add_repair(std::optional<Relation>& relation, const Calls& calls, const std::optional<Editable>& source,
+                const std::string& known) {
+    const auto repair = source ? repair_of(calls, *source, is_exact(relation)) : std::nullopt;
+    if (!repair) return;
+    const bool is_all = repair->share == 1;
+    if (is_exact(relation)) {
+        if (!is_all) return;
+        relation->by_repair = true;
+        relation->words +=
+            relation->words.starts_with(as_changed) ? fmt::format(": see line {}", repair->line) : "; " + repair->words;
+    } else if (is_all || !relation || relation->explains == Relation::Explains::nothing ||
+               relation->share < repair->share) {
+        relation = Relation{known.empty() ? repair->words : known + "; " + repair->words};
+        relation->by_repair = is_all, relation->share = repair->share;
+        relation->explains = is_all ? Relation::Explains::all : Relation::Explains::some;
+    }
+}
+
 }  // namespace
 
-Finding explain(const Signature& signature, const Rows& rows, const Ask& ask, const Ask& ask_right) try {
+Finding explain(const Signature& signature, const Rows& rows, const Ask& ask, const Ask& ask_right,
+                const std::function<std::optional<Editable>()>& source) try {
     std::size_t left = most_calls;
     const Ask ask_mine = without_right_ones(signature, rows, ask, ask_right);
     const Ask mine = limited(ask_mine, left), right = limited(ask_right, left);
@@ -189,9 +211,16 @@ Finding explain(const Signature& signature, const Rows& rows, const Ask& ask, co
     const Calls many_calls = crossed(all, mine, right);
     auto relation = surest_relation(many_calls, ask_mine, ask_right, sampled, right_otherwise);
     if (right_otherwise) return {};
+    if (source) {
+        const std::string unused = sampled ? unused_numbers(all, depends) : "";
+        add_repair(relation, many_calls, source(), unused.empty() ? independence(all, depends) : unused);
+    }
     finding.sampled = sampled;
     const bool is_known = is_exact(relation);
-    if (is_known) finding.by_arguments = relation->by_arguments, finding.by_steps = relation->by_steps;
+    if (is_known) {
+        finding.by_arguments = relation->by_arguments, finding.by_textbook = relation->by_textbook;
+        finding.by_repair = relation->by_repair;
+    }
     const bool is_nothing = !relation || relation->explains == Relation::Explains::nothing;
     const auto broken = is_nothing ? broken_bound(all, right) : std::nullopt;
     std::size_t not_numbers = 0;

@@ -14,8 +14,8 @@ std::string bracketed(const std::string& name);
 std::string simplified(const std::string& text);
 
 template <class... Names>
-std::string filled(const char* words, const Names&... names) {
-    const bool is_argument = std::string_view(words).ends_with("({})");
+std::string filled(std::string_view words, const Names&... names) {
+    const bool is_argument = words.ends_with("({})");
     return simplified(fmt::format(fmt::runtime(words), (is_argument ? names : bracketed(names))...));
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <deque>
+#include <memory>
+#include <span>
 
 #include "diagnosis/calls.h"
 #include "diagnosis/changes.h"
@@ -18,41 +19,49 @@ struct OtherValue {
 };
 
 struct Mistake {
-    const char* pattern = "";  // {0}: what is written, {1}: the other value; of an alternative, its text
+    std::string pattern;       // {0}: what is written, {1}: the other value; of an alternative, its text
     const char* usually = "";  // what that is in most code
     double cost = 0;           // the simpler, the less
     textbook::Mistake made{};
-    const OtherValue* other = nullptr;
+    std::string other{};                   // the name of the other value
     const Change* of_arguments = nullptr;  // in place of one in an expression
 };
+
+/// Expressions, and what kinds of values they were seen to have.
+struct Expressions {
+    std::span<const textbook::Node> nodes;
+    int first = 0;                              // the number of the first
+    std::vector<textbook::Value::Kind> seen{};  // none: never computed
+
+    const textbook::Node& node(int number) const { return nodes[std::size_t(number - first)]; }
+};
+
+/// Mistakes in these that make sense for such arguments, the simplest first.
+std::vector<Mistake> mistakes_in(const Expressions& all, const Layout& arguments, const std::vector<bool>& told);
+
+/// "2 * x" for "x"; what stands there, "x".
+std::string changed_in_words(const Expressions& all, const Mistake& mistake);
+std::string written_in_words(const Expressions& all, const Mistake& mistake);
 
 /// A textbook's form that is asked about calls.
 class Asked {
 public:
     explicit Asked(const textbook::Form& form) : form_(form) {}
-    Asked(const Asked&) = delete;
-    Asked& operator=(const Asked&) = delete;
 
     int first() const { return form_.first; }
 
     /// The answer with so many mistakes in it; none where it breaks off.
     Row answer(const Row& row, const Layout& layout, const Mistake* first = nullptr, const Mistake* second = nullptr);
 
-    /// Those that make sense in what was seen in the calls, the simplest first. They are valid as long as this is.
-    std::vector<Mistake> mistakes_in(const Calls& calls);
+    /// Those that make sense in what was seen in the calls, the simplest first.
+    std::vector<Mistake> mistakes_of(const Calls& calls);
 
     /// "`2 * x` in place of `x`, in `y = x * x`"
     std::string words_of(const Mistake& mistake) const;
 
 private:
-    friend class MistakesMade;
-
-    const double* numbers_of(const OtherValue& other) const;
-
     const textbook::Form& form_;
-    const Row* row_ = nullptr;  // the present one
     Row changed_;
-    std::deque<OtherValue> others_;
 };
 
 }  // namespace grade

@@ -25,10 +25,11 @@ struct Relation {
     /// What is explained: all, some of the calls or parts of the answer, or nothing beyond which parts are wrong.
     enum class Explains { all, some, nothing };
     Explains explains = Explains::all;
-    bool other_numbers = false;                   // the answers are the right fragment's for other random numbers
-    double share = 1;                             // of what is wrong that is explained
-    bool by_arguments = false, by_steps = false;  // explained exactly by a change of these
-    Rows others{};                                // of the calls that were looked at, those that are not explained
+    bool other_numbers = false;  // the answers are the right fragment's for other random numbers
+    double share = 1;            // of what is wrong that is explained
+    // explained exactly by a change of arguments, of a textbook's expression; put right by one of the fragment's own
+    bool by_arguments = false, by_textbook = false, by_repair = false;
+    Rows others{};  // of the calls that were looked at, those that are not explained
 };
 
 /// The simplest one; none: none was found.

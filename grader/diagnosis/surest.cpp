@@ -11,40 +11,39 @@ namespace grade {
 namespace {
 
 /// A relation of the arguments, or of a form's expressions; of both, where nothing tells them apart.
-std::optional<Relation> simpler_one(std::optional<Relation> of_arguments, std::optional<Relation> of_steps) {
-    if (!of_steps) return of_arguments;
-    if (!of_arguments) return of_steps;
-    if (of_steps->explains != Relation::Explains::all)
-        return of_arguments->explains == Relation::Explains::all || of_arguments->share >= of_steps->share
-                   ? of_arguments
-                   : of_steps;
-    if (of_arguments->explains != Relation::Explains::all) return of_steps;
-    if (of_steps->other_numbers) return of_arguments;
+std::optional<Relation> simpler_one(std::optional<Relation> of_arguments, std::optional<Relation> of_form) {
+    if (!of_form) return of_arguments;
+    if (!of_arguments) return of_form;
+    if (of_form->explains != Relation::Explains::all)
+        return of_arguments->explains == Relation::Explains::all || of_arguments->share >= of_form->share ? of_arguments
+                                                                                                          : of_form;
+    if (of_arguments->explains != Relation::Explains::all) return of_form;
+    if (of_form->other_numbers) return of_arguments;
     constexpr double clearly = 0.25, as_cheap = 0.5;
-    const bool is_change = of_steps->words.find(as_changed) != std::string::npos, everywhere = of_steps->everywhere;
+    const bool is_change = of_form->words.find(as_changed) != std::string::npos, everywhere = of_form->everywhere;
     const bool is_other_change = of_arguments->words.find(as_changed) != std::string::npos;
-    if (is_change && everywhere && !of_arguments->everywhere) return of_steps;
-    if (is_change && of_steps->cost < of_arguments->cost - clearly) return of_steps;
-    if (is_change && !is_other_change && !everywhere && of_steps->cost <= of_arguments->cost) return of_steps;
-    if (!of_steps->words.starts_with(as_changed) || !of_arguments->words.starts_with(as_changed) ||
-        of_steps->cost > of_arguments->cost + as_cheap)
+    if (is_change && everywhere && !of_arguments->everywhere) return of_form;
+    if (is_change && of_form->cost < of_arguments->cost - clearly) return of_form;
+    if (is_change && !is_other_change && !everywhere && of_form->cost <= of_arguments->cost) return of_form;
+    if (!of_form->words.starts_with(as_changed) || !of_arguments->words.starts_with(as_changed) ||
+        of_form->cost > of_arguments->cost + as_cheap)
         return of_arguments;
     // a mistake with a name, which no change of an argument has
-    if (of_steps->words[as_changed.size()] != '`') return of_steps;
-    if (of_steps->words.starts_with(of_arguments->words + ",")) {
-        of_steps->usually = of_arguments->usually;
-        return of_steps;
+    if (of_form->words[as_changed.size()] != '`') return of_form;
+    if (of_form->words.starts_with(of_arguments->words + ",")) {
+        of_form->usually = of_arguments->usually;
+        return of_form;
     }
-    if (of_steps->cost < of_arguments->cost) std::swap(of_steps, of_arguments);
-    of_arguments->words += ", or with " + of_steps->words.substr(as_changed.size());
+    if (of_form->cost < of_arguments->cost) std::swap(of_form, of_arguments);
+    of_arguments->words += ", or with " + of_form->words.substr(as_changed.size());
     return of_arguments;
 }
 
 }  // namespace
 
-std::optional<Relation> simpler(const std::optional<Relation>& of_arguments, const std::optional<Relation>& of_steps) {
-    auto one = simpler_one(of_arguments, of_steps);
-    if (one) one->by_arguments = is_exact(of_arguments), one->by_steps = is_exact(of_steps);
+std::optional<Relation> simpler(const std::optional<Relation>& of_arguments, const std::optional<Relation>& of_form) {
+    auto one = simpler_one(of_arguments, of_form);
+    if (one) one->by_arguments = is_exact(of_arguments), one->by_textbook = is_exact(of_form);
     return one;
 }
 

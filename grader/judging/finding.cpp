@@ -8,6 +8,7 @@
 #include "diagnosis/explain.h"
 #include "files/files.h"
 #include "judging/experiment.h"
+#include "textbook/source.h"
 
 namespace grade {
 
@@ -97,6 +98,29 @@ Rows telling_calls(const std::string& fragment, const std::vector<Check>& checks
 
 }  // namespace
 
+namespace {
+
+/// The fragment with expressions that can be changed; none: its source cannot be read, or not compiled so.
+std::optional<Editable> editable_of(Programs& programs, const std::string& fragment, const fs::path& meshes,
+                                    double& seconds) try {
+    textbook::EditableSource source = textbook::editable(programs.text(fragment));
+    const auto program = programs.with_text(fragment, source.text);
+    if (!program) return std::nullopt;
+    const auto runner = std::make_shared<Runner>(*program, programs.sandbox(), meshes, patience);
+    const std::size_t most = std::max<std::size_t>(16, source.nodes.size());
+    const Ask ask = [fragment, runner, most, &seconds](const Rows& calls) -> Rows {
+        auto outcome = runner->edited(fragment, calls, most);
+        seconds += runner->seconds();
+        Rows* answers = std::get_if<Rows>(&outcome);
+        return answers ? std::move(*answers) : Rows();
+    };
+    return Editable{std::move(source.nodes), ask};
+} catch (const std::exception&) {
+    return std::nullopt;
+}
+
+}  // namespace
+
 Finding find_cause(Programs& programs, const Toolchain& chain, const std::string& fragment,
                    const std::vector<Check>& checks, std::uint64_t seed) {
     const auto header = read_text(chain.includes.front() / "rt/fragments.h");
@@ -110,7 +134,8 @@ Finding find_cause(Programs& programs, const Toolchain& chain, const std::string
     const Ask mine = asking(fragment, own, programs.sandbox(), meshes, seconds, width, false),
               right = asking(fragment, programs.with({}).program, programs.sandbox(), meshes, seconds, width, true);
     const Rows calls = telling_calls(fragment, checks, seed, *signature, mine, right);
-    Finding finding = calls.empty() ? Finding{} : explain(*signature, calls, mine, right);
+    const auto source = [&] { return editable_of(programs, fragment, meshes, seconds); };
+    Finding finding = calls.empty() ? Finding{} : explain(*signature, calls, mine, right, source);
     finding.cpu_seconds = seconds + thread_seconds() - before;
     return finding;
 }

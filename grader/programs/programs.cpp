@@ -152,14 +152,22 @@ const Programs::Linked& Programs::with(const std::set<std::string>& fragments, O
 std::optional<fs::path> Programs::checked(const std::string& fragment) const {
     // a step of another user cannot see its own /proc
     if (sandbox_.kind == Sandbox::Kind::container) return std::nullopt;
-    const Toolchain chain = with_sanitizers(chain_);
+    return compiled_again(with_sanitizers(chain_), fragment, text(fragment), "checked");
+}
+
+std::optional<fs::path> Programs::with_text(const std::string& fragment, const std::string& text) const {
+    return compiled_again(chain_, fragment, text, "editable");
+}
+
+std::optional<fs::path> Programs::compiled_again(const Toolchain& chain, const std::string& fragment,
+                                                 const std::string& text, const std::string& how) const {
     const Compiled compiled =
-        compile_fragment(chain, sandbox_, fragment, text(fragment), fragment + ".cpp", folder("checked/" + fragment));
+        compile_fragment(chain, sandbox_, fragment, text, fragment + ".cpp", folder(how + "/" + fragment));
     if (!compiled.good) return std::nullopt;
     std::vector<fs::path> list;
     for (const auto& [name, object] : chain_.solution_objects)
         list.push_back(name == fragment ? compiled.object : object);
-    const fs::path program = folder("programs/" + fragment + "-checked") / "child";
+    const fs::path program = folder(fmt::format("programs/{}-{}", fragment, how)) / "child";
     return link_child(chain, sandbox_, list, program).empty() ? std::optional(program) : std::nullopt;
 }
 

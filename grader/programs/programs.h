@@ -74,6 +74,9 @@ public:
     /// does not link.
     std::optional<fs::path> checked(const std::string& fragment) const;
 
+    /// The program with this fragment compiled from another text. None: it does not compile.
+    std::optional<fs::path> with_text(const std::string& fragment, const std::string& text) const;
+
     /// The program with these. Throws SubmissionError with the first errors where they do not go together.
     fs::path must_link(const std::set<std::string>& fragments, Others others = Others::solution);
 
@@ -95,6 +98,8 @@ private:
 
     fs::path folder(const std::string& name) const;
     bool is_filled(const std::string& fragment) const;
+    std::optional<fs::path> compiled_again(const Toolchain& chain, const std::string& fragment, const std::string& text,
+                                           const std::string& how) const;
 
     const Submission submission_;
     const Toolchain& chain_;

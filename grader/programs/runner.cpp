@@ -185,13 +185,20 @@ Outcome<std::vector<double>> Runner::swarm(const SwarmRequest& request) {
 
 Outcome<Rows> Runner::probe(const std::string& fragment, const Rows& rows) {
     constexpr std::size_t most_results = 16;  // numbers that a fragment returns
+    return answers(FrameKind::rows, fragment, rows, most_results);
+}
+
+Outcome<Rows> Runner::edited(const std::string& fragment, const Rows& calls, std::size_t most_results) {
+    return answers(FrameKind::edit, fragment, calls, most_results);
+}
+
+Outcome<Rows> Runner::answers(FrameKind kind, const std::string& fragment, const Rows& rows, std::size_t most_results) {
     if (fragment != fragment_) {
         if (const auto fault = tell(frame(FrameKind::fragment, fragment))) return *fault;
         fragment_ = fragment;
     }
     const std::vector<double> flat = flatten(rows);
-    auto outcome =
-        ask(frame(FrameKind::rows, bytes_of<double>(flat)), int(FrameKind::rows), 2 + rows.size() * (1 + most_results));
+    auto outcome = ask(frame(kind, bytes_of<double>(flat)), int(FrameKind::rows), 2 + rows.size() * (1 + most_results));
     if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
 
     const auto& numbers = std::get<std::vector<double>>(outcome);

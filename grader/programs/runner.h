@@ -11,6 +11,7 @@
 #include "checks/kit/check.h"
 #include "programs/process.h"
 #include "programs/sandbox.h"
+#include "protocol/protocol.h"
 #include "protocol/swarm.h"
 #include "statistics/verdict.h"
 
@@ -44,6 +45,9 @@ public:
     /// What each fragment answers along the paths of a pixel of that picture. Untrusted text.
     Outcome<std::string> trace(const Render& experiment, std::uint64_t seed, rt::ivec2 pixel);
     Outcome<Rows> probe(const std::string& fragment, const Rows& rows);
+    /// Calls as textbook::row_of makes them, of a program whose expressions can be changed; each answer has at most so
+    /// many numbers.
+    Outcome<Rows> edited(const std::string& fragment, const Rows& calls, std::size_t most_results);
 
     /// Calls whose arguments the child makes up.
     Outcome<std::vector<double>> swarm(const SwarmRequest& request);
@@ -65,6 +69,7 @@ public:
 
 private:
     struct Answer;
+    Outcome<Rows> answers(FrameKind kind, const std::string& fragment, const Rows& rows, std::size_t most_results);
     Outcome<std::vector<double>> ask(const std::string& request, int kind, std::size_t most_numbers);
     std::optional<Fault> tell(const std::string& request);
     std::optional<Fault> show(const Render& experiment);

@@ -15,9 +15,22 @@
 ///     fragment  name       done
 ///     swarm  which         rows: CPU seconds, then one number for each call; see swarm.h
 ///     rows   rows          rows: CPU seconds, then one row of results for each
+///     edited rows          rows likewise, for calls with mistakes in them; see textbook/edits.h
 namespace grade {
 
-enum class FrameKind : std::uint32_t { scene = 1, render, fragment, rows, done, image, error, swarm, trace, text };
+enum class FrameKind : std::uint32_t {
+    scene = 1,
+    render,
+    fragment,
+    rows,
+    done,
+    image,
+    error,
+    swarm,
+    trace,
+    text,
+    edit
+};
 
 struct FrameHeader {
     FrameKind kind;

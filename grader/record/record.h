@@ -75,8 +75,9 @@ struct Finding {
     std::string command;        // for a shell: "./grade call moved 'time = -1'"; empty: it cannot be written there
     std::string fault;          // "phong.cpp:24: no value is returned": what sanitizers say of a call; untrusted text
 
-    // not in the record: whether a change of arguments, of an expression, gives the answers exactly; CPU time
-    bool by_arguments = false, by_steps = false;
+    // Not in the record: whether a change of arguments, or of a textbook's expression, explains the answers exactly;
+    // whether one of the fragment's own expressions makes them right; CPU time.
+    bool by_arguments = false, by_textbook = false, by_repair = false;
     double cpu_seconds = 0;
 };
 

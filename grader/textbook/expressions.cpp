@@ -62,6 +62,11 @@ std::string short_name(const std::string& name) {
     return name.starts_with("std::") || name.starts_with("glm::") ? name.substr(5) : name;
 }
 
+bool is_number_type(const std::string& name) {
+    static const std::set<std::string> all{"Real", "double", "float", "int", "unsigned", "long", "std::size_t"};
+    return all.contains(name);
+}
+
 /// The function object of a sign.
 std::string function_of(const std::string& sign) {
     const std::string names = operators().at(sign).name;
@@ -69,6 +74,13 @@ std::string function_of(const std::string& sign) {
 }
 
 }  // namespace
+
+void ExpressionReader::skip_to(std::initializer_list<std::string_view> signs) {
+    while (std::ranges::none_of(signs, [&](std::string_view sign) { return is(sign); })) {
+        if (now().kind == Token::Kind::end) fail(fmt::format("the end of the file; expected \"{}\"", *signs.begin()));
+        ++at_;
+    }
+}
 
 std::string ExpressionReader::joined(std::size_t from, std::size_t to) const {
     std::string all;
@@ -111,6 +123,8 @@ void ExpressionReader::count_uses() {
 
 int ExpressionReader::add(const std::string& text, const std::vector<Expression>& parts,
                           std::vector<std::string> alternatives) {
+    constexpr std::size_t most = 600, longest = 3'000;
+    if (nodes_.size() >= most || text.size() > longest) fail("a long expression; expected a short one");
     nodes_.push_back({text, text, "", "", {}, std::move(alternatives)});
     for (const Expression& part : parts)
         if (part.node >= 0) nodes_.back().parts.push_back(part.node);
@@ -118,12 +132,21 @@ int ExpressionReader::add(const std::string& text, const std::vector<Expression>
 }
 
 Expression ExpressionReader::expression() {
+    constexpr std::size_t longest = 100'000;  // as it is compiled: what is in brackets is written more than once
+    const Deeper deeper(*this);
+    Expression all = choice();
+    if (all.code.size() > longest) fail("a long expression; expected a short one");
+    return all;
+}
+
+Expression ExpressionReader::choice() {
     const Expression condition = binary(1);
     if (!take("?")) return condition;
     const Expression first = expression();
     expect(":");
     const Expression second = expression();
     Expression all;
+    all.line = condition.line;
     all.text = fmt::format("{} ? {} : {}", condition.text, first.text, second.text);
     all.inner = fmt::format("({} ? {} : {})", condition.code, first.code, second.code);
     watch(all, add(all.text, {first, second}));
@@ -143,6 +166,7 @@ Expression ExpressionReader::binary(int level) {
 Expression ExpressionReader::joined_by(const Expression& left, const std::string& sign, const Expression& right) {
     const Operator& as = operators().at(sign);
     Expression all;
+    all.line = left.line;
     all.text = fmt::format("{} {} {}", left.text, sign, right.text);
     std::vector<std::string> alternatives;
     for (const std::string& other : as.others)
@@ -172,16 +196,29 @@ Expression ExpressionReader::joined_by(const Expression& left, const std::string
                                 function_of(sign), node, alternatives.size(), all.inner, group.sides[0].code,
                                 group.sides[1].code, right.code);
     watch(all, node);
-    if (as.level == 5) all.sides = {left, right}, all.sign = sign;
+    if (as.level == 5) {
+        all.sides = {left, right}, all.sign = sign;
+        for (Expression& side : all.sides) side.sides.clear();  // nobody asks for those, of which there may be many
+    }
     return all;
 }
 
 Expression ExpressionReader::unary() {
+    const Deeper deeper(*this);
+    const int line = now().line;
     for (const char* sign : {"-", "!"}) {
         if (!take(sign)) continue;
         const Expression of = unary();
         Expression all{sign + of.text, fmt::format("({}{})", sign, of.code), "", of.is_literal};
+        all.line = line;
         watch(all, add(all.text, {of}));
+        return all;
+    }
+    for (const char* sign : {"+", "*", "&", "++", "--"}) {
+        if (!take(sign)) continue;
+        const Expression of = unary();
+        Expression all{sign + of.text, sign + of.inner, sign + of.inner};
+        all.line = line;
         return all;
     }
     return postfix();
@@ -191,7 +228,11 @@ std::vector<Expression> ExpressionReader::arguments(std::string_view close) {
     std::vector<Expression> all;
     while (!is(close)) {
         const std::size_t since = nodes_.size();
+        std::string field;
+        if (close == "}" && take(".")) field = "." + tokens_[at_++].text + " = ", expect("=");
         all.push_back(is("{") ? braced() : expression());
+        if (!field.empty()) all.back().code = field + (all.back().is_literal ? all.back().text : all.back().code);
+        if (!field.empty()) all.back().is_literal = false;
         if (close == "}") set_context(since, all.back().text);
         if (!take(",")) break;
     }
@@ -212,15 +253,19 @@ Expression ExpressionReader::braced() {
 Expression ExpressionReader::postfix() {
     Expression all = primary();
     for (;;) {
-        if (take(".")) {
-            const std::string name = now().text;
+        if (is(".") || is("->")) {
+            const std::string sign = now().text, name = tokens_[++at_].text;
             ++at_;
-            all.text += "." + name, all.inner += "." + name;
+            all.text += sign + name, all.inner += sign + name;
             if (take("(")) call(all, name, "");
         } else if (take("[")) {
             const Expression index = expression();
             expect("]");
             all.text += "[" + index.text + "]", all.inner = "textbook::element(" + all.inner + ", " + index.code + ")";
+        } else if (is("++") || is("--")) {
+            all.text += now().text, all.inner += now().text, all.code = all.inner;
+            ++at_;
+            return all;
         } else {
             return all;
         }
@@ -233,7 +278,7 @@ void ExpressionReader::call(Expression& function, const std::string& name, const
     const auto all = arguments(")");
     called_with_ = all;
     function.text = before + "(" + list(all, &Expression::text) + ")";
-    const std::string code = list(all, &Expression::code);
+    const std::string code = list(all, changes_arguments(name) ? &Expression::inner : &Expression::code);
     function.inner = (qualified.empty() ? function.inner : qualified) + "(" + code + ")";
     std::vector<std::string> alternatives, codes;
     for (const std::string& other : functions_for(name)) {
@@ -248,7 +293,7 @@ void ExpressionReader::call(Expression& function, const std::string& name, const
     }
     if (codes.empty()) return;
     const int node = add(function.text, {}, alternatives);
-    nodes_.back().function = name;
+    nodes_.back().function = name, nodes_.back().line = function.line;
     std::string choice = function.inner;
     for (std::size_t i = codes.size(); i-- > 0;)
         choice = fmt::format("(textbook::chosen({}) == {} ? {} : {})", node, i + 1, codes[i], choice);
@@ -257,11 +302,24 @@ void ExpressionReader::call(Expression& function, const std::string& name, const
 
 Expression ExpressionReader::primary() {
     Expression all;
+    all.line = now().line;
     if (take("(")) {
+        if (is_name() && is_number_type(now().text) && tokens_[at_ + 1].text == ")") {  // a cast
+            const std::string type = now().text;
+            at_ += 2;
+            const Expression of = unary();
+            return {type + "(" + of.text + ")", "(" + type + ")" + of.code, "(" + type + ")" + of.code};
+        }
         const Expression of = expression();
         expect(")");
-        return {
-            "(" + of.text + ")", "(" + of.inner + ")", "(" + of.code + ")", of.is_literal, of.sides, of.sign, of.node};
+        return {"(" + of.text + ")",
+                "(" + of.inner + ")",
+                "(" + of.code + ")",
+                of.is_literal,
+                of.sides,
+                of.sign,
+                of.node,
+                of.line};
     }
     if (is("[")) return function_object();
     if (now().kind == Token::Kind::number) {
@@ -276,6 +334,7 @@ Expression ExpressionReader::primary() {
     const std::string name = now().text;
     at_ = end;
     all.text = short_name(chain), all.inner = chain;
+    if (const std::string types = template_arguments(); !types.empty()) all.inner += types;
     if (is("(") && end - 1 > 0 && chain == name) {
         take("(");
         call(all, name, fragments_.contains(name) ? "any::" + name : "");
@@ -301,9 +360,27 @@ void ExpressionReader::finish(Expression& all) {
     called_with_.clear();
 }
 
+std::string ExpressionReader::template_arguments() {
+    if (!is("<")) return {};
+    int depth = 0;
+    for (std::size_t i = at_; i + 1 < tokens_.size(); ++i) {
+        const std::string& text = tokens_[i].text;
+        depth += (text == "<") - (text == ">");
+        const bool is_part =
+            tokens_[i].kind != Token::Kind::sign || text == "<" || text == ">" || text == "," || text == "&";
+        if (!is_part) return {};
+        if (depth > 0) continue;
+        if (tokens_[i + 1].text != "(" && tokens_[i + 1].text != "{") return {};
+        const std::string all = joined(at_, i + 1);
+        at_ = i + 1;
+        return all;
+    }
+    return {};
+}
+
 Expression ExpressionReader::function_object() {
     const std::size_t start = at_;
-    while (!is("{")) ++at_;
+    skip_to({"{"});
     int depth = 0;
     do depth += is("{") - is("}"), ++at_;
     while (depth > 0);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -20,6 +21,7 @@ struct Expression {
     std::vector<Expression> sides{};  // of a sum in brackets
     std::string sign{};               // between them
     int node = -1;
+    int line = 0;
 };
 
 /// Reads expressions of a form, and gives each a number by which watch.h knows it.
@@ -28,8 +30,27 @@ protected:
     ExpressionReader(const std::string& file, const std::string& text, const std::vector<std::string>& fragments,
                      int first)
         : file_(file), tokens_(tokens_of(text)), fragments_(fragments.begin(), fragments.end()), first_(first) {}
+    ExpressionReader(const ExpressionReader&) = delete;
+    ExpressionReader& operator=(const ExpressionReader&) = delete;
+    virtual ~ExpressionReader() = default;
 
-    const Token& now() const { return tokens_[at_]; }
+    /// A step into a part. Throws std::runtime_error where parts lie too deep within each other.
+    class Deeper {
+    public:
+        explicit Deeper(ExpressionReader& reader) : depth_(reader.depth_) {
+            constexpr int deepest = 200;
+            if (depth_ >= deepest) reader.fail("too many brackets within each other; expected fewer");
+            ++depth_;
+        }
+        Deeper(const Deeper&) = delete;
+        Deeper& operator=(const Deeper&) = delete;
+        ~Deeper() { --depth_; }
+
+    private:
+        int& depth_;
+    };
+
+    const Token& now() const { return tokens_[std::min(at_, tokens_.size() - 1)]; }
 
     bool is(std::string_view text) const { return now().kind != Token::Kind::end && now().text == text; }
 
@@ -51,6 +72,9 @@ protected:
         throw std::runtime_error(fmt::format("{}:{}:{}: {}", file_, now().line, now().column, what));
     }
 
+    /// Throws std::runtime_error where none of these follows.
+    void skip_to(std::initializer_list<std::string_view> signs);
+
     std::string joined(std::size_t from, std::size_t to) const;
 
     /// Past "namespace rt {".
@@ -64,8 +88,9 @@ protected:
     int add(const std::string& text, const std::vector<Expression>& parts = {},
             std::vector<std::string> alternatives = {});
 
-    static void watch(Expression& of, int node) {
+    void watch(Expression& of, int node) {
         of.node = node;
+        nodes_[std::size_t(node - first_)].line = of.line;
         of.code = fmt::format("textbook::at({}, {})", node, of.inner);
     }
 
@@ -81,6 +106,9 @@ protected:
     }
 
     Expression expression();
+
+    /// One with "?", or without.
+    Expression choice();
 
     /// The sides of a sum are of interest where it stands in brackets.
     Expression binary(int level);
@@ -101,6 +129,9 @@ protected:
     /// Literals stay as they are: a constant may be a Real here, an int may not.
     Expression braced();
 
+    /// "<double>" behind a name, where it is no comparison.
+    std::string template_arguments();
+
     Expression postfix();
 
     /// Puts its arguments behind a function's name.
@@ -112,7 +143,10 @@ protected:
     void finish(Expression& all);
 
     /// A lambda, as it is.
-    Expression function_object();
+    virtual Expression function_object();
+
+    /// Whether a function may change its arguments: they are passed as they are.
+    virtual bool changes_arguments(const std::string&) const { return false; }
 
     const std::string file_;
     std::vector<Token> tokens_;
@@ -120,7 +154,8 @@ protected:
     std::map<std::string, int> uses_;
     int first_;
     std::size_t at_ = 0;
-    std::vector<WrappedNode> nodes_;
+    int depth_ = 0;  // of expressions and statements within each other
+    std::vector<Node> nodes_;
     std::vector<Expression> called_with_;  // the last call
 };
 

@@ -6,16 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "textbook/node.h"
 #include "textbook/watch.h"
 
 namespace grade::textbook {
-
-struct Node {
-    std::string text, name, context;        // as it is written; what it is called; the statement that it stands in
-    std::string function;                   // that is called there, if it has alternatives
-    std::vector<int> parts;                 // the nodes that it is made of
-    std::vector<std::string> alternatives;  // of its operator or function
-};
 
 using Answer = std::function<std::vector<double>(std::span<const double>)>;
 

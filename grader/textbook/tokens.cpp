@@ -20,7 +20,7 @@ public:
     std::vector<Token> all() {
         std::vector<Token> tokens;
         while (skip(), at_ < text_.size()) {
-            Token token{Token::Kind::sign, "", line_, column_};
+            Token token{Token::Kind::sign, "", line_, column_, at_};
             const std::size_t start = at_;
             if (std::isdigit(static_cast<unsigned char>(text_[at_]))) {
                 token.kind = Token::Kind::number;
@@ -30,19 +30,27 @@ public:
                 token.kind = Token::Kind::name;
                 while (at_ < text_.size() && (is_of_name(text_[at_]) || text_.compare(at_, 2, "::") == 0))
                     step(is_of_name(text_[at_]) ? 1 : 2);
+            } else if (text_[at_] == '"' || text_[at_] == '\'') {
+                step(length_of_quoted());
             } else {
                 step(length_of_sign());
             }
-            token.text = text_.substr(start, at_ - start);
+            token.text = text_.substr(start, at_ - start), token.to = at_;
             tokens.push_back(std::move(token));
         }
-        tokens.push_back({Token::Kind::end, "", line_, column_});
+        for (int i = 0; i < look_ahead; ++i) tokens.push_back({Token::Kind::end, "", line_, column_, at_, at_});
         return tokens;
     }
 
 private:
     bool is_sign_of_exponent() const {
         return (text_[at_] == '-' || text_[at_] == '+') && (text_[at_ - 1] == 'e' || text_[at_ - 1] == 'E');
+    }
+
+    std::size_t length_of_quoted() const {
+        std::size_t end = at_ + 1;
+        while (end < text_.size() && text_[end] != text_[at_] && text_[end] != '\n') end += text_[end] == '\\' ? 2 : 1;
+        return end + 1 - at_;
     }
 
     std::size_t length_of_sign() const {
@@ -60,6 +68,11 @@ private:
 
     void skip() {
         while (at_ < text_.size()) {
+            if (text_.compare(at_, 2, "/*") == 0) {
+                const std::size_t end = text_.find("*/", at_ + 2);
+                step((end == text_.npos ? text_.size() : end + 2) - at_);
+                continue;
+            }
             const bool is_rest = text_[at_] == '#' || text_.compare(at_, 2, "//") == 0;
             if (!is_rest && !std::isspace(static_cast<unsigned char>(text_[at_]))) return;
             do step(1);

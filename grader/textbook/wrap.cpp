@@ -1,17 +1,15 @@
 #include "textbook/wrap.h"
 
-#include <fmt/format.h>
-
-#include "textbook/expressions.h"
+#include "textbook/statements.h"
 
 namespace grade::textbook {
 
 namespace {
 
-class Wrapper : ExpressionReader {
+class FormReader : StatementReader {
 public:
-    Wrapper(const std::string& file, const std::string& text, const std::vector<std::string>& fragments, int first)
-        : ExpressionReader(file, text, fragments, first) {}
+    FormReader(const std::string& file, const std::string& text, const std::vector<std::string>& fragments, int first)
+        : StatementReader(file, text, fragments, first) {}
 
     Wrapped run() {
         skip_to_function();
@@ -27,156 +25,12 @@ public:
         all.nodes = std::move(nodes_);
         return all;
     }
-
-private:
-    std::string block() {
-        expect("{");
-        std::string all = "{\n";
-        while (!is("}")) {
-            if (now().kind == Token::Kind::end) fail("the end of the file; expected \"}\"");
-            all += statement();
-        }
-        expect("}");
-        return all + "}\n";
-    }
-
-    std::string statement() {
-        const std::size_t since = nodes_.size();
-        if (is("{")) return block();
-        if (take("if")) {
-            const std::string condition = in_brackets();
-            if (is("return")) where_ = fmt::format("if ({}) return ", condition_);
-            std::string all = "if (" + condition + ") " + statement();
-            where_.clear();
-            if (take("else")) all += "else " + statement();
-            return all;
-        }
-        if (take("while")) {
-            const std::string condition = in_brackets();
-            return "while (" + condition + ") " + statement();
-        }
-        if (take("for")) return loop();
-        for (const char* word : {"continue", "break"})
-            if (take(word)) {
-                expect(";");
-                return std::string(word) + ";\n";
-            }
-        if (take("return")) {
-            const Expression of = is("{") ? braced() : expression();
-            expect(";");
-            set_context(since, where_ + of.text);
-            return "return " + of.code + ";\n";
-        }
-        return is_declaration() ? declaration() : assignment();
-    }
-
-    std::string in_brackets() {
-        const std::size_t since = nodes_.size();
-        expect("(");
-        const Expression of = expression();
-        expect(")");
-        set_context(since, "if (" + of.text + ")");
-        condition_ = of.text;
-        return of.code;
-    }
-
-    std::string loop() {
-        expect("(");
-        const bool is_constant = take("const");
-        const std::size_t start = at_;
-        while (!is(":") && !is("=")) ++at_;
-        std::string head = (is_constant ? "const " : "") + joined(start, at_);
-        if (take(":")) {
-            const Expression range = expression();
-            expect(")");
-            return "for (" + head + " : " + range.inner + ") " + statement();
-        }
-        expect("=");
-        const std::size_t since = nodes_.size();
-        const Expression from = expression();
-        expect(";");
-        const Expression while_true = expression();
-        expect(";");
-        set_context(since, while_true.text);
-        const std::size_t step = at_;
-        while (!is(")")) ++at_;
-        const std::string last = joined(step, at_);
-        expect(")");
-        return fmt::format("for ({} = {}; {}; {}) ", head, from.code, while_true.code, last) + statement();
-    }
-
-    bool is_declaration() const {
-        if (is("const")) return true;
-        if (!is_name()) return false;
-        const std::size_t name = at_ + 1 + (tokens_[at_ + 1].text == "&");
-        return tokens_[name].kind == Token::Kind::name;
-    }
-
-    std::string declaration() {
-        const bool is_constant = take("const");
-        std::string all = (is_constant ? "const " : "") + now().text;
-        ++at_;
-        if (is("&") && !is_constant) fail("a reference that may be written through; expected a value");
-        if (take("&")) all += "&";
-        do {
-            const std::size_t since = nodes_.size();
-            const std::string name = now().text;
-            ++at_;
-            all += " " + name;
-            if (is_constant) constants_.insert(name);
-            if (take("=")) {
-                const Expression of = is("{") ? braced() : expression();
-                all += " = " + of.code;
-                set_context(since, name + " = " + of.text), name_last(since, name, of);
-            } else if (is("{")) {
-                all += braced().inner;
-            } else if (take("(")) {
-                all += fmt::format("({})", list(arguments(")"), &Expression::code));
-            }
-            if (is(",")) all += ",";
-        } while (take(","));
-        expect(";");
-        return all + ";\n";
-    }
-
-    std::string assignment() {
-        const std::size_t since = nodes_.size(), start = at_;
-        if (take("++") || take("--")) {
-            while (!is(";")) ++at_;
-            expect(";");
-            return joined(start, at_) + "\n";
-        }
-        std::size_t end = at_;
-        int depth = 0;
-        for (; depth > 0 || (tokens_[end].text != ";" && !is_assigned(tokens_[end].text)); ++end) {
-            if (tokens_[end].kind == Token::Kind::end) fail("no statement that is known; expected an assignment");
-            depth += (tokens_[end].text == "(") - (tokens_[end].text == ")");
-        }
-        if (!is_assigned(tokens_[end].text)) {
-            const Expression called = postfix();
-            expect(";");
-            set_context(since, called.text);
-            return called.inner + ";\n";
-        }
-        const std::string left = joined(at_, end), sign = tokens_[end].text;
-        at_ = end + 1;
-        const Expression right = expression();
-        expect(";");
-        set_context(since, fmt::format("{} {} {}", left, sign, right.text));
-        return fmt::format("{} {} {};\n", left, sign, right.code);
-    }
-
-    static bool is_assigned(const std::string& sign) {
-        return sign == "=" || sign == "+=" || sign == "-=" || sign == "*=" || sign == "/=";
-    }
-
-    std::string condition_, where_;  // the last one; what stands before a return that depends on it
 };
 
 }  // namespace
 
 Wrapped wrap(const std::string& file, const std::string& text, const std::vector<std::string>& fragments, int first) {
-    Wrapped all = Wrapper(file, text, fragments, first).run();
+    Wrapped all = FormReader(file, text, fragments, first).run();
     if (constexpr std::string_view says = "// says: "; text.starts_with(says))
         all.says = text.substr(says.size(), text.find('\n') - says.size());
     return all;

@@ -151,6 +151,12 @@ inline constexpr VectorFunction color_functions[] = {
     {"pow({}, 2.2)", 1.7, [](vec3 c) { return glm::pow(c, vec3(2.2)); }},
 };
 
+/// A vector times a number, or over one: what it is multiplied with.
+inline constexpr TwoScalars vector_scales[] = {
+    {"{0} * {1}", 1.8, [](double, double y) { return y; }},
+    {"{0} / {1}", 1.8, [](double, double y) { return 1 / y; }},
+};
+
 struct TwoVectors {
     const char* words;
     double cost;

@@ -1,0 +1,204 @@
+#include "diagnosis/repair.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "diagnosis/expressions.h"
+#include "diagnosis/mistakes.h"
+#include "diagnosis/quantities.h"
+
+namespace grade {
+
+namespace {
+
+using textbook::Value;
+
+constexpr std::size_t least_wrong = 5, most_of_each = 48;    // calls
+constexpr std::size_t most_at_once = 4'000;                  // rows in one frame
+constexpr std::size_t most_rows = 400'000;                   // in all
+constexpr double least_share = 0.5;                          // of the wrong calls
+constexpr double dearest_alone = 1.5, dearest_of_two = 1.3;  // of one that puts most right; of each of two
+
+/// One change, or two.
+struct Edit {
+    const Mistake* first = nullptr;
+    const Mistake* second = nullptr;
+
+    double cost() const { return first->cost + (second ? second->cost : 0); }
+};
+
+class Repairs {
+public:
+    Repairs(const Calls& calls, const Editable& source) : calls_(calls), source_(source) {
+        for (std::size_t k = 0; k < calls.size(); ++k) (is_right(k, calls.mine[k]) ? right_ : wrong_).push_back(k);
+        wrong_ = spread(wrong_), right_ = spread(right_);
+    }
+
+    std::optional<Repair> run(bool only_one) {
+        if (wrong_.size() < least_wrong || !see()) return std::nullopt;
+        const std::vector<Mistake> changes = mistakes_in(all_, arguments_, told_);
+        std::vector<Edit> one;
+        for (const Mistake& change : changes) one.push_back({&change});
+        if (auto repair = of_all(one); repair || only_one) return repair;
+        if (auto repair = of_all(two(changes))) return repair;
+        return of_most(one);
+    }
+
+private:
+    static std::vector<std::size_t> spread(const std::vector<std::size_t>& all) {
+        std::vector<std::size_t> some;
+        const std::size_t count = std::min(all.size(), most_of_each);
+        for (std::size_t i = 0; i < count; ++i) some.push_back(all[i * all.size() / count]);
+        return some;
+    }
+
+    bool is_right(std::size_t k, const Row& answer) const {
+        return answer.size() == calls_.right[k].size() && is_equal(calls_.result, answer, calls_.right[k]);
+    }
+
+    /// What the expressions' values are, and which of the arguments' dot products and lengths may be missing in them;
+    /// false: the program does not tell.
+    bool see() {
+        arguments_ = calls_.layouts.front(), told_ = calls_.told;
+        quantities_ = quantities_of(arguments_, told_);
+        for (std::size_t i = 0; i < quantities_.size(); ++i) {
+            arguments_.parts.push_back({quantities_[i].words, Kind::number, calls_.rows.front().size() + i});
+            told_.push_back(quantities_[i].words.find_first_of("(|") != std::string::npos);
+        }
+        all_.nodes = source_.nodes;
+        all_.seen.assign(source_.nodes.size(), Value::Kind::none);
+        Rows rows;
+        for (const auto* some : {&wrong_, &right_})
+            for (const std::size_t k : *some) rows.push_back(textbook::row_of(call(k, true)));
+        const Rows kinds = source_.ask(rows);
+        for (const Row& row : kinds)
+            for (std::size_t i = 0; i < std::min(row.size(), all_.seen.size()); ++i)
+                if (row[i] > 0 && row[i] <= double(Value::Kind::vector)) all_.seen[i] = Value::Kind(int(row[i]));
+        return kinds.size() == rows.size();
+    }
+
+    textbook::EditedCall call(std::size_t k, bool only_kinds) const {
+        textbook::EditedCall all{source_.nodes.size(), only_kinds, {}, calls_.rows[k]};
+        // lists may be longer in other calls: then the quantities stand elsewhere
+        if (all.arguments.size() == calls_.rows.front().size())
+            for (const Quantity& quantity : quantities_)
+                all.more.push_back(quantity.value(calls_.rows[k], calls_.layouts[k], {}));
+        return all;
+    }
+
+    /// visit(i, whether the call is right with edits[i]); false: the program gives no answers, or no more may be asked.
+    template <class Visit>
+    bool try_all(const std::vector<Edit>& edits, std::size_t k, Visit visit) {
+        const textbook::EditedCall as_it_is = call(k, false);
+        for (std::size_t from = 0; from < edits.size(); from += most_at_once) {
+            const std::size_t to = std::min(edits.size(), from + most_at_once);
+            Rows rows;
+            for (std::size_t i = from; i < to; ++i)
+                rows.push_back(textbook::row_of(as_it_is, &edits[i].first->made,
+                                                edits[i].second ? &edits[i].second->made : nullptr));
+            asked_ += rows.size();
+            if (asked_ > most_rows) return false;
+            const Rows answers = source_.ask(rows);
+            if (answers.size() != rows.size()) return false;
+            for (std::size_t i = from; i < to; ++i) visit(i, is_right(k, answers[i - from]));
+        }
+        return true;
+    }
+
+    /// Those with which the call is right.
+    std::vector<Edit> right_in(const std::vector<Edit>& edits, std::size_t k) {
+        std::vector<Edit> kept;
+        const bool all = try_all(edits, k, [&](std::size_t i, bool is) {
+            if (is) kept.push_back(edits[i]);
+        });
+        return all ? kept : std::vector<Edit>();
+    }
+
+    /// The simplest one with which all calls are right.
+    std::optional<Repair> of_all(std::vector<Edit> edits) {
+        for (const auto* some : {&wrong_, &right_})  // most change no wrong answer
+            for (const std::size_t k : *some)
+                if (edits = right_in(edits, k); edits.empty()) return std::nullopt;
+        const Edit& best = *std::ranges::min_element(edits, {}, &Edit::cost);
+        return Repair{words_of(best) + ", every answer is right", line_of(best)};
+    }
+
+    /// The one with which most of the wrong calls are right, and all others stay so.
+    std::optional<Repair> of_most(const std::vector<Edit>& edits) {
+        constexpr std::size_t few = 6;
+        std::vector<Edit> some;
+        std::ranges::copy_if(edits, std::back_inserter(some),
+                             [](const Edit& edit) { return edit.cost() <= dearest_alone; });
+        std::vector<std::size_t> count(some.size());
+        for (std::size_t i = 0; i < few; ++i)
+            try_all(some, wrong_[i * wrong_.size() / few], [&](std::size_t e, bool is) { count[e] += is; });
+        std::size_t e = 0;
+        std::erase_if(some, [&](const Edit&) { return 2 * count[e++] < few; });
+        for (const std::size_t k : right_)
+            if (some = right_in(some, k); some.empty()) return std::nullopt;
+        std::vector<std::size_t> put_right(some.size());
+        for (const std::size_t k : wrong_) try_all(some, k, [&](std::size_t i, bool is) { put_right[i] += is; });
+        const std::size_t best = std::size_t(std::ranges::max_element(put_right) - put_right.begin());
+        const double share = some.empty() ? 0 : double(put_right[best]) / double(wrong_.size());
+        if (share < least_share) return std::nullopt;
+        return Repair{fmt::format("{}, {:.0f} % of the wrong answers are right", words_of(some[best]), 100 * share),
+                      line_of(some[best]), share};
+    }
+
+    /// Pairs of simple ones at different places.
+    std::vector<Edit> two(const std::vector<Mistake>& changes) {
+        constexpr std::size_t most = 400;
+        std::vector<Edit> simple, pairs;
+        for (const Mistake& change : changes)
+            if (change.cost <= dearest_of_two && simple.size() < most) simple.push_back({&change});
+        for (std::size_t b = 1; b < simple.size(); ++b)
+            for (std::size_t a = 0; a < b; ++a)
+                if (std::ranges::none_of(simple[a].first->made.nodes,
+                                         [&](int node) { return simple[b].first->made.is_of(node); }))
+                    pairs.push_back({simple[a].first, simple[b].first});
+        return pairs;
+    }
+
+    int line_of(const Edit& edit) const { return all_.node(edit.first->made.nodes.front()).line; }
+
+    std::string words_of(const Edit& edit) const {
+        std::string words = words_of(*edit.first);
+        return "with " + words + (edit.second ? ", and " + words_of(*edit.second) : "");
+    }
+
+    std::string words_of(const Mistake& change) const {
+        constexpr std::size_t longest = 100;  // statement that is repeated
+        const textbook::Node& node = all_.node(change.made.nodes.front());
+        const std::string words =
+            shown(in_place(changed_in_words(all_, change), written_in_words(all_, change))) +
+            (change.made.nodes.size() > 1 ? " everywhere" : fmt::format(" in line {}", node.line));
+        const bool says_more = change.made.nodes.size() == 1 && node.context != node.text;
+        return says_more && node.context.size() <= longest ? fmt::format("{}, `{}`", words, shown(node.context))
+                                                           : words;
+    }
+
+    /// A student's text, as it can be printed.
+    static std::string shown(std::string text) {
+        std::ranges::replace_if(
+            text, [](unsigned char c) { return c < ' ' || c > '~'; }, '?');
+        return text;
+    }
+
+    const Calls& calls_;
+    const Editable& source_;
+    std::vector<std::size_t> wrong_, right_;
+    Layout arguments_;  // and the quantities behind them
+    std::vector<bool> told_;
+    std::vector<Quantity> quantities_;
+    Expressions all_;
+    std::size_t asked_ = 0;
+};
+
+}  // namespace
+
+std::optional<Repair> repair_of(const Calls& calls, const Editable& source, bool only_one) {
+    return calls.size() == 0 ? std::nullopt : Repairs(calls, source).run(only_one);
+}
+
+}  // namespace grade

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+
+#include "diagnosis/calls.h"
+#include "textbook/edits.h"
+#include "textbook/source.h"
+
+/// What would have to stand in a student's own source.
+namespace grade {
+
+/// A fragment whose expressions can be changed while it runs.
+struct Editable {
+    std::vector<textbook::Node> nodes;
+    Ask ask;  // answers to calls as textbook::row_of makes them
+};
+
+/// A change of one expression, or of two, after which the fragment gives the right answers.
+struct Repair {
+    std::string words;  // "with `a * b` in place of `a + b` in line 12, every answer is right"
+    int line = 0;       // of the first change
+    double share = 1;   // of the wrong calls that it puts right
+};
+
+/// The simplest one; none: there is none. It breaks no right answer.
+///
+/// only_one  of one expression, after which every answer is right
+std::optional<Repair> repair_of(const Calls& calls, const Editable& source, bool only_one);
+
+}  // namespace grade

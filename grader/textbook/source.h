@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "textbook/node.h"
+
+namespace grade::textbook {
+
+/// A student's source, whose expressions can be changed while it runs.
+struct EditableSource {
+    std::string text;  // to compile in its place
+    std::vector<Node> nodes;
+};
+
+/// Of what it can read; the rest stays as it is. It knows functions, also within structs, and lambdas, but nothing of
+/// the preprocessor beyond #include and #pragma. Throws std::runtime_error for a source that it cannot read.
+EditableSource editable(const std::string& text);
+
+/// watched.h, which a compiler reads before such a source.
+extern const char* const watched_text;
+
+}  // namespace grade::textbook

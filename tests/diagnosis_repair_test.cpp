@@ -1,0 +1,173 @@
+#include <random>
+
+#include "diagnosis/repair.h"
+#include "explained.h"
+#include "textbook/edits.h"
+#include "textbook/source.h"
+
+using namespace grade;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+std::string function(const std::string& body) {
+    return "#include \"rt/fragments.h\"\n\nnamespace rt {\n\nReal f(Real x, vec2 u) {\n" + body + "}\n\n}\n";
+}
+
+const textbook::Node& node(const textbook::EditableSource& source, const std::string& text) {
+    const auto found = std::ranges::find(source.nodes, text, &textbook::Node::text);
+    REQUIRE(found != source.nodes.end());
+    return *found;
+}
+
+}  // namespace
+
+TEST_CASE("a student's source: what it holds, and in which line") {
+    const auto plain =
+        textbook::editable(function("    const Real y = 2 * x;\n    return std::sqrt(y) -\n           u.x;\n"));
+    CHECK(node(plain, "2 * x").line == 6);
+    CHECK(node(plain, "2 * x").name == "y");
+    CHECK(node(plain, "sqrt(y) - u.x").line == 7);
+    // helpers, structs and lambdas, what is declared with auto, casts, a loop over a list, a comment like code
+    const auto more = textbook::editable(
+        "#include \"rt/fragments.h\"\nnamespace rt {\nnamespace {\nReal half(Real x) { return x / 2; }\nstruct Two {\n"
+        "    Real a = 1;\n    Real sum(Real b) const { return a + b; }\n};\n}\nReal f(Real x, vec2 u) {\n"
+        "    /* return x * 9; */ const auto twice = [&](Real y) {\n        return y * 2;\n    };\n"
+        "    const auto [s, t] = u;\n    Real sum = static_cast<Real>(1) * x;\n    for (const Real w : {1.0, 2.0}) {\n"
+        "        sum += w * half(x);\n    }\n    switch (int(x)) {\n        case 1: return twice(s - t);\n"
+        "        default: break;\n    }\n    do { sum = sum + 3; } while (sum < 0);\n    return sum;\n}\n}\n");
+    for (const auto& [text, line] : {std::pair("x / 2", 4), std::pair("a + b", 7), std::pair("y * 2", 12),
+                                     std::pair("w * half(x)", 17), std::pair("s - t", 20), std::pair("sum + 3", 23)})
+        CHECK(node(more, text).line == line);
+    CHECK(std::ranges::count(more.nodes, "x * 9", &textbook::Node::text) == 0);
+    CHECK_THAT(more.text, ContainsSubstring("case 1:"));
+    CHECK_THAT(more.text, ContainsSubstring("for (const Real w : {1.0, 2.0})"));
+}
+
+TEST_CASE("a student's source that is not read") {
+    const auto refused = [](const std::string& text) { CHECK_THROWS_AS(textbook::editable(text), std::runtime_error); };
+    refused("");
+    refused("namespace rt { Real f() { return");
+    refused(function("#define TWO 2\n    return TWO * x;\n"));
+    refused(function("    return x" + std::string(70'000, ' ') + ";\n"));
+    // what is too deep, or too long, stays as it is
+    const auto rest = [](const std::string& before) {
+        return textbook::editable(function(before + "    return x + 1;\n")).nodes.size();
+    };
+    CHECK(rest("") == 3);
+    CHECK(rest("    x = " + std::string(5'000, '-') + "x;\n") == 3);
+    CHECK(rest("    x = " + std::string(5'000, '(') + "x" + std::string(5'000, ')') + ";\n") == 3);
+    std::string sum = "x", blocks = std::string(5'000, '{') + std::string(5'000, '}');
+    for (int i = 0; i < 3'000; ++i) sum += " + x";
+    CHECK(rest("    x = " + sum + ";\n") == 3);
+    refused(function(blocks));
+}
+
+TEST_CASE("calls with mistakes go as numbers, and come back") {
+    textbook::EditedCall call{7, false, {}, {1, 2, 3}, {4, 5}};
+    const textbook::Mistake first{{2, 3}, 0, textbook::Made::number_with, 4, -1, 3}, second{{5}, 2};
+    const auto back = textbook::edited_call_of(textbook::row_of(call, &first, &second));
+    CHECK(back.nodes == 7);
+    CHECK(back.arguments == call.arguments);
+    CHECK(back.more == call.more);
+    REQUIRE(back.mistakes.size() == 2);
+    CHECK(back.mistakes[0].nodes == first.nodes);
+    CHECK(back.mistakes[0].made == first.made);
+    CHECK(back.mistakes[0].function == 4);
+    CHECK(back.mistakes[0].other_at == 3);
+    CHECK(back.mistakes[1].alternative == 2);
+    CHECK_THROWS_AS(textbook::edited_call_of(std::vector<double>{1, 0, 9, 0}), std::out_of_range);
+    CHECK_THROWS_AS(textbook::edited_call_of(std::vector<double>{1, 0, 0, 3, 0, 0}), std::out_of_range);
+    CHECK_THROWS_AS(textbook::edited_call_of(std::vector<double>{1, 0, 0, 1e300}), std::domain_error);
+}
+
+namespace {
+
+/// A free flight as a student may write it, with its expressions as a build puts them: `sign * log(1 - u) / down`,
+/// where `down` must be the extinction.
+struct Flight {
+    double sign = -1, power = 1, more = 0;
+
+    double operator()(double extinction, double u) const {
+        const double left = textbook::at(1, textbook::binary<std::minus<>, std::plus<>>(1, 1.0, textbook::at(0, u)));
+        const double log = textbook::at(2, sign * std::log(left));
+        const double down = textbook::at(3, std::pow(extinction, power) + more * std::sin(u));
+        return textbook::at(4, textbook::binary<textbook::Quotient, std::multiplies<>>(4, log, down));
+    }
+
+    Editable editable() const {
+        const std::vector<textbook::Node> nodes{
+            {"u", "u", "left = 1 - u", "", {}, {}, 3},
+            {"1 - u", "left", "left = 1 - u", "", {0}, {"1 + u"}, 3},
+            {"s * log(left)", "log", "log = s * log(left)", "", {}, {}, 4},
+            {"pow(extinction, p)", "down", "down = pow(extinction, p)", "", {}, {}, 5},
+            {"log / down", "log / down", "return log / down", "", {2, 3}, {"log * down"}, 6}};
+        return {nodes, [flight = *this](const Rows& rows) {
+                    Rows all;
+                    for (const Row& row : rows) {
+                        const auto call = textbook::edited_call_of(row);
+                        const auto mistake = [&](std::size_t i) {
+                            return i < call.mistakes.size() ? &call.mistakes[i] : nullptr;
+                        };
+                        Row known = call.arguments;
+                        known.insert(known.end(), call.more.begin(), call.more.end());
+                        textbook::watch.begin(0, call.nodes, known, mistake(0), mistake(1));
+                        Row answer{flight(call.arguments[0], call.arguments[1])};
+                        if (call.only_kinds) {
+                            answer.clear();
+                            for (const auto& value : textbook::watch.values) answer.push_back(double(value.kind));
+                        }
+                        all.push_back(answer);
+                    }
+                    return all;
+                }};
+    }
+
+    Ask ask() const {
+        return [flight = *this](const Rows& rows) {
+            Rows all;
+            for (const Row& row : rows) {
+                textbook::watch.begin(0, 0, {}, nullptr, nullptr);
+                all.push_back({flight(row[0], row[1])});
+            }
+            return all;
+        };
+    }
+};
+
+Finding found(const Flight& flight) {
+    const Rows rows = calls([](Generator& random) { return row(between(random, 0.5, 3), between(random, 0.1, 0.9)); });
+    return explain(declared("free_flight"), rows, flight.ask(), answers("free_flight"),
+                   [&] { return std::optional(flight.editable()); });
+}
+
+}  // namespace
+
+TEST_CASE("what must stand in a student's own expression is told, with its line") {
+    const Finding one = found({-1, 1, 0.3});
+    CHECK_THAT(one.how, ContainsSubstring("with `extinction` in place of `down` in line 5"));
+    CHECK_THAT(one.how, ContainsSubstring("every answer is right"));
+    CHECK(one.by_repair);
+    // where a textbook's form says what it is, the line alone
+    const Finding sign = found({1, 1});
+    CHECK_THAT(sign.how, ContainsSubstring("sign"));
+    CHECK_THAT(sign.how, ContainsSubstring("line "));
+    CHECK(found(Flight{}).how.empty());
+}
+
+TEST_CASE("a program that gives no answers, or too few, is no repair") {
+    Calls all;
+    all.signature = declared("free_flight");
+    for (int i = 1; i < 20; ++i) {
+        all.rows.push_back({1.0, 0.04 * i});
+        all.layouts.push_back(all.signature.of_arguments(all.rows.back()));
+        all.mine.push_back({1}), all.right.push_back({2});
+    }
+    all.result = all.signature.of_result(all.right.front());
+    all.told = {true, true};
+    const auto nodes = Flight{}.editable().nodes;
+    CHECK_FALSE(repair_of(all, {nodes, [](const Rows&) { return Rows(); }}, false));
+    CHECK_FALSE(repair_of(all, {nodes, [](const Rows& rows) { return Rows(rows.size()); }}, false));
+    CHECK_FALSE(repair_of(all, {nodes, [](const Rows& rows) { return Rows(rows.size(), Row(50, 1e9)); }}, false));
+    CHECK_FALSE(repair_of({}, Flight{}.editable(), false));
+}
