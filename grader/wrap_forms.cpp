@@ -2,9 +2,9 @@
 
 #include <cstdint>
 #include <exception>
-#include <filesystem>
 #include <iostream>
 #include <map>
+#include <span>
 
 #include "files/files.h"
 #include "textbook/hidden.h"
@@ -12,7 +12,6 @@
 
 namespace {
 
-namespace fs = std::filesystem;
 using grade::textbook::Wrapped;
 
 /// What form.cpp reads: texts, each of them once, and numbers that say where they stand.
@@ -89,27 +88,18 @@ std::string code_of(const std::vector<Wrapped>& forms) {
 
 }  // namespace
 
-/// wrap_forms OUT FORM... -- SOLUTION... : writes forms.cpp, for form.h, of files with a function each; of those of one
-/// fragment, the first is what other fragments call. A solution that it cannot read is left out, with a word.
+/// wrap_forms OUT FORM... : writes forms.cpp, for form.h, of files with a function each; of those of one fragment, the
+/// first is what other fragments call.
 int main(int argc, char** argv) try {
-    std::vector<std::string> files(argv + std::min(argc, 2), argv + argc), fragments;
-    for (const bool is_again : {false, true}) {
-        std::vector<Wrapped> forms;
+    std::vector<std::string> fragments;
+    std::vector<Wrapped> forms;
+    for (const bool is_again : {false, true}) {  // which names are fragments', is known after the first time
+        forms.clear();
         int node = 0;
-        bool may_fail = false;
-        for (const std::string& file : files) {
-            if (file == "--") may_fail = true;
-            if (file == "--") continue;
+        for (const std::string file : std::span(argv + std::min(argc, 2), argv + argc)) {
             const auto text = grade::read_text(file);
             if (!text) throw std::runtime_error(file + ": cannot be read; expected a file with a function");
-            try {
-                forms.push_back(grade::textbook::wrap(file, *text, fragments, node));
-            } catch (const std::exception& error) {
-                if (!may_fail) throw;
-                if (is_again)
-                    std::cerr << error.what() << "; without a textbook's form its hints know no expressions\n";
-                continue;
-            }
+            forms.push_back(grade::textbook::wrap(file, *text, fragments, node));
             node += int(forms.back().nodes.size());
         }
         for (const Wrapped& form : forms) fragments.push_back(form.fragment);

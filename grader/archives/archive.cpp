@@ -4,9 +4,8 @@
 #include <archive_entry.h>
 #include <fmt/format.h>
 
-#include <locale.h>
-
 #include <algorithm>
+#include <clocale>
 #include <fstream>
 #include <memory>
 #include <optional>
@@ -28,7 +27,7 @@ class NamesInUtf8 {
 public:
     NamesInUtf8() {
         for (const char* name : {"C.UTF-8", "C.utf8", "en_US.UTF-8", "en_GB.UTF-8"})
-            if (!locale_) locale_ = newlocale(LC_CTYPE_MASK, name, locale_t(0));
+            if (!locale_) locale_ = newlocale(LC_CTYPE_MASK, name, locale_t{});
         if (locale_) before_ = uselocale(locale_);
     }
     ~NamesInUtf8() {
@@ -40,7 +39,7 @@ public:
     NamesInUtf8& operator=(const NamesInUtf8&) = delete;
 
 private:
-    locale_t locale_ = locale_t(0), before_ = locale_t(0);
+    locale_t locale_ = locale_t{}, before_ = locale_t{};
 };
 
 /// A path within an archive, as a name and nothing else; some programs write it with the other slash.

@@ -103,12 +103,14 @@ void require_known_types(const Declaration& fragment) {
     const Signature& signature = fragment.signature;
     std::vector<std::string> types{signature.result};
     for (const Signature::Argument& argument : signature.arguments) types.push_back(argument.type);
+    std::vector<std::string> drawn;
+    for (const auto& entry : draws()) drawn.push_back(entry.first);
     for (const std::string& type : types)
         if (!draws().contains(type) && std::ranges::count(structs, type) == 0)
             throw rt::InputError(fmt::format(
                 "{}: no fragment has had the type {} yet; expected {}, {}, or a new one, which grader/protocol/rows.h "
                 "must write and read",
-                fragment.line, type, fmt::join(std::views::keys(draws()), ", "), fmt::join(structs, ", ")));
+                fragment.line, type, fmt::join(drawn, ", "), fmt::join(structs, ", ")));
 }
 
 std::string solution_skeleton(const fs::path& project, const Declaration& fragment, const std::string& like) {

@@ -219,8 +219,9 @@ std::optional<Relation> known_mistake(const Calls& calls, bool sampled) {
                 wrong += !is_equal(calls.result, calls.mine[k], calls.right[k]);
                 return answer.size() == calls.mine[k].size() && is_equal(calls.result, answer, calls.mine[k]);
             };
-            if (!std::ranges::all_of(std::views::iota(std::size_t(0), calls.size()), is_explained)) continue;
-            if (wrong < enough) continue;
+            std::size_t k = 0;
+            while (k < calls.size() && is_explained(k)) ++k;
+            if (k < calls.size() || wrong < enough) continue;
             Relation found{std::string(as_changed) + form.says};
             found.cost = 1 + base.cost, found.by_textbook = true;
             return found;

@@ -10,7 +10,7 @@ namespace grade {
 class FrameworkFiles {
 public:
     /// folder: rt/ is in it; empty: nothing is compared.
-    explicit FrameworkFiles(const fs::path& folder) : folder_(folder) {}
+    explicit FrameworkFiles(fs::path folder) : folder_(std::move(folder)) {}
 
     /// Whether a path within a submission is that of a file of the framework.
     bool has(const std::string& path) const;

@@ -140,7 +140,7 @@ Expression ExpressionReader::expression() {
 }
 
 Expression ExpressionReader::choice() {
-    const Expression condition = binary(1);
+    Expression condition = binary(1);
     if (!take("?")) return condition;
     const Expression first = expression();
     expect(":");

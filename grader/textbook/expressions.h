@@ -27,9 +27,11 @@ struct Expression {
 /// Reads expressions of a form, and gives each a number by which watch.h knows it.
 class ExpressionReader {
 protected:
-    ExpressionReader(const std::string& file, const std::string& text, const std::vector<std::string>& fragments,
-                     int first)
-        : file_(file), tokens_(tokens_of(text)), fragments_(fragments.begin(), fragments.end()), first_(first) {}
+    ExpressionReader(std::string file, const std::string& text, const std::vector<std::string>& fragments, int first)
+        : file_(std::move(file)),
+          tokens_(tokens_of(text)),
+          fragments_(fragments.begin(), fragments.end()),
+          first_(first) {}
     ExpressionReader(const ExpressionReader&) = delete;
     ExpressionReader& operator=(const ExpressionReader&) = delete;
     virtual ~ExpressionReader() = default;

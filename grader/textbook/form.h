@@ -22,8 +22,8 @@ struct Form {
     Answer answer;  // to a row of arguments
 };
 
-/// Of all fragments: right ones, made by the build from forms/, and from solution/ where a fragment has none there;
-/// those that are wrong as a whole, from mistakes/.
+/// Right ones, made by the build from forms/, and those that are wrong as a whole, from mistakes/. A fragment needs no
+/// form.
 const std::vector<Form>& forms();
 
 /// As wrap_forms writes them.
