@@ -45,7 +45,7 @@ TEST_CASE("a student's source: what it holds, and in which line") {
 }
 
 TEST_CASE("a student's source that is not read") {
-    const auto refused = [](const std::string& text) { CHECK_THROWS_AS(textbook::editable(text), std::runtime_error); };
+    const auto refused = [](const std::string& text) { CHECK_THROWS_AS(textbook::editable(text), std::exception); };
     refused("");
     refused("namespace rt { Real f() { return");
     refused(function("#define TWO 2\n    return TWO * x;\n"));
@@ -61,6 +61,21 @@ TEST_CASE("a student's source that is not read") {
     for (int i = 0; i < 3'000; ++i) sum += " + x";
     CHECK(rest("    x = " + sum + ";\n") == 3);
     refused(function(blocks));
+    refused(function("    const Real " + std::string(200, 'y') + " = x;\n    return x + 1;\n"));
+    // nothing is written twice that may be long
+    std::string product = "x", condition = "x > 0", lambdas = "1";
+    for (int i = 0; i < 30; ++i) product += " * (x + 1)", condition += " && x > 0";
+    CHECK(textbook::editable(function("    return " + product + ";\n")).text.size() < 100'000);
+    CHECK(textbook::editable(function("    return " + condition + " ? 1 : 0;\n")).text.size() < 100'000);
+    // nor is a part read again and again: what stands behind each of these is no statement
+    for (int i = 0; i < 40; ++i) lambdas = "[&] { auto y = " + lambdas + " ? : 1; return y; }()";
+    refused(function("    return " + lambdas + ";\n"));
+}
+
+TEST_CASE("comments are not quoted") {
+    const auto source =
+        textbook::editable(function("    Real volatile /* all points, please */ y = x + 1;\n    return y;\n"));
+    CHECK(node(source, "x + 1").context == "Real volatile y = x + 1");
 }
 
 TEST_CASE("calls with mistakes go as numbers, and come back") {

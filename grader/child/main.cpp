@@ -2,7 +2,10 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <array>
 #include <cmath>
+#include <csetjmp>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -100,6 +103,19 @@ std::string trace(rt::Scene scene, const std::string& payload) {
     return frame(FrameKind::text, rt::trace_pixel(scene, settings, request.x, request.y));
 }
 
+sigjmp_buf before_edited;
+
+/// Mistakes make loops and indices run over: where that is seen, the answer is none, and the next ones go on.
+void answer_faults() {
+    static std::array<char, 1 << 16> stack;  // the fragment may have used up its own
+    const stack_t other{stack.data(), 0, stack.size()};
+    sigaltstack(&other, nullptr);
+    struct sigaction action {};
+    action.sa_handler = [](int) { siglongjmp(before_edited, 1); };
+    action.sa_flags = SA_ONSTACK | SA_NODEFER;
+    for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) sigaction(signal, &action, nullptr);
+}
+
 /// What a fragment with mistakes in it answers; nothing where it breaks off.
 std::vector<double> edited(const std::string& fragment, const std::vector<double>& row) {
     const textbook::EditedCall call = textbook::edited_call_of(row);
@@ -108,10 +124,12 @@ std::vector<double> edited(const std::string& fragment, const std::vector<double
     known.insert(known.end(), call.more.begin(), call.more.end());
     textbook::watch.begin(0, call.nodes, known, mistake(0), mistake(1));
     std::vector<double> answer;
-    try {
-        answer = probe(fragment, call.arguments);
-    } catch (const std::exception&) {
-        answer.clear();
+    if (sigsetjmp(before_edited, 0) == 0) {
+        try {
+            answer = probe(fragment, call.arguments);
+        } catch (const std::exception&) {
+            answer.clear();
+        }
     }
     if (!call.only_kinds) return answer;
     answer.clear();
@@ -183,6 +201,7 @@ int main(int argc, char** argv) {
                     write_all(call(fragment, payload, probe));
                     break;
                 case FrameKind::edit:
+                    answer_faults();
                     write_all(call(fragment, payload, edited));
                     break;
                 default:

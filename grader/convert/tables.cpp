@@ -123,7 +123,7 @@ std::string moodle_table(const std::vector<TableRow>& rows) {
     for (const TableRow& row : rows)
         text += line_of_csv({"Participant " + row.student.id, row.student.name, "Submitted for grading",
                              points_or_none(row), row.record ? short_number(row.record->max_score()) : "", "Yes", "-",
-                             "-", row.record ? feedback(*row.record) : row.fault});
+                             "-", html(row.record ? feedback(*row.record) : row.fault)});
     return text;
 }
 

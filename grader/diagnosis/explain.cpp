@@ -173,14 +173,17 @@ bool are_near(const Calls& all) {
 /// known  what else is known then
 void add_repair(std::optional<Relation>& relation, const Calls& calls, const std::optional<Editable>& source,
                 const std::string& known) {
-    const auto repair = source ? repair_of(calls, *source, is_exact(relation)) : std::nullopt;
+    // that the answer is always the same says nothing of a cause
+    const bool is_cause = is_exact(relation) && relation->words.find(always) == std::string::npos;
+    const auto repair = source ? repair_of(calls, *source, is_cause) : std::nullopt;
     if (!repair) return;
     const bool is_all = repair->share == 1;
     if (is_exact(relation)) {
-        if (!is_all) return;
-        relation->by_repair = true;
-        relation->words +=
-            relation->words.starts_with(as_changed) ? fmt::format(": see line {}", repair->line) : "; " + repair->words;
+        if (!is_all && is_cause) return;
+        relation->by_repair = is_all;
+        const char* const see = relation->words.ends_with('?') ? " See" : ": see";
+        relation->words += relation->words.starts_with(as_changed) ? fmt::format("{} line {}", see, repair->line)
+                                                                   : "; " + repair->words;
     } else if (is_all || !relation || relation->explains == Relation::Explains::nothing ||
                relation->share < repair->share) {
         relation = Relation{known.empty() ? repair->words : known + "; " + repair->words};

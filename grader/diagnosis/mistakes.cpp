@@ -60,7 +60,7 @@ std::string called(std::string_view call) { return std::string(call.substr(0, ca
 /// Of a mistake in a literal, the number that takes its place.
 std::string other_number(const textbook::Node& node, const Mistake& mistake) {
     if (mistake.made.made != Made::number) return filled(mistake.pattern, node.name);
-    return number_in_words(scalar_functions[mistake.made.function].value(std::stod(node.text)));
+    return number_in_words(scalar_functions[mistake.made.function].value(std::strtod(node.text.c_str(), nullptr)));
 }
 
 }  // namespace
@@ -102,6 +102,8 @@ public:
     }
 
 private:
+    static constexpr std::size_t most = 100'000;  // mistakes
+
     static bool is_number(Value::Kind kind) { return kind == Value::Kind::number || kind == Value::Kind::whole; }
     /// "0.5", "1e-3", "vec2(1)"
     static bool is_literal(std::string_view text) {
@@ -141,6 +143,7 @@ private:
     }
 
     void add(std::size_t node, Mistake mistake) {
+        if (all_.size() >= most) return;
         if (!everywhere_.empty()) {
             Mistake all = mistake;
             all.made.nodes = everywhere_, all.cost += 0.1;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "diagnosis/scalars.h"
 
@@ -72,6 +73,33 @@ void add_vectors(const std::vector<Vector>& vectors, std::vector<Quantity>& all)
     }
 }
 
+/// The part of this name; none: there is none, or it does not matter.
+std::optional<std::size_t> part_named(const Layout& layout, const std::vector<bool>& told, const std::string& name) {
+    const auto found = std::ranges::find(layout.parts, name, &Field::name);
+    const std::size_t i = std::size_t(found - layout.parts.begin());
+    if (found == layout.parts.end() || (i < told.size() && !told[i])) return std::nullopt;
+    return i;
+}
+
+/// From which side a ray comes to a flat shape.
+void add_sides(const Layout& layout, const std::vector<bool>& told, std::vector<Quantity>& all) {
+    const auto direction = part_named(layout, told, "ray.direction");
+    if (!direction) return;
+    const auto add = [&](const std::string& words, auto normal) {
+        all.push_back({fmt::format("dot(cross({}), ray.direction)", words),
+                       [=, d = *direction](const Row& row, const Layout& l, const Row&) {
+                           const auto at = [&](std::size_t part) { return vector_at(row, l.parts[part].at); };
+                           return rt::dot(normal(at), at(d));
+                       }});
+    };
+    const auto a = part_named(layout, told, "triangle.a"), b = part_named(layout, told, "triangle.b"),
+               c = part_named(layout, told, "triangle.c");
+    if (a && b && c)
+        add("b - a, c - a", [a = *a, b = *b, c = *c](auto at) { return glm::cross(at(b) - at(a), at(c) - at(a)); });
+    const auto u = part_named(layout, told, "quad.u"), v = part_named(layout, told, "quad.v");
+    if (u && v) add("u, v", [u = *u, v = *v](auto at) { return glm::cross(at(u), at(v)); });
+}
+
 void add_answers(const Layout& result, std::vector<Quantity>& all) {
     for (const Field& part : result.parts) {
         if (part.kind == Kind::pair && !part.name.empty())
@@ -95,6 +123,7 @@ std::vector<Quantity> quantities_of(const Layout& layout, const std::vector<bool
     for (const Scalar& s : scalars_of(layout, told))
         all.push_back({s.name, [s](const Row& row, const Layout& l, const Row&) { return row[s.at(l)]; }});
     add_vectors(vectors_of(layout, told, result), all);
+    add_sides(layout, told, all);
     if (result) add_answers(*result, all);
     for (std::size_t i = 0; i < layout.lists.size(); ++i)
         all.push_back({fmt::format("the number of {}", layout.lists[i].name),

@@ -15,7 +15,7 @@ namespace {
 using textbook::Value;
 
 constexpr std::size_t least_wrong = 5, most_of_each = 48;    // calls
-constexpr std::size_t most_at_once = 4'000;                  // rows in one frame
+constexpr std::size_t most_at_once = 2'000;                  // rows in one frame
 constexpr std::size_t most_rows = 400'000;                   // in all
 constexpr double least_share = 0.5;                          // of the wrong calls
 constexpr double dearest_alone = 1.5, dearest_of_two = 1.3;  // of one that puts most right; of each of two
@@ -57,6 +57,17 @@ private:
         return answer.size() == calls_.right[k].size() && is_equal(calls_.result, answer, calls_.right[k]);
     }
 
+    /// Whether it is the student's fragment, as long as nothing is changed.
+    bool answers_as_before(const Rows& answers) const {
+        std::size_t i = 0;
+        for (const auto* some : {&wrong_, &right_})
+            for (const std::size_t k : *some) {
+                if (i >= answers.size() || answers[i].size() != calls_.mine[k].size()) return false;
+                if (!is_equal(calls_.result, answers[i++], calls_.mine[k])) return false;
+            }
+        return true;
+    }
+
     /// What the expressions' values are, and which of the arguments' dot products and lengths may be missing in them;
     /// false: the program does not tell.
     bool see() {
@@ -68,9 +79,13 @@ private:
         }
         all_.nodes = source_.nodes;
         all_.seen.assign(source_.nodes.size(), Value::Kind::none);
-        Rows rows;
+        Rows rows, as_it_is;
         for (const auto* some : {&wrong_, &right_})
-            for (const std::size_t k : *some) rows.push_back(textbook::row_of(call(k, true)));
+            for (const std::size_t k : *some) {
+                rows.push_back(textbook::row_of(call(k, true)));
+                as_it_is.push_back(textbook::row_of(call(k, false)));
+            }
+        if (!answers_as_before(source_.ask(as_it_is))) return false;
         const Rows kinds = source_.ask(rows);
         for (const Row& row : kinds)
             for (std::size_t i = 0; i < std::min(row.size(), all_.seen.size()); ++i)
@@ -87,7 +102,7 @@ private:
         return all;
     }
 
-    /// visit(i, whether the call is right with edits[i]); false: the program gives no answers, or no more may be asked.
+    /// visit(i, whether the call is right with edits[i]); false: no more may be asked.
     template <class Visit>
     bool try_all(const std::vector<Edit>& edits, std::size_t k, Visit visit) {
         const textbook::EditedCall as_it_is = call(k, false);
@@ -100,8 +115,8 @@ private:
             asked_ += rows.size();
             if (asked_ > most_rows) return false;
             const Rows answers = source_.ask(rows);
-            if (answers.size() != rows.size()) return false;
-            for (std::size_t i = from; i < to; ++i) visit(i, is_right(k, answers[i - from]));
+            const bool has_answers = answers.size() == rows.size();  // else one of them ends the program
+            for (std::size_t i = from; i < to; ++i) visit(i, has_answers && is_right(k, answers[i - from]));
         }
         return true;
     }
@@ -168,22 +183,24 @@ private:
     }
 
     std::string words_of(const Mistake& change) const {
-        constexpr std::size_t longest = 100;  // statement that is repeated
         const textbook::Node& node = all_.node(change.made.nodes.front());
         const std::string words =
-            shown(in_place(changed_in_words(all_, change), written_in_words(all_, change))) +
-            (change.made.nodes.size() > 1 ? " everywhere" : fmt::format(" in line {}", node.line));
-        const bool says_more = change.made.nodes.size() == 1 && node.context != node.text;
-        return says_more && node.context.size() <= longest ? fmt::format("{}, `{}`", words, shown(node.context))
-                                                           : words;
+            in_place(shown(changed_in_words(all_, change)), shown(written_in_words(all_, change)));
+        if (change.made.nodes.size() > 1) return words + " everywhere";
+        const std::string where = fmt::format("{} in line {}", words, node.line);
+        return node.context == node.text || node.context.size() > longest
+                   ? where
+                   : fmt::format("{}, `{}`", where, shown(node.context));
     }
 
     /// A student's text, as it can be printed.
     static std::string shown(std::string text) {
         std::ranges::replace_if(
-            text, [](unsigned char c) { return c < ' ' || c > '~'; }, '?');
-        return text;
+            text, [](unsigned char c) { return c < ' ' || c > '~' || c == '`'; }, '?');
+        return text.size() > longest ? text.substr(0, longest) + "..." : text;
     }
+
+    static constexpr std::size_t longest = 100;  // text that is repeated
 
     const Calls& calls_;
     const Editable& source_;

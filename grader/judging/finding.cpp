@@ -3,10 +3,12 @@
 #include <time.h>
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 
 #include "diagnosis/explain.h"
 #include "files/files.h"
+#include "files/interrupt.h"
 #include "judging/experiment.h"
 #include "textbook/source.h"
 
@@ -24,30 +26,47 @@ double thread_seconds() {
     return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
 
-/// The program answers until it breaks down; then another one, a few times.
-///
-/// width  numbers of an answer: the solution's say it, and shorter ones are none, for whoever writes into the grader's
-///        channel may answer with rows of any length
-Ask asking(const std::string& fragment, const fs::path& program, const Sandbox& sandbox, const fs::path& meshes,
-           double& seconds, std::shared_ptr<std::size_t> width, bool is_solution) {
+using Answers = std::function<Outcome<Rows>(Runner& runner, const Rows& rows)>;
+
+/// The program answers until it breaks down; then another one, a few times, and no longer than it is given.
+Ask asking(const fs::path& program, const Sandbox& sandbox, const fs::path& meshes, double& seconds, Answers answers) {
     struct State {
         std::unique_ptr<Runner> runner;
         int starts = 0;
+        double seconds = 0;  // by the clock, without what it waited for a processor
     };
     return [=, &sandbox, &seconds, state = std::make_shared<State>()](const Rows& rows) -> Rows {
         constexpr int most_starts = 4;
+        constexpr double most_seconds = 15;  // in all
+        if (state->seconds > most_seconds) return {};
         if (!state->runner) {
             if (++state->starts > most_starts) return {};
             state->runner = std::make_unique<Runner>(program, sandbox, meshes, patience);
         }
-        auto outcome = state->runner->probe(fragment, rows);
-        seconds += state->runner->seconds();
-        Rows* answers = std::get_if<Rows>(&outcome);
-        if (answers && is_solution && !answers->empty()) *width = answers->front().size();
-        if (answers && std::ranges::all_of(*answers, [&](const Row& row) { return row.size() >= *width; }))
-            return std::move(*answers);
+        const auto start = std::chrono::steady_clock::now();
+        state->runner->begin_count();
+        auto outcome = answers(*state->runner, rows);
+        seconds += state->runner->seconds(), state->seconds += state->runner->seconds_in_all();
+        if (Rows* all = std::get_if<Rows>(&outcome)) return std::move(*all);
+        state->seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         state->runner.reset();
         return {};
+    };
+}
+
+/// The answers of a program with the fragment.
+///
+/// width  numbers of an answer: the solution's say it, and shorter ones are none, for whoever writes into the grader's
+///        channel may answer with rows of any length
+Answers answers_to(const std::string& fragment, std::shared_ptr<std::size_t> width, bool is_solution) {
+    return [=](Runner& runner, const Rows& rows) {
+        auto outcome = runner.probe(fragment, rows);
+        const Rows* answers = std::get_if<Rows>(&outcome);
+        if (!answers) return outcome;
+        if (is_solution && !answers->empty()) *width = answers->front().size();
+        if (std::ranges::any_of(*answers, [&](const Row& row) { return row.size() < *width; }))
+            return Outcome<Rows>(Fault{Verdict::crashed, "an answer is too short", {}});
+        return outcome;
     };
 }
 
@@ -106,15 +125,13 @@ std::optional<Editable> editable_of(Programs& programs, const std::string& fragm
     textbook::EditableSource source = textbook::editable(programs.text(fragment));
     const auto program = programs.with_text(fragment, source.text);
     if (!program) return std::nullopt;
-    const auto runner = std::make_shared<Runner>(*program, programs.sandbox(), meshes, patience);
     const std::size_t most = std::max<std::size_t>(16, source.nodes.size());
-    const Ask ask = [fragment, runner, most, &seconds](const Rows& calls) -> Rows {
-        auto outcome = runner->edited(fragment, calls, most);
-        seconds += runner->seconds();
-        Rows* answers = std::get_if<Rows>(&outcome);
-        return answers ? std::move(*answers) : Rows();
+    const auto edited = [fragment, most](Runner& runner, const Rows& calls) {
+        return runner.edited(fragment, calls, most);
     };
-    return Editable{std::move(source.nodes), ask};
+    return Editable{std::move(source.nodes), asking(*program, programs.sandbox(), meshes, seconds, edited)};
+} catch (const Interrupted&) {
+    throw;
 } catch (const std::exception&) {
     return std::nullopt;
 }
@@ -131,8 +148,9 @@ Finding find_cause(Programs& programs, const Toolchain& chain, const std::string
     double seconds = 0;
     const double before = thread_seconds();
     const auto width = std::make_shared<std::size_t>(0);
-    const Ask mine = asking(fragment, own, programs.sandbox(), meshes, seconds, width, false),
-              right = asking(fragment, programs.with({}).program, programs.sandbox(), meshes, seconds, width, true);
+    const Sandbox& sandbox = programs.sandbox();
+    const Ask mine = asking(own, sandbox, meshes, seconds, answers_to(fragment, width, false)),
+              right = asking(programs.with({}).program, sandbox, meshes, seconds, answers_to(fragment, width, true));
     const Rows calls = telling_calls(fragment, checks, seed, *signature, mine, right);
     const auto source = [&] { return editable_of(programs, fragment, meshes, seconds); };
     Finding finding = calls.empty() ? Finding{} : explain(*signature, calls, mine, right, source);

@@ -133,8 +133,11 @@ Finding Grading::explain(const FragmentRecord& fragment) {
     const Programs::Linked& program = programs_.with({fragment.name});
     if (!program.errors.empty()) return {};
     Finding finding;
-    if (std::ranges::none_of(fragment.checks, [](const CheckRecord& c) { return c.verdict == Verdict::crashed; }))
-        finding = find_cause(programs_, chain_, fragment.name, checks, settings_.seed);
+    if (std::ranges::none_of(fragment.checks, [](const CheckRecord& c) { return c.verdict == Verdict::crashed; })) try {
+            finding = find_cause(programs_, chain_, fragment.name, checks, settings_.seed);
+        } catch (const std::bad_alloc&) {
+            finding = {};  // the verdict stands, without a hint of calls
+        }
     finding.fault = find_fault(programs_, program, chain_, fragment, checks, settings_.seed);
     settings_.build.kept.keep_finding(key, made, finding);
     return finding;

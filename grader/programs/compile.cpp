@@ -186,8 +186,9 @@ Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const 
     if (!compiler.good() && !header.empty() && cut_off(compiler, "").empty())
         compiler = compile(chain.includes, {});  // that header lacks a little
     if (!compiler.good()) {
-        check_compiler(chain, sandbox, work);                  // else no fault of the submission
-        if (compiler.err.find("error:") == compiler.err.npos)  // behind more warnings than are kept
+        check_compiler(chain, sandbox, work);  // else no fault of the submission
+        // behind more warnings than are kept
+        if (compiler.err.find("error:") == compiler.err.npos && cut_off(compiler, "").empty())
             compiler = compile(chain.includes, {"-w"});
         const std::string fault = source_fault(text, shown);
         return {false, {}, fault.empty() ? why_not_built(compiler, source.string(), shown) : fault, {}};

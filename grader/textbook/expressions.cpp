@@ -123,7 +123,8 @@ void ExpressionReader::count_uses() {
 
 int ExpressionReader::add(const std::string& text, const std::vector<Expression>& parts,
                           std::vector<std::string> alternatives) {
-    constexpr std::size_t most = 600, longest = 3'000;
+    constexpr std::size_t most = 600, longest = 3'000, most_read = 20'000;
+    if (++read_ > most_read) throw TooLong();
     if (nodes_.size() >= most || text.size() > longest) fail("a long expression; expected a short one");
     nodes_.push_back({text, text, "", "", {}, std::move(alternatives)});
     for (const Expression& part : parts)
@@ -132,11 +133,8 @@ int ExpressionReader::add(const std::string& text, const std::vector<Expression>
 }
 
 Expression ExpressionReader::expression() {
-    constexpr std::size_t longest = 100'000;  // as it is compiled: what is in brackets is written more than once
     const Deeper deeper(*this);
-    Expression all = choice();
-    if (all.code.size() > longest) fail("a long expression; expected a short one");
-    return all;
+    return choice();
 }
 
 Expression ExpressionReader::choice() {
@@ -182,19 +180,15 @@ Expression ExpressionReader::joined_by(const Expression& left, const std::string
         alternatives.push_back(
             fmt::format("{} {} {} {} {}", group.sides[0].text, group.sign, group.sides[1].text, sign, right.text));
     const int node = add(all.text, {left, right}, alternatives);
-    if (*as.name)
+    if (is_after || is_before)
+        all.inner = fmt::format("textbook::regrouped<{}, {}, {}>({}, {}, {}, {}, {}, {})", function_of(group.sign),
+                                is_after, as.name, node, alternatives.size(), left.code, right.code,
+                                group.sides[0].code, group.sides[1].code);
+    else if (*as.name)
         all.inner = fmt::format("textbook::binary<{}>({}, {}, {})", as.name, node, left.code, right.code);
-    else
-        all.inner = fmt::format("(textbook::chosen({0}) == 1 ? {1} {3} {2} : {1} {4} {2})", node, left.code, right.code,
-                                as.others.front(), sign);
-    if (is_after)
-        all.inner = fmt::format("textbook::regrouped<{}, {}, true>({}, {}, {}, {}, {}, {})", function_of(group.sign),
-                                function_of(sign), node, alternatives.size(), all.inner, left.code, group.sides[0].code,
-                                group.sides[1].code);
-    if (is_before)
-        all.inner = fmt::format("textbook::regrouped<{}, {}, false>({}, {}, {}, {}, {}, {})", function_of(group.sign),
-                                function_of(sign), node, alternatives.size(), all.inner, group.sides[0].code,
-                                group.sides[1].code, right.code);
+    else  // with && for ||, or the other way round, where the alternative is chosen
+        all.inner = fmt::format("({0} ? (textbook::chosen({1}) {2} 1 || {3}) : (textbook::chosen({1}) {2} 1 && {3}))",
+                                left.code, node, sign == "||" ? "!=" : "==", right.code);
     watch(all, node);
     if (as.level == 5) {
         all.sides = {left, right}, all.sign = sign;
@@ -241,6 +235,7 @@ std::vector<Expression> ExpressionReader::arguments(std::string_view close) {
 }
 
 Expression ExpressionReader::braced() {
+    const Deeper deeper(*this);
     expect("{");
     std::vector<Expression> all = arguments("}");
     for (Expression& one : all)
@@ -283,7 +278,7 @@ void ExpressionReader::call(Expression& function, const std::string& name, const
     std::vector<std::string> alternatives, codes;
     for (const std::string& other : functions_for(name)) {
         alternatives.push_back(short_name(other) + "(" + list(all, &Expression::text) + ")");
-        codes.push_back(other + "(" + code + ")");
+        codes.push_back(fmt::format("{}({})", other, code));
     }
     if ((name == "std::pow" || name == "std::atan2") && all.size() == 2) {
         alternatives.push_back(fmt::format("{}({}, {})", short_name(name), all[1].text, all[0].text));
@@ -292,6 +287,7 @@ void ExpressionReader::call(Expression& function, const std::string& name, const
         codes.push_back(fmt::format("({}) * ({})", all[0].code, all[1].code));
     }
     if (codes.empty()) return;
+    check_length(code);
     const int node = add(function.text, {}, alternatives);
     nodes_.back().function = name, nodes_.back().line = function.line;
     std::string choice = function.inner;

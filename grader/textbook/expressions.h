@@ -24,17 +24,24 @@ struct Expression {
     int line = 0;
 };
 
+/// A source takes too long to be read.
+struct TooLong : std::exception {
+    const char* what() const noexcept override { return "a long source; expected a short one"; }
+};
+
 /// Reads expressions of a form, and gives each a number by which watch.h knows it.
 class ExpressionReader {
+public:
+    ExpressionReader(const ExpressionReader&) = delete;
+    ExpressionReader& operator=(const ExpressionReader&) = delete;
+    virtual ~ExpressionReader() = default;
+
 protected:
     ExpressionReader(std::string file, const std::string& text, const std::vector<std::string>& fragments, int first)
         : file_(std::move(file)),
           tokens_(tokens_of(text)),
           fragments_(fragments.begin(), fragments.end()),
           first_(first) {}
-    ExpressionReader(const ExpressionReader&) = delete;
-    ExpressionReader& operator=(const ExpressionReader&) = delete;
-    virtual ~ExpressionReader() = default;
 
     /// A step into a part. Throws std::runtime_error where parts lie too deep within each other.
     class Deeper {
@@ -90,7 +97,14 @@ protected:
     int add(const std::string& text, const std::vector<Expression>& parts = {},
             std::vector<std::string> alternatives = {});
 
+    /// What is compiled: what is in brackets is written more than once.
+    void check_length(const std::string& code) const {
+        constexpr std::size_t longest = 20'000;
+        if (code.size() > longest) fail("a long expression; expected a short one");
+    }
+
     void watch(Expression& of, int node) {
+        check_length(of.inner);
         of.node = node;
         nodes_[std::size_t(node - first_)].line = of.line;
         of.code = fmt::format("textbook::at({}, {})", node, of.inner);
@@ -156,7 +170,8 @@ protected:
     std::map<std::string, int> uses_;
     int first_;
     std::size_t at_ = 0;
-    int depth_ = 0;  // of expressions and statements within each other
+    std::size_t read_ = 0;  // expressions, also those that were given up
+    int depth_ = 0;         // of expressions and statements within each other
     std::vector<Node> nodes_;
     std::vector<Expression> called_with_;  // the last call
 };

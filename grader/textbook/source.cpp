@@ -6,14 +6,17 @@ namespace grade::textbook {
 
 namespace {
 
-constexpr std::size_t most_bytes = 64 << 10, most_tokens = 12'000, most_tries = 20'000;  // the last of statements
+constexpr std::size_t most_bytes = 64 << 10, most_tokens = 12'000, longest_token = 100;  // of a source
+constexpr std::size_t most_tries = 4'000;                                                // of statements
+constexpr std::size_t most_written = 400'000;
 
 class SourceReader : StatementReader {
 public:
     explicit SourceReader(const std::string& text) : StatementReader("", text, {}, 0), text_(text) {}
 
     EditableSource run() {
-        if (tokens_.size() > most_tokens) fail("a long source; expected a short one");
+        const auto is_long = [](const Token& token) { return token.text.size() > longest_token; };
+        if (tokens_.size() > most_tokens || std::ranges::any_of(tokens_, is_long)) throw TooLong();
         refuse_preprocessor();
         find_changing_functions();
         count_uses();
@@ -31,6 +34,7 @@ public:
             if (at_ == start) fail("no function; expected one");
         }
         all.text += text_.substr(copied);
+        if (all.text.size() > most_written) throw TooLong();
         all.nodes = std::move(nodes_);
         if (all.nodes.empty()) fail("no expression; expected some");
         return all;
@@ -100,7 +104,7 @@ private:
     /// As the reader of forms has it; else with what stands before its first "=" as it is; else all of it as it is.
     std::string statement() override {
         const Deeper deeper(*this);
-        if (++tries_ > most_tries) fail("a long source; expected a short one");
+        if (++tries_ > most_tries) throw TooLong();
         if (const std::string label = labels(); !label.empty()) return label;
         const std::size_t start = at_, since = nodes_.size();
         const auto go_back = [&] {
@@ -136,11 +140,12 @@ private:
             if (is("(") || is("{") || is(";") || now().kind == Token::Kind::end) fail("no value; expected one");
             at_ = is("[") ? closing(at_) + 1 : at_ + 1;
         }
-        const std::string before = raw(start, at_);
+        const std::size_t end = at_;
+        const std::string before = raw(start, end);
         expect("=");
         const Expression of = is("{") ? braced() : expression();
         expect(";");
-        set_context(since, before + " = " + of.text);
+        set_context(since, joined(start, end) + " = " + of.text);
         return before + " = " + of.code + ";\n";
     }
 

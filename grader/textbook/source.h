@@ -14,7 +14,7 @@ struct EditableSource {
 };
 
 /// Of what it can read; the rest stays as it is. It knows functions, also within structs, and lambdas, but nothing of
-/// the preprocessor beyond #include and #pragma. Throws std::runtime_error for a source that it cannot read.
+/// the preprocessor beyond #include and #pragma. Throws a std::exception for a source that it cannot read.
 EditableSource editable(const std::string& text);
 
 /// watched.h, which a compiler reads before such a source.

@@ -88,24 +88,24 @@ auto binary(int node, const A& a, const B& b) {
     return result;
 }
 
-/// `written`, or the value where brackets are forgotten: (a b) c for a (b c), or the other way round.
-template <class Sum, class Product, bool are_last, class Written, class A, class B, class C>
-Written regrouped(int node, int number, Written written, const A& a, const B& b, const C& c) {
+/// As binary, where one side is a sum in brackets, first and second; with `number` chosen, the value where these are
+/// forgotten: (a b) c for a (b c), or the other way round.
+template <class Sum, bool are_last, class Operation, class... Others, class A, class B, class C, class D>
+auto regrouped(int node, int number, const A& a, const B& b, const C& first, const D& second) {
+    auto written = binary<Operation, Others...>(node, a, b);
+    using Written = decltype(written);
     if (chosen(node) != number) return written;
-    const auto take = [&](auto first, auto second, const auto& x, const auto& y, const auto& z) {
-        using First = decltype(first);
-        using Second = decltype(second);
-        if constexpr (are_last) {
-            if constexpr (std::is_invocable_v<Second, decltype(x), decltype(y)>)
-                if constexpr (std::is_invocable_r_v<Written, First, decltype(second(x, y)), decltype(z)>)
-                    written = first(second(x, y), z);
-        } else {
-            if constexpr (std::is_invocable_v<Second, decltype(y), decltype(z)>)
-                if constexpr (std::is_invocable_r_v<Written, First, decltype(x), decltype(second(y, z))>)
-                    written = first(x, second(y, z));
-        }
-    };
-    take(Sum{}, Product{}, a, b, c);
+    if constexpr (are_last) {
+        if constexpr (std::is_invocable_v<Operation, const A&, const C&>)
+            if constexpr (std::is_invocable_r_v<Written, Sum, std::invoke_result_t<Operation, const A&, const C&>,
+                                                const D&>)
+                written = Sum{}(Operation{}(a, first), second);
+    } else {
+        if constexpr (std::is_invocable_v<Operation, const D&, const B&>)
+            if constexpr (std::is_invocable_r_v<Written, Sum, const C&,
+                                                std::invoke_result_t<Operation, const D&, const B&>>)
+                written = Sum{}(first, Operation{}(second, b));
+    }
     return written;
 }
 
