@@ -39,6 +39,10 @@
 ///    uniform_in_square where only the spread of many is known; of_picture for a number of a picture. The id is one of
 ///    the handout's list of statistics. No argument is an extreme: those are families of grader/stress.
 /// 3. Tell: suspects, known values and causes name typical mistakes; try each as a patch in tests/variants/wrong.
+///
+/// "invalid initialization of reference ... from <brace-enclosed initializer list>": a name after a dot, their order or
+/// a function's arguments are not those of the struct. With the struct named, formula(Formula<rt::fog>{...}) or
+/// mean_of(Mean{...}), the compiler says which.
 namespace grade {
 
 using Row = std::vector<double>;
