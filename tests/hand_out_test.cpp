@@ -84,7 +84,8 @@ void tells_not_where_it_was_built(const fs::path& path, const std::string& text)
     INFO(path);
     const std::string built_in = fs::absolute(".").lexically_normal().parent_path().string();
     CHECK(text.find(built_in) == std::string::npos);
-    if (built_in.size() >= 16) CHECK(text.find(built_in.substr(8, 8)) == std::string::npos);
+    const bool is_program = text.find('\0') != std::string::npos;
+    if (is_program && built_in.size() >= 16) CHECK(text.find(built_in.substr(8, 8)) == std::string::npos);
 }
 
 /// The framework may say the same somewhere as a part of a longer line; a whole line may not.

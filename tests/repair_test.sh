@@ -14,7 +14,7 @@ fragment() {
 # hint NAME POINTS WORDS...: what the record says of it
 hint() {
     local name=$1
-    expect 0 "$2" "$grade" "$work/$name" "$name" --json "$work/$name.json"
+    expect 0 "$2" "$grade" "$work/$name" "$name" --seed 1 --json "$work/$name.json"
     shift 2
     for words; do expect 0 "$words" grep message "$work/$name.json"; done
 }

@@ -56,11 +56,11 @@ void Changes::add_flag(std::size_t i) {
 
 void Changes::add_scalar(const Scalar& s) {
     for (const Function& f : scalar_functions) {
-        const bool of_index = s.whole && s.name == "i";
-        add(in_place(s.whole && std::string(f.words) == "{} / 2" ? s.name + " / 2 (of whole numbers)"
-                                                                 : filled(f.words, s.name),
-                     s.name),
-            f.cost, [s, f, of_index](Row& row, const Layout& l) {
+        const bool of_index = s.whole && s.name == "i", is_half = std::string(f.words) == "{} / 2";
+        // whole numbers are rarely rounded by mistake
+        if (constexpr double some = 3; s.whole && !is_half && f.value(some) != std::floor(f.value(some))) continue;
+        add(in_place(s.whole && is_half ? s.name + " / 2 (of whole numbers)" : filled(f.words, s.name), s.name), f.cost,
+            [s, f, of_index](Row& row, const Layout& l) {
                 double& x = row[s.at(l)];
                 const double before = x;
                 x = f.value(x);

@@ -182,8 +182,11 @@ void add_repair(std::optional<Relation>& relation, const Calls& calls, const std
         if (!is_all && is_cause) return;
         relation->by_repair = is_all;
         const char* const see = relation->words.ends_with('?') ? " See" : ": see";
-        relation->words += relation->words.starts_with(as_changed) ? fmt::format("{} line {}", see, repair->line)
-                                                                   : "; " + repair->words;
+        constexpr double simple = 1.9;  // a change of arguments that a student may have made
+        const bool is_told = relation->by_textbook || relation->cost < simple;
+        relation->words += relation->words.starts_with(as_changed) && is_told
+                               ? fmt::format("{} line {}", see, repair->line)
+                               : "; " + repair->words;
     } else if (is_all || !relation || relation->explains == Relation::Explains::nothing ||
                relation->share < repair->share) {
         relation = Relation{known.empty() ? repair->words : known + "; " + repair->words};
