@@ -66,7 +66,8 @@ std::string first_warnings(const std::string& output, const std::string& path, c
         if (std::ranges::count(all, line) == 0) all.push_back(line);
     }
     // what is only unused breaks nothing
-    std::ranges::stable_partition(all, [](const std::string& line) { return line.find("[-Wunused") == line.npos; });
+    std::stable_partition(all.begin(), all.end(),
+                          [](const std::string& line) { return line.find("[-Wunused") == line.npos; });
     std::string text;
     for (std::size_t i = 0; i < std::min(most, all.size()); ++i) text += all[i] + "\n";
     if (all.size() > most) text += fmt::format("and {} more\n", all.size() - most);

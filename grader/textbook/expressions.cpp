@@ -367,7 +367,7 @@ std::string ExpressionReader::template_arguments() {
         if (!is_part) return {};
         if (depth > 0) continue;
         if (tokens_[i + 1].text != "(" && tokens_[i + 1].text != "{") return {};
-        const std::string all = joined(at_, i + 1);
+        std::string all = joined(at_, i + 1);
         at_ = i + 1;
         return all;
     }
