@@ -245,6 +245,11 @@ TEST_CASE("lamps are sampled as the scene says, and where it says nothing as sav
     CHECK(plan(view + near).solid_angle);
     CHECK(!plan(view + far + near).one_lamp);
     CHECK(!plan(view + row).one_lamp);
+    std::string ceiling;
+    for (int k = 0; k < 256; ++k) ceiling += lamp(0.4 * (k % 16 - 8), 6 + 0.01 * k, 0.05);
+    CHECK(!plan(view + ceiling).one_lamp);
+    CHECK(plan(view + ceiling + far).one_lamp);  // more than may be taken at each point
+    CHECK(!plan("[render]\none_lamp = false\n" + view + ceiling + far).one_lamp);
     CHECK(plan(from_below + row).one_lamp);  // the edges of the lamps are seen, and noisier than any choice
     CHECK(!plan(view + far).weigh);
     CHECK(plan(view + ball + far).weigh);

@@ -20,6 +20,9 @@ constexpr Real worth_solid_angle = 0.2, worth_solid_angle_of_one = 0.1;
 constexpr Real worth_one_lamp = 0.35;
 constexpr int fewest_to_choose = 4;
 
+/// Of more lamps, one is chosen: with all, a first sample of each pixel takes longer than a picture may.
+constexpr std::size_t most_to_take = 256;
+
 /// What the directions of bounces add to the variance, however lamps are sampled.
 constexpr Real noise_of_bounces = 0.1;
 
@@ -276,9 +279,12 @@ LampWays choose_ways(const Scene& scene, const std::vector<int>& lamps) {
     LampWays ways;
     const Real most = worth_one_lamp * Real(lamps.size()) * noise.of_all;
     const bool several = lamps.size() >= fewest_to_choose;
-    ways.one_lamp = way(scene.one_lamp, several && noise.of_one < most,
-                        several ? fmt::format("of one a variance of {:.2g}; worth it up to {:.2g}", noise.of_one, most)
-                                : fmt::format("worth it from {} lamps", fewest_to_choose));
+    const bool many = lamps.size() > most_to_take;
+    ways.one_lamp =
+        way(scene.one_lamp, many || (several && noise.of_one < most),
+            many      ? fmt::format("there are more than {}", most_to_take)
+            : several ? fmt::format("of one a variance of {:.2g}; worth it up to {:.2g}", noise.of_one, most)
+                      : fmt::format("worth it from {} lamps", fewest_to_choose));
     const Real least = ways.one_lamp.on ? worth_solid_angle_of_one : worth_solid_angle,
                least_of_lobes = ways.one_lamp.on ? worth_weighing_one : worth_weighing * Real(lamps.size());
     ways.solid_angle = way(scene.solid_angle, noise.by_area > least,
