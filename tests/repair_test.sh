@@ -59,6 +59,15 @@ vec3 refracted_direction(vec3 d, vec3 n, Real ior_from, Real ior_to) {
 END
 hint refracted_direction "0 of 3" " in line 7, \`c = dot(d, n)\`, and \`(0, 0, 0)\` in place of \`d - 2 * c * n\` in line 9"
 
+# a product number by number in place of a dot product
+fragment mirror_direction <<'END'
+vec3 mirror_direction(vec3 d, vec3 n) {
+    const vec3 along = (d * n) * n;
+    return d - 2.0 * along;
+}
+END
+hint mirror_direction "0 of 2" "with \`dot(d, n)\` in place of \`d * n\` in line 6" "every answer is right"
+
 # a macro: no line is told, but the rest of the hint
 fragment moved <<'END'
 #define SECONDS 2

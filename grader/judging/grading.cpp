@@ -202,7 +202,8 @@ CheckRecord Grading::judge(const Task& task, Lane& lane, SolutionRunners& soluti
             if (again)
                 throw std::runtime_error(fmt::format(
                     "{}: {}; it was tried twice. That is no verdict on the submission: expected a machine with "
-                    "processes, memory, open files and room to spare",
+                    "processes, memory, open files and room to spare; of a check that is being written, rows as "
+                    "fragments.h declares them",
                     key, error.what()));
         }
 }

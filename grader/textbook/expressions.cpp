@@ -25,7 +25,7 @@ const std::map<std::string, Operator>& operators() {
         {">=", {4, "std::greater_equal<>, std::greater<>, std::less_equal<>", {">", "<="}}},
         {"+", {5, "std::plus<>, std::minus<>, std::multiplies<>", {"-", "*"}}},
         {"-", {5, "std::minus<>, std::plus<>, std::multiplies<>, textbook::Reversed<std::minus<>>", {"+", "*"}}},
-        {"*", {6, "std::multiplies<>, textbook::Quotient, std::plus<>, std::minus<>", {"/", "+", "-"}}},
+        {"*", {6, "std::multiplies<>, textbook::Quotient, std::plus<>, std::minus<>, textbook::Dot", {"/", "+", "-"}}},
         {"/",
          {6,
           "textbook::Quotient, std::multiplies<>, std::minus<>, textbook::Reversed<textbook::Quotient>",
@@ -169,6 +169,7 @@ Expression ExpressionReader::joined_by(const Expression& left, const std::string
     std::vector<std::string> alternatives;
     for (const std::string& other : as.others)
         alternatives.push_back(fmt::format("{} {} {}", left.text, other, right.text));
+    if (sign == "*") alternatives.push_back(fmt::format("dot({}, {})", left.text, right.text));
     if (sign == "-" || sign == "/") alternatives.push_back(fmt::format("{} {} {}", right.text, sign, left.text));
     const bool is_after = as.level == 6 && !right.sides.empty();
     const bool is_before = as.level == 6 && !left.sides.empty() && !is_after;

@@ -63,6 +63,11 @@ struct Rest {
     }
 };
 
+/// Of vectors, whose product is taken number by number.
+struct Dot {
+    rt::vec3 operator()(const rt::vec3& a, const rt::vec3& b) const { return rt::vec3(rt::dot(a, b)); }
+};
+
 template <class Operation>
 struct Reversed {
     template <class A, class B>
