@@ -184,6 +184,11 @@ std::string usual_wrong_answer(const Calls& calls) {
             return fmt::format("the answer is {} in {} of {} wrong calls",
                                result_in_words(calls.signature, calls.mine[wrong[i]]), same, wrong.size());
     }
+    const auto too_many = std::ranges::count_if(
+        wrong, [&](std::size_t k) { return calls.right[k] == Row{rt::inf} && is_something(calls.mine[k]); });
+    if (wrong.size() >= 8 && double(too_many) >= nearly * double(wrong.size()))
+        return fmt::format("in {} of {} wrong calls the right answer is inf: a test that turns these away is missing",
+                           too_many, wrong.size());
     return {};
 }
 
