@@ -2,78 +2,9 @@
 
 #include <algorithm>
 
+#include "textbook/operators.h"
+
 namespace grade::textbook {
-
-namespace {
-
-struct Operator {
-    int level;
-    const char* name;                 // its function object, and those of the others, for watch.h
-    std::vector<std::string> others;  // in its place; then its sides exchanged, where that is another value
-};
-
-/// Those of which the right side may not be computed have no function object.
-const std::map<std::string, Operator>& operators() {
-    static const std::map<std::string, Operator> all{
-        {"||", {1, "", {"&&"}}},
-        {"&&", {2, "", {"||"}}},
-        {"==", {3, "std::equal_to<>, std::not_equal_to<>", {"!="}}},
-        {"!=", {3, "std::not_equal_to<>, std::equal_to<>", {"=="}}},
-        {"<", {4, "std::less<>, std::less_equal<>, std::greater<>", {"<=", ">"}}},
-        {">", {4, "std::greater<>, std::greater_equal<>, std::less<>", {">=", "<"}}},
-        {"<=", {4, "std::less_equal<>, std::less<>, std::greater_equal<>", {"<", ">="}}},
-        {">=", {4, "std::greater_equal<>, std::greater<>, std::less_equal<>", {">", "<="}}},
-        {"+", {5, "std::plus<>, std::minus<>, std::multiplies<>", {"-", "*"}}},
-        {"-", {5, "std::minus<>, std::plus<>, std::multiplies<>, textbook::Reversed<std::minus<>>", {"+", "*"}}},
-        {"*", {6, "std::multiplies<>, textbook::Quotient, std::plus<>, std::minus<>, textbook::Dot", {"/", "+", "-"}}},
-        {"/",
-         {6,
-          "textbook::Quotient, std::multiplies<>, std::minus<>, textbook::Reversed<textbook::Quotient>",
-          {"*", "-"}}},
-        {"%", {6, "textbook::Rest, textbook::Quotient", {"/"}}},
-    };
-    return all;
-}
-
-/// What is written in place of a function.
-const std::vector<std::string>& functions_for(const std::string& name) {
-    static const std::map<std::string, std::vector<std::string>> all{
-        {"std::sin", {"std::cos", "std::tan"}},
-        {"std::cos", {"std::sin"}},
-        {"std::tan", {"std::sin", "std::atan"}},
-        {"std::min", {"std::max"}},
-        {"std::max", {"std::min"}},
-        {"std::floor", {"std::ceil", "std::round"}},
-        {"std::ceil", {"std::floor"}},
-        {"std::acos", {"std::asin", "std::cos"}},
-        {"std::asin", {"std::acos", "std::sin"}},
-        {"std::log", {"std::exp", "std::log2", "std::log10"}},
-        {"std::exp", {"std::log"}},
-        {"dot", {}},
-    };
-    static const std::vector<std::string> none;
-    const auto found = all.find(name);
-    return found == all.end() ? none : found->second;
-}
-
-/// "sqrt" of "std::sqrt"
-std::string short_name(const std::string& name) {
-    if (name == "safe_sqrt") return "sqrt";
-    return name.starts_with("std::") || name.starts_with("glm::") ? name.substr(5) : name;
-}
-
-bool is_number_type(const std::string& name) {
-    static const std::set<std::string> all{"Real", "double", "float", "int", "unsigned", "long", "std::size_t"};
-    return all.contains(name);
-}
-
-/// The function object of a sign.
-std::string function_of(const std::string& sign) {
-    const std::string names = operators().at(sign).name;
-    return names.substr(0, names.find(','));
-}
-
-}  // namespace
 
 void ExpressionReader::skip_to(std::initializer_list<std::string_view> signs) {
     while (std::ranges::none_of(signs, [&](std::string_view sign) { return is(sign); })) {

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+/// What is written in place of operators and functions by mistake.
+namespace grade::textbook {
+
+struct Operator {
+    int level;
+    const char* name;                 // its function object, and those of the others, for watched.h
+    std::vector<std::string> others;  // in its place; then its sides exchanged, where that is another value
+};
+
+/// Those of which the right side may not be computed have no function object.
+const std::map<std::string, Operator>& operators();
+
+/// The function object of a sign.
+std::string function_of(const std::string& sign);
+
+/// What is written in place of a function.
+const std::vector<std::string>& functions_for(const std::string& name);
+
+/// "sqrt" of "std::sqrt"
+std::string short_name(const std::string& name);
+
+/// Whether a name in brackets is that of a cast.
+bool is_number_type(const std::string& name);
+
+}  // namespace grade::textbook
