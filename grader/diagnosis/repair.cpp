@@ -33,6 +33,8 @@ public:
     Repairs(const Calls& calls, const Editable& source) : calls_(calls), source_(source) {
         for (std::size_t k = 0; k < calls.size(); ++k) (is_right(k, calls.mine[k]) ? right_ : wrong_).push_back(k);
         wrong_ = spread(wrong_), right_ = spread(right_);
+        for (std::size_t k = 0; k < calls.size(); ++k)
+            if (std::ranges::count(wrong_, k) + std::ranges::count(right_, k) == 0) others_.push_back(k);
     }
 
     std::optional<Repair> run(bool only_one) {
@@ -132,7 +134,7 @@ private:
 
     /// The simplest one with which all calls are right.
     std::optional<Repair> of_all(std::vector<Edit> edits) {
-        for (const auto* some : {&wrong_, &right_})  // most change no wrong answer
+        for (const auto* some : {&wrong_, &right_, &others_})  // most change no wrong answer
             for (const std::size_t k : *some)
                 if (edits = right_in(edits, k); edits.empty()) return std::nullopt;
         const Edit& best = *std::ranges::min_element(edits, {}, &Edit::cost);
@@ -204,8 +206,8 @@ private:
 
     const Calls& calls_;
     const Editable& source_;
-    std::vector<std::size_t> wrong_, right_;
-    Layout arguments_;  // and the quantities behind them
+    std::vector<std::size_t> wrong_, right_, others_;  // calls: some of either kind, and the rest of both
+    Layout arguments_;                                 // and the quantities behind them
     std::vector<bool> told_;
     std::vector<Quantity> quantities_;
     Expressions all_;
