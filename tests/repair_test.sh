@@ -68,13 +68,37 @@ vec3 mirror_direction(vec3 d, vec3 n) {
 END
 hint mirror_direction "0 of 2" "with \`dot(d, n)\` in place of \`d * n\` in line 6" "every answer is right"
 
-# a macro: no line is told, but the rest of the hint
+# macros, also over several lines, and conditions
 fragment moved <<'END'
+#include <cmath>
+#ifdef __cplusplus
 #define SECONDS 2
-vec3 moved(vec3 point, vec3 velocity, Real time) { return point + velocity * (time * SECONDS); }
+#else
+#define SECONDS none
+#endif
+#define ADDED(a, b) \
+    ((a) + \
+     (b))
+vec3 moved(vec3 point, vec3 velocity, Real time) {
+    const vec3 way = ADDED(
+        velocity * time,
+        0.5 * velocity);
+    return std::floor(SECONDS * M_PI) == 6 ? ADDED(point, way) : point;
+}
 END
-hint moved "0 of 2" "twice the way"
-expect 1 "" grep "line 6" "$work/moved.json"
+hint moved "0 of 2" "in place of \`(velocity * time) + (0.5 * velocity)\` in line 15" "every answer is right"
+
+# in a part that is left out nothing is put in
+fragment shutter_time <<'END'
+#define TWICE(x) x x
+#define MUCH(x) TWICE(TWICE(TWICE(TWICE(TWICE(TWICE(TWICE(TWICE(x))))))))
+#define ALL MUCH(MUCH(MUCH(;)))
+#if 0
+ALL
+#endif
+Real shutter_time(const Shutter& shutter, Real u) { return shutter.open + u * u * (shutter.close - shutter.open); }
+END
+hint shutter_time "1 of 2" "line 11"
 
 # no textbook has it so: what must stand there is told; some changes make a loop that does not end
 fragment free_flight <<'END'

@@ -122,7 +122,10 @@ namespace {
 /// The fragment with expressions that can be changed; none: its source cannot be read, or not compiled so.
 std::optional<Editable> editable_of(Programs& programs, const std::string& fragment, const fs::path& meshes,
                                     double& seconds) try {
-    textbook::EditableSource source = textbook::editable(programs.text(fragment));
+    const std::string& text = programs.text(fragment);
+    const auto read = textbook::needs_preprocessor(text) ? programs.preprocessed(fragment) : std::optional(text);
+    if (!read) return std::nullopt;
+    textbook::EditableSource source = textbook::editable(*read);
     const auto program = programs.with_text(fragment, source.text);
     if (!program) return std::nullopt;
     const std::size_t most = std::max<std::size_t>(16, source.nodes.size());

@@ -9,6 +9,7 @@
 
 #include "programs/compile.h"
 #include "programs/parallel.h"
+#include "programs/preprocess.h"
 #include "submission/code_only.h"
 
 namespace grade {
@@ -157,6 +158,10 @@ std::optional<fs::path> Programs::checked(const std::string& fragment) const {
 
 std::optional<fs::path> Programs::with_text(const std::string& fragment, const std::string& text) const {
     return compiled_again(chain_, fragment, text, "editable");
+}
+
+std::optional<std::string> Programs::preprocessed(const std::string& fragment) const {
+    return grade::preprocessed(chain_, sandbox_, text(fragment), folder("preprocessed/" + fragment));
 }
 
 std::optional<fs::path> Programs::compiled_again(const Toolchain& chain, const std::string& fragment,

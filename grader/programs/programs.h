@@ -77,6 +77,9 @@ public:
     /// The program with this fragment compiled from another text. None: it does not compile.
     std::optional<fs::path> with_text(const std::string& fragment, const std::string& text) const;
 
+    /// The text of a fragment with its own macros put in. None: the preprocessor cannot.
+    std::optional<std::string> preprocessed(const std::string& fragment) const;
+
     /// The program with these. Throws SubmissionError with the first errors where they do not go together.
     fs::path must_link(const std::set<std::string>& fragments, Others others = Others::solution);
 

@@ -17,7 +17,6 @@ public:
     EditableSource run() {
         const auto is_long = [](const Token& token) { return token.text.size() > longest_token; };
         if (tokens_.size() > most_tokens || std::ranges::any_of(tokens_, is_long)) throw TooLong();
-        refuse_preprocessor();
         find_changing_functions();
         count_uses();
         EditableSource all;
@@ -41,17 +40,6 @@ public:
     }
 
 private:
-    void refuse_preprocessor() {
-        std::size_t line = 0;
-        for (std::size_t at = 0; at < text_.size(); at = text_.find('\n', at), at += at < text_.size(), ++line) {
-            const std::size_t first = text_.find_first_not_of(" \t", at);
-            if (first >= text_.size() || text_[first] != '#') continue;
-            const std::size_t word = text_.find_first_not_of(" \t", first + 1);
-            if (word != text_.npos && text_.compare(word, 7, "include") != 0 && text_.compare(word, 6, "pragma") != 0)
-                fail("a line for the preprocessor; expected #include alone");
-        }
-    }
-
     /// Functions and lambdas with a parameter that they may change.
     void find_changing_functions() {
         for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
@@ -218,7 +206,19 @@ private:
 
 }  // namespace
 
+bool needs_preprocessor(const std::string& text) {
+    for (std::size_t at = 0; at < text.size(); at = text.find('\n', at), at += at < text.size()) {
+        const std::size_t first = text.find_first_not_of(" \t", at);
+        if (first >= text.size() || text[first] != '#') continue;
+        const std::size_t word = text.find_first_not_of(" \t", first + 1);
+        if (word != text.npos && text.compare(word, 7, "include") != 0 && text.compare(word, 6, "pragma") != 0)
+            return true;
+    }
+    return false;
+}
+
 EditableSource editable(const std::string& text) {
+    if (needs_preprocessor(text)) throw std::runtime_error("a line for the preprocessor; expected #include alone");
     if (text.size() > most_bytes) throw std::runtime_error("a source of more than 64 kB; expected a short one");
     EditableSource all = SourceReader(text).run();
     all.text = std::string("#include \"rt/fragments.h\"\n") + watched_text +

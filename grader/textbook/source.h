@@ -13,8 +13,11 @@ struct EditableSource {
     std::vector<Node> nodes;
 };
 
-/// Of what it can read; the rest stays as it is. It knows functions, also within structs, and lambdas, but nothing of
-/// the preprocessor beyond #include and #pragma. Throws a std::exception for a source that it cannot read.
+/// Whether the source has macros or conditions of its own, or whatever else but #include and #pragma.
+bool needs_preprocessor(const std::string& text);
+
+/// Of what it can read; the rest stays as it is. It knows functions, also within structs, and lambdas. Throws a
+/// std::exception for a source that it cannot read, or that needs_preprocessor().
 EditableSource editable(const std::string& text);
 
 /// watched.h, which a compiler reads before such a source.
