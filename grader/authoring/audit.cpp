@@ -133,7 +133,24 @@ private:
             if (!tells(word)) lacks(file, fmt::format("its comment has no line \"{} ...\"; expected one", word));
         if (!std::ranges::any_of(comment, [](const std::string& line) { return line.starts_with("Source:"); }))
             lacks(file, "its comment names no source; expected \"Source: ...\"");
-        look_at_region(file, find_region(text, file.string()));
+        const Marked marked = find_region(text, file.string());
+        look_at_region(file, marked);
+        look_at_copies(assignment_.asked().contains(name) ? blank(marked) : filled(marked));
+    }
+
+    /// What is made or told of the solution elsewhere.
+    void look_at_copies(const std::string& handed_out) {
+        const std::string& name = found_.fragment;
+        const fs::path starter = "starter/fragments/" + name + ".cpp",
+                       example = "tests/example/fragments/" + name + ".cpp", answers = "grader/THINK.md";
+        if (read_text(project_ / starter) != handed_out)
+            lacks(starter, "is not made of the solution as it is; expected what cmake --build --preset release "
+                           "--target starter_fragments writes");
+        if (!fs::exists(project_ / example))
+            lacks(example, "is not there; expected what the example submission has of it: the solution, or a mistake");
+        if (must_read(project_ / answers).find("\n### " + name + "\n") == std::string::npos)
+            lacks(answers, fmt::format("has no section ### {}; expected the answer to its question in the handout",
+                                       name));
     }
 
     /// A blank says that it is one, and returns something else than the solution.
