@@ -23,7 +23,7 @@ LightSample light_sample(const Emitter& light, vec3 p, vec2 u) {
     if (light.kind == Emitter::Kind::sphere) {
         const vec3 to_center = light.sphere.center - p;
         const Real squared = dot(to_center, to_center), radius2 = sqr(light.sphere.radius);
-        const DirectionSample cone = sphere_cone(light.sphere.radius / std::sqrt(squared), u);
+        const DirectionSample cone = sphere_cone(light.sphere.radius / std::sqrt(std::max(squared, radius2)), u);
         const vec3 direction = frame_about(unit(to_center)).to_world(cone.direction);
         const Real along = dot(to_center, direction);
         const vec3 beside = to_center - along * direction;
@@ -44,8 +44,9 @@ LightSample light_sample(const Emitter& light, vec3 p, vec2 u) {
     // Its density per solid angle.
     const vec3 to_point = point - p, n = normal(light);
     const Real squared = dot(to_point, to_point), distance = std::sqrt(squared);
-    const Real cosine = -dot(to_point, n) * (1 / distance) * (1 / std::sqrt(dot(n, n)));
-    return {to_point * (1 / distance), distance, cosine > 0 ? squared / (cosine * area(light)) : 0};
+    const Real inverse = squared > 0 ? 1 / distance : 0;  // p may be the point itself
+    const Real cosine = -dot(to_point, n) * inverse * (1 / std::sqrt(dot(n, n)));
+    return {to_point * inverse, distance, cosine > 0 ? squared / (cosine * area(light)) : 0};
     // END SOLUTION: return not_started(LightSample{vec3(0, 0, 1), 0, 0});
 }
 

@@ -6,6 +6,8 @@ namespace rt {
 ///
 ///     density = (n + 1)/(2 pi) cos(alpha)^n,    so    cos(alpha) = u.x^(1/(n+1)),    phi = 2 pi u.y
 ///
+/// Another map of the square with this density is as good.
+///
 /// exponent  n >= 0; a narrow lobe for a large one
 /// u         random point of the unit square, 0 <= u < 1
 /// returns   unit direction, alpha its angle to the z axis, and its density [1/sr]

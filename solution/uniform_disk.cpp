@@ -6,7 +6,7 @@ namespace rt {
 ///
 ///     r = sqrt(u.x),    phi = 2 pi u.y
 ///
-/// Any other map of the square that is uniform on the disk is as good.
+/// Another map of the square with this density is as good.
 ///
 /// u        random point of the unit square, 0 <= u < 1
 /// returns  the point, |p| <= 1, and its density 1/pi

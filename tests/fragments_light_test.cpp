@@ -69,6 +69,18 @@ TEST_CASE("light_sample: direction and distance lead to a point of the light") {
     }
 }
 
+TEST_CASE("light_sample: from the very point that is drawn, and from a sphere's centre, no light and finite numbers") {
+    Random random(3);
+    for (int i = 0; i < 300; ++i) {
+        const Emitter light = random_light(kinds[i % 3], random.scale(2, 1000), random);
+        const vec2 u = light.kind == Kind::quad ? vec2(0.5) : vec2(0, random.number());
+        const LightSample sample = light_sample(light, center(light), u);
+        INFO(described(light));
+        CHECK(sample.density == 0);
+        CHECK((std::isfinite(sample.distance) && std::isfinite(dot(sample.direction, sample.direction))));
+    }
+}
+
 TEST_CASE("light_sample: the density is one over the stretch of solid angle") {
     Random random(2);
     for (int i = 0; i < 600; ++i) {

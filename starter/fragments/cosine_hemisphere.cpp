@@ -8,6 +8,8 @@ namespace rt {
 ///
 /// Raise a uniform point of the unit disk to the hemisphere.
 ///
+/// Another map of the square with this density is as good.
+///
 /// u        random point of the unit square, 0 <= u < 1
 /// returns  unit direction, z >= 0, and its density [1/sr]
 /// blank    the z axis

@@ -12,6 +12,8 @@ namespace rt {
 ///
 ///     1 - c = 2 (1 - u.x) (1 + g u.x) ((1 - g)/(1 - g + 2 g u.x))^2,    1 + g^2 - 2 g c = (1 - g)^2 + 2 g (1 - c)
 ///
+/// Another map of the square with this density is as good.
+///
 /// d        unit direction of travel [world]
 /// g        mean cosine, -1 < g < 1
 /// u        random point of the unit square, 0 <= u < 1

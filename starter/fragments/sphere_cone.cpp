@@ -6,6 +6,8 @@ namespace rt {
 ///
 ///     1 - cos(theta) = u.x m,    m = 1 - cos(theta_max),    phi = 2 pi u.y,    density = 1/(2 pi m)
 ///
+/// Another map of the square with this density is as good.
+///
 /// sine     sin(theta_max) = radius / distance of the sphere, 0 < sine <= 1
 /// u        random point of the unit square, 0 <= u < 1
 /// returns  unit direction, theta its angle to the z axis, and its density [1/sr]

@@ -73,7 +73,7 @@ promises = [
                                                        "transmittance.x > 0.05 || material.transmittance.y > 0.05 || material.transmittance.z > 0.05")),
     ("light_sample", "no light within a sphere", ("outside ? cone.density : 0", "cone.density")),
     ("light_sample", "spheres that fill up to half of the sky",
-     ("sphere_cone(light.sphere.radius / std::sqrt(squared), u)", "sphere_cone(std::min(0.5, light.sphere.radius / std::sqrt(squared)), u)")),
+     ("sphere_cone(light.sphere.radius / std::sqrt(std::max(squared, radius2)), u)", "sphere_cone(std::min(0.5, light.sphere.radius / std::sqrt(squared)), u)")),
     ("light_sample", "half a percent of a radius", ("sphere_cone(light.sphere.radius /", "sphere_cone(1.005 * light.sphere.radius /")),
     ("light_sample", "lights beyond 10 m", ("distance, cosine > 0", "distance, cosine > 0 && distance < 10")),
     ("light_sample", "any direction, straight up as well", ("frame_about(unit(to_center)).to_world(cone.direction)",
