@@ -49,6 +49,22 @@ TEST_CASE("a sure cause goes before the relation, which goes before what a devia
     CHECK(diagnose(fragment).words.starts_with("moved.cpp:3: fault\nwhere\n"));
 }
 
+TEST_CASE("beside what calls show, a statistic tells its numbers and no guess") {
+    StatisticRecord guess{.id = "L1", .what = "light of the floor", .value = 0.25, .truth = 1};
+    guess.verdict = Verdict::failed, guess.hint = "is the area too small?";
+    StatisticRecord fact = guess;
+    fact.worth = StatisticRecord::Worth::fact, fact.hint = "all is in shadow";
+    FragmentRecord fragment;
+    fragment.checks.emplace_back().statistics = {guess, fact};
+    const auto hint = [&](int i) { return fragment.checks.front().statistics[std::size_t(i)].hint; };
+    drop_guesses(fragment);
+    CHECK(hint(0) == "is the area too small?");
+    fragment.finding.how = "1/r² is missing";
+    drop_guesses(fragment);
+    CHECK(hint(0) == "light of the floor: 0.25; expected 1");
+    CHECK(hint(1) == "all is in shadow");
+}
+
 TEST_CASE("the largest number in place of inf is told as any other wrong answer") {
     const Rows rays = calls([](Generator& random) {
         const rt::Sphere sphere{box(random, -3, 3), between(random, 0.5, 2)};

@@ -106,6 +106,7 @@ void Grading::finish(FragmentRecord& fragment) {
         }
         give_points(fragment);
     }
+    drop_guesses(fragment);
     fragment.warnings = programs_.warnings(fragment.name);
     fragment.finished = true;
 }

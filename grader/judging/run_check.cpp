@@ -56,7 +56,7 @@ StatisticRecord record_of(const Statistic& statistic, const Judgement& judgement
         record.hint = statistic.hint(judgement.value, judgement.truth);
     }
     if (record.hint.empty()) {
-        record.hint = fmt::format("{}: {:.4g}; expected {:.4g}", statistic.what, judgement.value, judgement.truth);
+        record.hint = in_numbers(record);
         record.worth = StatisticRecord::Worth::fact;
     }
     record.without_numbers = record.hint;

@@ -1,5 +1,7 @@
 #include "record/record.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +13,19 @@ namespace {
 double rounded(double points) { return std::round(points * 100) / 100; }
 
 }  // namespace
+
+std::string in_numbers(const StatisticRecord& statistic) {
+    return fmt::format("{}: {:.4g}; expected {:.4g}", statistic.what, statistic.value.value(), statistic.truth.value());
+}
+
+void drop_guesses(FragmentRecord& fragment) {
+    if (fragment.finding.how.empty()) return;
+    for (CheckRecord& check : fragment.checks)
+        for (StatisticRecord& statistic : check.statistics)
+            if (statistic.verdict == Verdict::failed && statistic.worth == StatisticRecord::Worth::guess &&
+                statistic.value && statistic.truth)
+                statistic.hint = in_numbers(statistic);
+}
 
 std::optional<double> PictureCost::efficiency() const {
     return mse > 0 && cpu_seconds > 0 ? std::optional(1 / (mse * cpu_seconds)) : std::nullopt;

@@ -29,6 +29,9 @@ struct StatisticRecord {
     std::string without_numbers{};  // the hint, where a call shows the numbers
 };
 
+/// "width of the penumbra, over what must be: 0.5; expected 1"
+std::string in_numbers(const StatisticRecord& statistic);
+
 /// What one picture costs, and how far it is from the truth.
 struct PictureCost {
     double mse = 0;          // mean over pixels and channels; 0: no noise and no bias. Chance can make it negative
@@ -156,6 +159,10 @@ Verdict worse(Verdict a, Verdict b);
 
 /// Points of a fragment: its share of passed checks, rounded to 2 decimals.
 double points_of(const FragmentRecord& fragment);
+
+/// Where calls show the cause, what a deviation usually means would be a second opinion, and a worse one: such
+/// statistics say their numbers alone.
+void drop_guesses(FragmentRecord& fragment);
 
 /// Shares the fragment's points among its checks, and gives it those of the checks that passed.
 void give_points(FragmentRecord& fragment);
