@@ -103,7 +103,7 @@ begin
 expect 0 "graded" in_it ./grade
 expect 0 "" not_called grade_studies
 expect 0 "graded $tree: stress solution" in_it ./grade stress solution
-expect 0 "" called "cmake --build $build --target grade grade_studies"
+expect 0 "" called "cmake --build $build --target grade handout_page grade_studies"
 rm "$build/grader/grade_studies"
 expect 0 "graded $tree: lesson --help" in_it ./grade lesson --help
 
