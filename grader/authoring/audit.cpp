@@ -144,13 +144,14 @@ private:
         const fs::path starter = "starter/fragments/" + name + ".cpp",
                        example = "tests/example/fragments/" + name + ".cpp", answers = "grader/THINK.md";
         if (read_text(project_ / starter) != handed_out)
-            lacks(starter, "is not made of the solution as it is; expected what cmake --build --preset release "
-                           "--target starter_fragments writes");
+            lacks(starter,
+                  "is not made of the solution as it is; expected what cmake --build --preset release "
+                  "--target starter_fragments writes");
         if (!fs::exists(project_ / example))
             lacks(example, "is not there; expected what the example submission has of it: the solution, or a mistake");
         if (must_read(project_ / answers).find("\n### " + name + "\n") == std::string::npos)
-            lacks(answers, fmt::format("has no section ### {}; expected the answer to its question in the handout",
-                                       name));
+            lacks(answers,
+                  fmt::format("has no section ### {}; expected the answer to its question in the handout", name));
     }
 
     /// A blank says that it is one, and returns something else than the solution.

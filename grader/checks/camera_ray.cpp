@@ -10,10 +10,10 @@ using rt::Camera, rt::Ray, rt::vec2, rt::vec3;
 
 Camera any_pinhole(Generator& random) {
     Camera camera;
-    const rt::Frame frame = rt::frame_about(direction(random));
+    const rt::Frame frame = rt::frame_about(scene_direction(random));
     camera.eye = box(random, -3, 3);
     camera.right = frame.x, camera.up = frame.y, camera.back = frame.z;
-    camera.tan_half_fov = between(random, 0.2, 1.2);
+    camera.tan_half_fov = chance(random, 0.75) ? between(random, 0.2, 1.2) : log_between(random, 0.01, 10);
     camera.size = {whole_between(random, 20, 400), whole_between(random, 20, 400)};
     return camera;
 }

@@ -105,7 +105,7 @@ Check estimates(Generator& random) {
 
 Check any_surface() {
     const auto inputs = rows_of(128, [](Generator& random) {
-        const vec3 n = chance(random, 0.1) ? vec3(0, 0, -1) : direction(random);
+        const vec3 n = scene_direction(random);
         const Color albedo = any_albedo(random);
         return row(n, albedo, chance(random, 0.25) ? end_of_square(random) : square(random));
     });
@@ -208,7 +208,17 @@ Check beside_wall(Generator& random) {
 
 Checks check_color_bleeding(Generator& random) {
     const auto row_with = [](Generator& draw, vec2 u) { return row(exact_direction(draw), any_albedo(draw), u); };
-    return {any_surface(), axes_of_the_world(row_with), estimates(random), hollow_sphere(random), beside_wall(random)};
+    Check axes = axes_of_the_world(row_with);
+    // whatever the density is, weight x cosine has the mean of albedo x 2/3
+    axes.statistics.push_back(
+        mean_of({.id = "V3",
+                 .what = "mean of weight x cosine over the albedo, about the axes of the world",
+                 .number = of_call<rt::color_bleeding>([](const Scattered& s, vec3 n, Color albedo, vec2) {
+                     return s.weight.r / albedo.r * rt::dot(s.direction, n);
+                 }),
+                 .truth = 2.0 / 3,
+                 .hint = always("about an axis of the world, directions are not those about other normals")}));
+    return {any_surface(), axes, estimates(random), hollow_sphere(random), beside_wall(random)};
 }
 
 }  // namespace grade

@@ -163,11 +163,15 @@ Checks check_direct_light(Generator& random) {
         if (chance(random, 0.7)) m.specular = box(random, 0.1, 0.9);
         m.shininess = log_between(random, 2, 60);
         const Color radiance = box(random, 1, 20);
-        const vec3 n = direction(random), d = tilted(random, n, light_angle(random));
+        const vec3 n = scene_direction(random), d = light_direction(random, n);
         const vec3 c = viewer(random, n, d);
-        const LightSample sample{d, log_between(random, 0.3, 10),
-                                 chance(random, 0.1) ? 0 : log_between(random, 0.05, 20)};
-        return row(m, radiance, sample, n, c);
+        // lamps that are small or far away are bright
+        const bool far = chance(random, 0.25);
+        const double density = far                   ? range_between(random, 20, 1e6)
+                               : chance(random, 0.1) ? 0
+                                                     : log_between(random, 1e-3, 20);
+        const LightSample sample{d, log_between(random, 0.3, 10), density};
+        return row(m, brightness_of_light(random) * (far ? density : 1) * radiance, sample, n, c);
     };
     const auto highlights = [](Generator& random) {
         const auto [m, n, d, c] = extreme_highlight(random);

@@ -183,7 +183,7 @@ Checks check_film_sample(Generator& random) {
         for (const int count : {2, 3, 5, 6, 7, 8, 12, 18})
             for (int k = 0; k < 8; ++k) {
                 const Extent pixel = any_pixel(draws);
-                for (int i = 0; i < count; ++i) rows.push_back(row(pixel, i, count, square(draws)));
+                for (int i = 0; i < count; ++i) rows.push_back(row(pixel, i, count, square_with_ends(draws)));
             }
         return rows;
     });

@@ -49,7 +49,16 @@ Checks check_fresnel_dielectric(Generator& random) {
         const double n = between(draw, 1, 2);
         return row(chance(draw, 0.5) ? 0 : between(draw, 0, 1), n, n);
     };
-    const auto inputs = rows_then(rows_of(192, any_boundary), rows_of_kinds(16, thinner, equal));
+    // along the surface all is reflected, and nearly equal indices are not equal
+    const auto grazing = [](Generator& draw) {
+        const double low = between(draw, 1, 1.2), high = between(draw, 1.3, 2.5);
+        return row(chance(draw, 0.3) ? 0 : log_between(draw, 1e-4, 0.05), low, high);
+    };
+    const auto nearly_equal = [](Generator& draw) {
+        const double n = between(draw, 1, 2);
+        return row(between(draw, 0.3, 0.6), n, n * (1 + log_between(draw, 1e-3, 2e-2)));
+    };
+    const auto inputs = rows_then(rows_of(192, any_boundary), rows_of_kinds(16, thinner, equal, grazing, nearly_equal));
     const Statistic reflectance = formula<rt::fresnel_dielectric>(
         {.id = "F3",
          .what = "reflectance, off by",

@@ -16,11 +16,16 @@ vec2 coordinates(const Quad& q, const Ray& ray) {
     return {rt::dot(p, q.u) / rt::dot(q.u, q.u), rt::dot(p, q.v) / rt::dot(q.v, q.v)};
 }
 
+Quad any_quad_of(Generator& random, double size) {
+    const rt::Frame frame = rt::frame_about(scene_direction(random));
+    const double thin = chance(random, 0.15) ? log_between(random, 1e-3, 0.3) : 1;
+    return {box(random, -5, 5), size * between(random, 0.3, 2) * frame.x,
+            thin * size * between(random, 0.3, 2) * frame.y};
+}
+
 Row ordinary_quad(Generator& random, bool clipped) {
-    const double size = log_between(random, 0.01, 10);
-    const rt::Frame frame = rt::frame_about(direction(random));
-    const Quad q{box(random, -5, 5), size * between(random, 0.3, 2) * frame.x,
-                 size * between(random, 0.3, 2) * frame.y};
+    const double size = scene_size(random);
+    const Quad q = any_quad_of(random, size);
     const double reach = chance(random, 0.6) ? 0.97 : 2.5;
     double x, y;
     do x = between(random, -reach, reach), y = between(random, -reach, reach);
@@ -31,6 +36,14 @@ Row ordinary_quad(Generator& random, bool clipped) {
         if (chance(random, 0.5)) std::swap(x, y);
     }
     return row(q, ray_towards(random, q.center + x * q.u + y * q.v, normal_of_quad(q), size, clipped));
+}
+
+Row fine_quad(Generator& random) {
+    const double size = log_between(random, 1e-3, 1e-2);
+    const Quad q = any_quad_of(random, size);
+    const double x = 1 + hair(random), y = between(random, -0.97, 0.97);
+    const vec3 target = chance(random, 0.5) ? q.center + x * q.u + y * q.v : q.center + y * q.u + x * q.v;
+    return row(q, ray_towards(random, target, normal_of_quad(q), size, false));
 }
 
 Row small_quad(Generator& random) {
@@ -70,7 +83,8 @@ Checks check_hit_quad(Generator& random) {
         {"center is the middle of the quad; it is used as a corner", hit_where(flat, within(0, 2), in_interval)},
         {"only |p . u| is tested; |p . v| <= v . v as well", hit_where(flat, strip, in_interval)}};
     const auto suspects = joined(of_quads, flat_suspects<rt::hit_quad>(flat));
-    return joined(flat_checks<rt::hit_quad>(flat, suspects, ordinary_quad, small_quad), {slanted_quad(random)});
+    return joined(flat_checks<rt::hit_quad>(flat, suspects, ordinary_quad, fine_quad, small_quad),
+                  {slanted_quad(random)});
 }
 
 }  // namespace grade

@@ -34,15 +34,19 @@ auto first(Allowed near_one, Allowed far_one) {
 /// or none of the crossings. Nothing of the interval within a hundredth of a decision; some rays pass close to the rim,
 /// on either side: a fault there is seen in few pixels.
 Row ordinary_sphere(Generator& random, bool clipped) {
-    const Sphere sphere{box(random, -5, 5), log_between(random, 0.1, 10)};
-    const rt::vec3 d = direction(random);
+    const bool in_room = chance(random, 0.7);
+    const Sphere sphere{chance(random, 0.1) ? rt::vec3(0) : box(random, -5, 5),
+                        in_room ? log_between(random, 0.1, 10) : range_between(random, 1e-3, 1e3)};
+    const rt::vec3 d = scene_direction(random);
     const bool at_rim = chance(random, 0.35);
     const double passing = at_rim                ? 1 + close_to_zero(random, 1e-6)
                            : chance(random, 0.2) ? between(random, 1.1, 2)
-                                                 : between(random, 0, 0.95);
+                                                 : angle_from_axis(random, 0.95);
     const rt::vec3 beside = passing * sphere.radius * tilted(random, d, rt::pi / 2);
-    const double start = between(random, 0, 1) < 0.3 ? between(random, -0.1, 0.1) : between(random, -30, 8);
-    const double speed = chance(random, 0.3) ? 1 : log_between(random, 0.1, 10);  // |direction|
+    const double start = between(random, 0, 1) < 0.3 ? between(random, -0.1, 0.1)
+                         : chance(random, 0.2)       ? -range_between(random, 30, 1000)
+                                                     : between(random, -30, 8);
+    const double speed = chance(random, 0.3) ? 1 : range_between(random, 1e-3, 1e3);  // |direction|
 
     Ray ray{sphere.center + beside + start * sphere.radius * d, speed * d, 0, rt::inf};
     const auto [t0, t1] = crossings(sphere, ray);
@@ -57,6 +61,14 @@ Row ordinary_sphere(Generator& random, bool clipped) {
                 return ordinary_sphere(random, clipped);
     }
     return row(sphere, ray);
+}
+
+/// A small sphere that is met or missed by a hair: single precision, metres from the origin, does not know which.
+Row fine_sphere(Generator& random) {
+    const Sphere sphere{box(random, -5, 5), log_between(random, 1e-3, 1e-2)};
+    const double hair = (chance(random, 0.5) ? 1 : -1) * log_between(random, 1e-6, 1e-5);
+    const rt::vec3 d = direction(random), beside = (1 + hair) * sphere.radius * tilted(random, d, rt::pi / 2);
+    return row(sphere, Ray{sphere.center + beside - between(random, 1, 20) * sphere.radius * d, d, 0, rt::inf});
 }
 
 /// A sphere a millimetre large, and a ray that starts close by, or within it.
@@ -118,9 +130,10 @@ Statistic distance_to_sphere(const std::string& what) {
 }  // namespace
 
 Checks check_hit_sphere(Generator& random) {
-    const auto unclipped = rows_of(96, [](Generator& draw) { return ordinary_sphere(draw, false); });
+    const auto unclipped = rows_of(128, [](Generator& draw) { return ordinary_sphere(draw, false); });
     const auto clipped = rows_of(96, [](Generator& draw) { return ordinary_sphere(draw, true); });
-    return {probe_check("nearest_crossing", unclipped, {distance_to_sphere("distance, off by")}),
+    return {probe_check("nearest_crossing", rows_then(unclipped, rows_of(32, fine_sphere)),
+                        {distance_to_sphere("distance, off by")}),
             probe_check("small_spheres", rows_of(96, small_sphere),
                         {distance_to_sphere("distance to a small sphere, off by")}),
             probe_check("interval", clipped, {distance_to_sphere("distance within the interval, off by")}),

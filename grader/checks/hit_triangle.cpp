@@ -21,16 +21,28 @@ std::array<double, 3> shares(const Triangle& t, const Ray& ray) {
             rt::dot(rt::cross(t.a - p, t.b - p), n) / whole};
 }
 
-/// A triangle that is not too thin, and a ray to a point that is clearly inside or outside.
-Row ordinary_triangle(Generator& random, bool clipped) {
+/// A triangle that is not too thin, often half of a wall or a floor.
+Triangle any_triangle_of(Generator& random, double size) {
+    const vec3 center = box(random, -5, 5);
+    if (chance(random, 0.4)) {
+        const rt::Frame frame = rt::frame_about(scene_direction(random));
+        const vec3 x = size * between(random, 0.5, 1) * frame.x, y = size * between(random, 0.5, 1) * frame.y;
+        return {center, center + x, center + y};
+    }
     Triangle t;
-    double size;
-    do {
-        size = log_between(random, 0.01, 10);
-        const vec3 center = box(random, -5, 5);
-        t = {center + size * box(random, -1, 1), center + size * box(random, -1, 1),
-             center + size * box(random, -1, 1)};
-    } while (glm::length(rt::cross(t.b - t.a, t.c - t.a)) < 0.4 * size * size);
+    do t = {center + size * box(random, -1, 1), center + size * box(random, -1, 1), center + size * box(random, -1, 1)};
+    while (glm::length(rt::cross(t.b - t.a, t.c - t.a)) < 0.4 * size * size);
+    return t;
+}
+
+vec3 on_triangle(const Triangle& t, const std::array<double, 3>& share) {
+    return share[0] * t.a + share[1] * t.b + share[2] * t.c;
+}
+
+/// A ray to a point that is clearly inside or outside, or close to an edge.
+Row ordinary_triangle(Generator& random, bool clipped) {
+    const double size = scene_size(random);
+    const Triangle t = any_triangle_of(random, size);
 
     std::array<double, 3> share;
     const double low = chance(random, 0.6) ? 0.02 : -1;
@@ -44,8 +56,16 @@ Row ordinary_triangle(Generator& random, bool clipped) {
         share[0] = close_to_zero(random, 1e-6);
         share[1] += before - share[0];
     }
-    const vec3 target = share[0] * t.a + share[1] * t.b + share[2] * t.c;
-    return row(t, ray_towards(random, target, normal_of_triangle(t), size, clipped));
+    return row(t, ray_towards(random, on_triangle(t, share), normal_of_triangle(t), size, clipped));
+}
+
+Row fine_triangle(Generator& random) {
+    const double size = log_between(random, 1e-3, 1e-2);
+    const Triangle t = any_triangle_of(random, size);
+    std::array<double, 3> share{hair(random), between(random, 0.2, 0.8), 0};
+    share[2] = 1 - share[0] - share[1];
+    std::rotate(share.begin(), share.begin() + whole_between(random, 0, 2), share.end());
+    return row(t, ray_towards(random, on_triangle(t, share), normal_of_triangle(t), size, false));
 }
 
 Row small_triangle(Generator& random) {
@@ -129,8 +149,9 @@ Checks check_hit_triangle(Generator& random) {
                   .what = "a triangle without area is hit",
                   .violation = of_call<rt::hit_triangle>([](double t) { return t == rt::inf ? 0.0 : 1.0; }),
                   .says = "a triangle whose corners coincide must give inf, not nan or a hit"});
-    return joined(flat_checks<rt::hit_triangle>(flat, triangle_suspects(flat), ordinary_triangle, small_triangle),
-                  {probe_check("no_area", nothing, {never}), two_triangles(random)});
+    return joined(
+        flat_checks<rt::hit_triangle>(flat, triangle_suspects(flat), ordinary_triangle, fine_triangle, small_triangle),
+        {probe_check("no_area", nothing, {never}), two_triangles(random)});
 }
 
 }  // namespace grade

@@ -16,7 +16,8 @@ Camera any_lens_camera(Generator& random) {
     const Place place = any_place(random);
     Camera camera;
     camera.eye = place.origin;
-    camera.right = place.axes.x, camera.up = place.axes.y, camera.back = place.axes.z;
+    const rt::Frame axes = chance(random, 0.3) ? rt::frame_about(exact_direction(random)) : place.axes;
+    camera.right = axes.x, camera.up = axes.y, camera.back = axes.z;
     camera.tan_half_fov = between(random, 0.3, 0.9);
     camera.size = {200, 200};
     camera.lens_radius = between(random, 0.05, 0.3);
@@ -24,9 +25,9 @@ Camera any_lens_camera(Generator& random) {
     return camera;
 }
 
-Row lens_row(const Camera& camera, Generator& random) {
+Row lens_row(const Camera& camera, Generator& random, vec2 (*draw_u)(Generator&) = square) {
     const Ray pinhole{camera.eye, view_direction(camera, 200.0 * square(random)), 0, rt::inf};
-    return row(camera, pinhole, square(random));
+    return row(camera, pinhole, draw_u(random));
 }
 
 /// Where on the lens a ray starts, in lens radii.
@@ -52,7 +53,9 @@ Check in_focus() {
     const auto inputs = rows_of(128, [](Generator& random) {
         Camera camera = any_lens_camera(random);
         if (chance(random, 0.1)) camera.focus = rt::inf;
-        return lens_row(camera, random);
+        if (chance(random, 0.3)) camera.focus = range_between(random, 0.2, 1000);
+        if (chance(random, 0.2)) camera.lens_radius = log_between(random, 1e-3, 2);
+        return lens_row(camera, random, square_with_ends);
     });
     const Statistic point = property(
         {.id = "D3",

@@ -30,21 +30,38 @@ bool shines(const Emitter& light, vec3 p) {
     return rt::dot(p - rt::center(light), rt::normal(light)) > 0;
 }
 
-/// Lamps from a centimetre to 100 m away, seen along an axis of the world or anyhow; flat ones from behind as well,
-/// spheres from the inside, and so close that they fill half of the sky.
+/// A lamp of any size from a millimetre to hundreds of metres, and its scale.
+std::pair<Emitter, double> of_any_size(Generator& random, Emitter::Kind kind) {
+    Emitter light = emitter(random, kind);
+    const double scale = chance(random, 0.4) ? 1 : range_between(random, 5e-3, 1e3);
+    light.quad = {light.quad.center, scale * light.quad.u, scale * light.quad.v};
+    light.disc.radius *= scale, light.sphere.radius *= scale;
+    return {light, scale};
+}
+
+/// Lamps of any size, from close by to a thousand sizes away, seen along an axis of the world or anyhow; flat ones from
+/// behind and from the side as well, spheres from the inside, and so close that they fill half of the sky.
 Check anywhere() {
     const auto flat = [](Generator& draw) {
-        const Emitter light = emitter(draw, chance(draw, 0.5) ? Emitter::Kind::quad : Emitter::Kind::disc);
-        const double side = chance(draw, 0.3) ? -1 : 1;
-        const vec3 p = rt::center(light) + side * log_between(draw, 1, 100) *
-                                               tilted(draw, rt::unit(rt::normal(light)), between(draw, 0, 1));
-        return row(light, p, square(draw));
+        const auto [light, scale] = of_any_size(draw, chance(draw, 0.5) ? Emitter::Kind::quad : Emitter::Kind::disc);
+        const double side = chance(draw, 0.3) ? -1 : 1, away = scale * range_between(draw, 1, 300);
+        const double angle = chance(draw, 0.2) ? std::acos(log_between(draw, 5e-3, 0.1)) : angle_from_axis(draw, 1);
+        const vec3 p = rt::center(light) + side * away * tilted(draw, rt::unit(rt::normal(light)), angle);
+        return row(light, p, square_with_ends(draw));
+    };
+    // in the plane of a lamp that faces along an axis of the world nothing rounds: it is seen from its edge
+    const auto beside = [](Generator& draw) {
+        Emitter light = emitter(draw, chance(draw, 0.5) ? Emitter::Kind::quad : Emitter::Kind::disc);
+        const rt::Frame frame = rt::frame_about(exact_direction(draw));
+        light.quad.u = 0.5 * frame.x, light.quad.v = 0.25 * frame.y, light.disc.normal = frame.z;
+        return row(light, rt::center(light) + between(draw, 0.1, 3) * frame.x + between(draw, 0.1, 3) * frame.y,
+                   square(draw));
     };
     const auto sphere = [](Generator& draw) {
-        const Emitter light = emitter(draw, Emitter::Kind::sphere);
+        const Emitter light = of_any_size(draw, Emitter::Kind::sphere).first;
         const vec3 away = chance(draw, 0.5) ? exact_direction(draw) : direction(draw);
-        return row(light, light.sphere.center + light.sphere.radius * (1 + log_between(draw, 1e-2, 100)) * away,
-                   square(draw));
+        return row(light, light.sphere.center + light.sphere.radius * (1 + range_between(draw, 1e-2, 1000)) * away,
+                   square_with_ends(draw));
     };
     const auto within = [](Generator& draw) {
         const Emitter light = emitter(draw, Emitter::Kind::sphere);
@@ -66,28 +83,38 @@ Check anywhere() {
          }),
          .tolerance = 1e-2,
          .says = "samples lie off the light where it is near or far, or straight along an axis of the world"});
-    const Statistic missing =
-        mean_of({.id = "L1",
-                 .what = "share of the samples in front of a flat light that count",
-                 .number = of_call<rt::light_sample>([](const LightSample& s, const Emitter& light, vec3 p, vec2) {
-                     // of a sphere, samples may lie on its far side
-                     const bool may_be_dark = light.kind == Emitter::Kind::sphere || !shines(light, p);
-                     return may_be_dark || s.density > 0 ? 1.0 : 0.0;
-                 }),
-                 .delta0 = 0.001,
-                 .delta = 0.01,
-                 .hint = always("a point in front of a flat light gets no light, from 1 to 100 m away")});
-    return probe_check("anywhere", rows_of_kinds(64, flat, sphere, within), {dark, on, missing});
+    const Statistic missing = property(
+        {.id = "L1",
+         .what = "samples in front of a flat light that do not count",
+         .violation = of_call<rt::light_sample>([](const LightSample& s, const Emitter& light, vec3 p, vec2) {
+             // of a sphere, samples may lie on its far side
+             const bool may_be_dark = light.kind == Emitter::Kind::sphere || !shines(light, p);
+             return may_be_dark || s.density > 0 ? 0.0 : 1.0;
+         }),
+         .says = "a point in front of a flat light gets no light, where that is small, large, far, seen from its side, "
+                 "or faces along an axis of the world"});
+    const Statistic finite = property(
+        {.id = "L1",
+         .what = "answers that are no finite numbers, wherever the point is",
+         .violation = of_call<rt::light_sample>([](const LightSample& s) {
+             return std::isfinite(s.density + s.distance + rt::dot(s.direction, s.direction)) ? 0.0 : 1.0;
+         }),
+         .says = "an answer is no finite number where the point is within a sphere, or in the plane of a lamp"});
+    return probe_check("anywhere", rows_then(rows_of_kinds(96, flat, sphere, within), rows_of(24, beside)),
+                       {dark, on, missing, finite});
 }
 
-/// The solid angle of spheres that fill up to half of the sky.
+/// The solid angle of spheres of any size that fill up to half of the sky, or next to nothing.
 Check large_spheres() {
     const auto inputs = [](Generator& random) {
         Rows rows;
-        for (const double sine : {0.3, 0.6, 0.8}) {
+        const std::pair<double, double> sine_and_radius[] = {{0.3, 0.5},   {0.6, 0.5},    {0.8, 0.5},   {0.002, 0.5},
+                                                             {0.01, 0.03}, {0.05, 0.001}, {0.05, 1000}, {0.5, 30}};
+        for (const auto& [sine, radius] : sine_and_radius) {
             Emitter light = emitter(random, Emitter::Kind::sphere);
+            light.sphere.radius = radius;
             const vec3 p = light.sphere.center + light.sphere.radius / sine * direction(random);
-            for (const Row& u : rows_over_square(24, [](vec2 u) { return row(u); })(random))
+            for (const Row& u : rows_over_square(16, [](vec2 u) { return row(u); })(random))
                 rows.push_back(row(light, p, vec2(u[0], u[1])));
         }
         return rows;
@@ -95,14 +122,15 @@ Check large_spheres() {
     return probe_check(
         "large_spheres", inputs,
         {mean_of({.id = "L1",
-                  .what = "solid angle of spheres that fill up to half of the sky, over what it is",
+                  .what = "solid angle of spheres, a millimetre to a kilometre large, far and near, over what it is",
                   .number = of_call<rt::light_sample>([](const LightSample& s, const Emitter& light, vec3 p, vec2) {
                       const double sine = light.sphere.radius / glm::length(p - light.sphere.center);
                       return s.density > 0 ? 1 / s.density / (2 * rt::pi * (1 - std::sqrt(1 - sine * sine))) : 0.0;
                   }),
                   .delta0 = 0.002,
                   .delta = 0.05,
-                  .hint = by_ratio("the solid angle of large spheres", {{2, "is the density halved?"}},
+                  .hint = by_ratio("the solid angle of spheres, small and large, far and near,",
+                                   {{2, "is the density halved?"}},
                                    "is the sine of the cone the radius over the distance of the centre?")})});
 }
 

@@ -48,9 +48,9 @@ Check mirror_image(Generator& random) {
 }  // namespace
 
 Checks check_mirror_direction(Generator& random) {
-    const auto inputs = rows_of(64, [](Generator& draw) {
-        const vec3 n = direction(draw);
-        return row(log_between(draw, 0.1, 10) * direction(draw), n);
+    const auto inputs = rows_of(128, [](Generator& draw) {
+        const vec3 n = scene_direction(draw), d = chance(draw, 0.15) ? -n : scene_direction(draw);
+        return row((chance(draw, 0.3) ? 1 : range_between(draw, 1e-3, 1e3)) * d, n);
     });
     const Statistic mirrored = formula<rt::mirror_direction>(
         {.id = "W2",

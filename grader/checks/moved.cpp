@@ -9,9 +9,13 @@ namespace {
 using rt::vec2, rt::vec3;
 
 Check points() {
-    const auto inputs = rows_of(64, [](Generator& random) {
-        const vec3 point = box(random, -5, 5), velocity = chance(random, 0.1) ? vec3(0) : box(random, -3, 3);
-        const double time = chance(random, 0.1) ? 0 : between(random, -2, 4);
+    const auto inputs = rows_of(96, [](Generator& random) {
+        const vec3 point = box(random, -5, 5),
+                   velocity = chance(random, 0.1)
+                                  ? vec3(0)
+                                  : (chance(random, 0.3) ? range_between(random, 1, 1e3) : 1) * box(random, -3, 3);
+        const double longer = chance(random, 0.3) ? range_between(random, 1, 1e3) : 1;
+        const double time = chance(random, 0.1) ? 0 : longer * between(random, -2, 4);
         return row(point, velocity, time);
     });
     const Statistic right = formula<rt::moved>(

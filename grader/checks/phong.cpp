@@ -23,8 +23,8 @@ Checks check_phong(Generator& random) {
         Material m;
         m.ambient = box(draw, 0.1, 0.5), m.albedo = box(draw, 0.1, 0.9), m.specular = box(draw, 0.1, 0.9);
         m.shininess = log_between(draw, 2, 60);
-        const Color ambient = box(draw, 0, 1), irradiance = box(draw, 1, 5);
-        const vec3 n = direction(draw), d = tilted(draw, n, light_angle(draw));
+        const Color ambient = box(draw, 0, 1), irradiance = brightness_of_light(draw) * box(draw, 1, 5);
+        const vec3 n = scene_direction(draw), d = light_direction(draw, n);
         // the viewer near the mirrored light, or anywhere above the surface
         const vec3 c = viewer(draw, n, d);
         return row(m, ambient, irradiance, n, d, c);

@@ -194,7 +194,9 @@ Check lamp_steps(Generator& random) {
 
 Checks check_pixel_mean(Generator& random) {
     const auto inputs = rows_of(64, [](Generator& random) {
-        const int n = chance(random, 0.1) ? 1 : whole_between(random, 2, 30);
+        const int n = chance(random, 0.1)    ? 1
+                      : chance(random, 0.06) ? int(log_between(random, 100, 3000))
+                                             : whole_between(random, 2, 30);
         Colors radiance;
         Weights weight;
         for (int i = 0; i < n; ++i) {

@@ -20,13 +20,17 @@ bool is_total(vec3 right) { return right == vec3(0); }
 
 /// Below the critical angle, or above it, but not near it.
 Row ordinary_boundary(Generator& random, bool total) {
-    const vec3 n = direction(random);
+    const vec3 n = scene_direction(random);
     const double low = between(random, 1, 1.2), high = between(random, 1.25, 2.5);
     const bool up = total || chance(random, 0.5);
     double from = up ? high : low, to = up ? low : high;
     if (total && chance(random, 0.3)) to /= from, from = 1;  // out of air into what is thinner
     const double critical = up ? std::asin(to / from) : rt::pi / 2;
-    const double angle = total ? between(random, critical + 0.05, 1.55) : between(random, 0, critical - 0.05);
+    if (!total && chance(random, 0.1)) to = from;
+    const double grazing = std::acos(log_between(random, 1e-3, 0.05));
+    const double angle = total                         ? between(random, critical + 0.05, 1.55)
+                         : !up && chance(random, 0.15) ? grazing
+                                                       : angle_from_axis(random, critical - 0.05);
     return row(-tilted(random, n, angle), n, from, to);
 }
 
@@ -63,7 +67,7 @@ Statistic refracted(const std::string& id, const std::string& what, double toler
 }  // namespace
 
 Checks check_refracted_direction(Generator& random) {
-    const auto crossing = rows_of(64, [](Generator& draw) { return ordinary_boundary(draw, false); });
+    const auto crossing = rows_of(128, [](Generator& draw) { return ordinary_boundary(draw, false); });
     const auto total = rows_of(32, [](Generator& draw) { return ordinary_boundary(draw, true); });
     return {probe_check("snell", crossing, {refracted("F4", "refracted direction, off by", 1e-3)}),
             probe_check("total_reflection", total,

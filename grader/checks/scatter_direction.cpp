@@ -49,7 +49,7 @@ Statistic density() {
 
 Check directions(const std::string& name, double g) {
     const auto inputs = rows_of(1024, [=](Generator& random) {
-        const vec3 d = direction(random);
+        const vec3 d = scene_direction(random);
         return row(d, g, square(random));
     });
     const Statistic mean = mean_of(
@@ -154,12 +154,22 @@ Checks check_scatter_direction(Generator& random) {
         const double g = between(draw, -0.9, 0.9);
         return row(d, g, u);
     };
+    Check axes = axes_of_the_world(row_with);
+    axes.statistics.push_back(
+        mean_of({.id = "B1",
+                 .what = "mean of cosine less g, about the axes of the world",
+                 .number = of_call<rt::scatter_direction>(
+                     [](const DirectionSample& s, vec3 d, double g, vec2) { return rt::dot(s.direction, d) - g; }),
+                 .truth = 0,
+                 .unit = 1,
+                 .hint = always("about an axis of the world, directions are not those about "
+                                "others")}));
     return {directions("forward", forward),
             directions("backward", backward),
             probe_check("any_g", extremes, {unit_direction<rt::scatter_direction>("V3"), density()}),
             neighbours(3, row_with),
             ends_of_square(row_with),
-            axes_of_the_world(row_with),
+            axes,
             white_medium(random),
             ahead_and_behind(random)};
 }

@@ -96,8 +96,8 @@ std::vector<Statistic> end_of_ray() {
 }  // namespace
 
 Checks check_shadow_ray(Generator& random) {
-    const auto inputs = rows_of(64, [](Generator& draw) {
-        const vec3 point = box(draw, -5, 5), n = direction(draw);
+    const auto inputs = rows_of(96, [](Generator& draw) {
+        const vec3 point = box(draw, -5, 5), n = scene_direction(draw);
         // not along the normal: there an origin off the surface brings the far end as close to the light as it was
         // moved
         const double distance = chance(draw, 0.2) ? rt::inf : log_between(draw, 0.5, 50);

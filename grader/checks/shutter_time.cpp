@@ -83,17 +83,39 @@ Check times(Generator& random) {
 }
 
 Check instant() {
-    const auto inputs = rows_of(16, [](Generator& random) {
+    const auto instants = rows_of(16, [](Generator& random) {
         const double open = between(random, -2, 2);
         return row(Shutter{open, open}, between(random, 0, 1));
     });
-    return probe_check("instant", inputs,
-                       {property({.id = "M1",
-                                  .what = "time from the instant [s]",
-                                  .violation = of_call<rt::shutter_time>(
-                                      [](double time, const Shutter& s, double) { return std::abs(time - s.open); }),
-                                  .tolerance = 1e-5,
-                                  .says = "a shutter that closes as it opens leaves one time"})});
+    const auto any_exposure = rows_of(256, [](Generator& random) {
+        const double open = (chance(random, 0.5) ? 1 : -1) * log_between(random, 1, 100);
+        return row(Shutter{open, open + log_between(random, 1e-3, 100)}, between(random, 0, 1));
+    });
+    return probe_check(
+        "instant", rows_then(instants, any_exposure),
+        {property({.id = "M1",
+                   .what = "time from the instant [s]",
+                   .violation = of_call<rt::shutter_time>([](double time, const Shutter& s, double) {
+                       return s.open < s.close ? 0 : std::abs(time - s.open);
+                   }),
+                   .tolerance = 1e-5,
+                   .says = "a shutter that closes as it opens leaves one time"}),
+         property({.id = "M1",
+                   .what = "times outside exposures from a millisecond to 100 s",
+                   .violation = of_call<rt::shutter_time>([](double time, const Shutter& s, double) {
+                       const double margin = 1e-5 * std::max(1.0, std::abs(time));
+                       return time >= s.open - margin && time <= s.close + margin ? 0.0 : 1.0;
+                   }),
+                   .says = "a time is before the shutter opens or after it closes, where the exposure is "
+                           "very short or long, or long after the start"}),
+         mean_of({.id = "M1",
+                  .what = "mean time of exposures from a millisecond to 100 s, as a share of them",
+                  .number = of_call<rt::shutter_time>([](double time, const Shutter& s, double u) {
+                      return s.open < s.close ? share_of_exposure(time, s, u) : 0.5;
+                  }),
+                  .truth = 0.5,
+                  .unit = 1,
+                  .hint = always("times of very short or long exposures are not uniform in them")})});
 }
 
 struct Along {

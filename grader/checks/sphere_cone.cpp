@@ -48,10 +48,21 @@ Check cone(const std::string& name, double sine) {
 
 Checks check_sphere_cone(Generator& random) {
     const double small = between(random, 0.05, 0.15), large = between(random, 0.6, 0.95);
-    const auto row_with = [](Generator& draw, rt::vec2 u) { return row(log_between(draw, 1e-3, 1), u); };
+    const auto row_with = [](Generator& draw, rt::vec2 u) {
+        return row(chance(draw, 0.1) ? 1 : log_between(draw, 1e-3, 1), u);
+    };
+    Check ends = ends_of_square(row_with);
+    ends.statistics.push_back(
+        property({.id = "V3",
+                  .what = "density for any sine from 0.001 to 1, off by its share",
+                  .violation = of_call<rt::sphere_cone>([](const DirectionSample& s, double sine, rt::vec2) {
+                      const double m = sine * sine / (1 + std::sqrt(1 - sine * sine));
+                      return std::abs(s.density * 2 * rt::pi * m - 1);
+                  }),
+                  .tolerance = 1e-3,
+                  .says = "the density is wrong for a very small sphere, or for one that fills half of the sky"}));
     return {cone("small_sphere", small), cone("large_sphere", large),
-            neighbours(3, [](Generator& draw, rt::vec2 u) { return row(between(draw, 0.8, 1), u); }),
-            ends_of_square(row_with),
+            neighbours(3, [](Generator& draw, rt::vec2 u) { return row(between(draw, 0.8, 1), u); }), ends,
             shadow_check(random, "sphere_penumbra", any_shadow(random, rt::Emitter::Kind::sphere))};
 }
 

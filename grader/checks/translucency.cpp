@@ -138,8 +138,9 @@ Checks check_translucency(Generator& random) {
     const double low = between(random, 1, 1.1), high = between(random, 1.35, 1.8);
     const double into_denser = between(random, 0.9, 1.2),
                  into_thinner = std::asin(std::sin(between(random, 0.85, 1.1)) * low / high);
-    const Checks any_exponent = lobe_of_any_exponent(
-        false, [](vec3 d, vec3 n, double exponent, rt::vec2 u) { return row(d, n, 1.0, 1.5, exponent, u); });
+    const Checks any_exponent = lobe_of_any_exponent(false, [](vec3 d, vec3 n, double exponent, rt::vec2 u) {
+        return row(d, n, 1.0, u.y < 0.1 ? 1.0 : 1.5, exponent, u);
+    });
     return joined(any_exponent, {refracted_rays(random, "head_on", 0, low, high),
                                  refracted_rays(random, "into_the_denser", into_denser, low, high),
                                  refracted_rays(random, "into_the_thinner", into_thinner, high, low),

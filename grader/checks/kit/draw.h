@@ -11,9 +11,17 @@ inline double between(Generator& random, double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
 }
 
+inline bool chance(Generator& random, double probability) { return between(random, 0, 1) < probability; }
+
 /// Uniform in the logarithm.
 inline double log_between(Generator& random, double low, double high) {
     return std::exp(between(random, std::log(low), std::log(high)));
+}
+
+/// Likewise, and often one of the two ends: what is promised is promised there too.
+inline double range_between(Generator& random, double low, double high) {
+    if (chance(random, 0.2)) return chance(random, 0.5) ? low : high;
+    return log_between(random, low, high);
 }
 
 /// Of either sign, uniform in the logarithm of its size, from `closest` to a twentieth.
@@ -25,8 +33,6 @@ inline double close_to_zero(Generator& random, double closest) {
 inline int whole_between(Generator& random, int low, int high) {
     return std::uniform_int_distribution<int>(low, high)(random);
 }
-
-inline bool chance(Generator& random, double probability) { return between(random, 0, 1) < probability; }
 
 /// A point of the unit square.
 inline rt::vec2 square(Generator& random) {
@@ -53,12 +59,33 @@ inline rt::vec3 exact_direction(Generator& random) {
     return d;
 }
 
+/// A unit vector as scenes have them: along an axis of the world, level or upright, or any.
+inline rt::vec3 scene_direction(Generator& random) {
+    if (chance(random, 0.3)) return exact_direction(random);
+    if (!chance(random, 0.15)) return direction(random);
+    const double turn = between(random, 0, 2 * rt::pi);
+    const int axis = whole_between(random, 0, 2);
+    rt::vec3 d(0);
+    d[(axis + 1) % 3] = std::cos(turn), d[(axis + 2) % 3] = std::sin(turn);
+    return d;
+}
+
+/// An angle up to `most`: of 0 as well.
+inline double angle_from_axis(Generator& random, double most) {
+    return chance(random, 0.12) ? 0 : between(random, 0, most);
+}
+
 /// A point on the rim of the unit square: a coordinate of 0, or the largest number below 1.
 inline rt::vec2 end_of_square(Generator& random) {
     constexpr double ends[] = {0, 0x1p-53, 1 - 0x1p-53};
     const auto end = [&] { return ends[whole_between(random, 0, 2)]; };
     const double x = end(), y = chance(random, 0.02) ? end() : between(random, 0, 1);
     return chance(random, 0.5) ? rt::vec2(x, y) : rt::vec2(y, x);
+}
+
+/// A point of the unit square, now and then on its rim.
+inline rt::vec2 square_with_ends(Generator& random) {
+    return chance(random, 0.1) ? end_of_square(random) : square(random);
 }
 
 /// A unit vector at the given angle from a unit vector.

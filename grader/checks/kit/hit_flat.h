@@ -8,9 +8,12 @@ namespace grade {
 /// A ray towards a point, from either side, and an interval that holds the point, or ends before it, or starts behind
 /// it.
 inline rt::Ray ray_towards(Generator& random, rt::vec3 target, rt::vec3 normal, double size, bool clipped) {
-    const rt::vec3 d = tilted(random, (chance(random, 0.5) ? 1.0 : -1.0) * normal, between(random, 0, 1.3));
-    const double distance = size * between(random, 0.5, 20) * (chance(random, 0.85) ? 1 : -1);
-    const double speed = chance(random, 0.3) ? 1 : log_between(random, 0.3, 10);
+    const double grazing = std::acos(log_between(random, 2e-3, 0.1));
+    const double angle = chance(random, 0.12) ? grazing : angle_from_axis(random, 1.3);
+    const rt::vec3 d = tilted(random, (chance(random, 0.5) ? 1.0 : -1.0) * normal, angle);
+    const double away = chance(random, 0.75) ? between(random, 0.5, 20) : range_between(random, 20, 1000);
+    const double distance = size * away * (chance(random, 0.85) ? 1 : -1);
+    const double speed = chance(random, 0.3) ? 1 : range_between(random, 1e-3, 1e3);
     rt::Ray ray{target - distance * d, speed * d, 0, rt::inf};
     if (clipped && chance(random, 0.6)) ray.near = std::abs(distance) / speed * between(random, 0.2, 1.8);
     if (clipped && chance(random, 0.6)) ray.far = ray.near + std::abs(distance) / speed * between(random, 0.2, 1.8);
@@ -18,6 +21,15 @@ inline rt::Ray ray_towards(Generator& random, rt::vec3 target, rt::vec3 normal, 
     const bool close = std::abs(t - ray.near) < 0.05 * std::abs(t) || std::abs(t - ray.far) < 0.05 * std::abs(t);
     return close ? ray_towards(random, target, normal, size, clipped) : ray;
 }
+
+/// How large a shape is, or what of it: mostly as things in a room are, and down and up to what is promised.
+inline double scene_size(Generator& random) {
+    return chance(random, 0.7) ? log_between(random, 0.01, 10) : range_between(random, 1e-3, 1e3);
+}
+
+/// How far a point is from a rim, in sizes, on either side: so close that single precision, some metres from the
+/// origin, does not know the side. Each seed has enough of them.
+inline double hair(Generator& random) { return (chance(random, 0.5) ? 1 : -1) * log_between(random, 1e-6, 1e-5); }
 
 /// A ray that starts within a few sizes of its target.
 inline rt::Ray near_ray(Generator& random, rt::vec3 target, rt::vec3 normal, double size) {
@@ -80,10 +92,11 @@ std::vector<Suspect<fragment>> flat_suspects(const FlatShape<Shape>& flat) {
 /// The checks of a flat shape: distances of whole rays, and within their intervals.
 ///
 /// draw(random, clipped)  a row
+/// fine(random)           one of a small shape that is met a hair from its rim
 /// small(random)          one of a shape a millimetre large, close by; or of a ray that runs along its plane
 template <auto fragment, class Shape>
 Checks flat_checks(const FlatShape<Shape>& flat, const std::vector<Suspect<fragment>>& suspects,
-                   Row (*draw)(Generator&, bool clipped), Row (*small)(Generator&)) {
+                   Row (*draw)(Generator&, bool clipped), Row (*fine)(Generator&), Row (*small)(Generator&)) {
     const auto distance = [&](const std::string& what) {
         return formula<fragment>(
             {.id = "W1",
@@ -97,8 +110,8 @@ Checks flat_checks(const FlatShape<Shape>& flat, const std::vector<Suspect<fragm
                  {"only small shapes are wrong: an absolute epsilon is too large for them",
                   [size = flat.size](const Shape& s, const rt::Ray&) { return size(s) < 0.2; }}}});
     };
-    return {probe_check("inside", rows_of(96, [=](Generator& random) { return draw(random, false); }),
-                        {distance("distance, off by")}),
+    const auto ordinary = [=](Generator& random) { return draw(random, false); };
+    return {probe_check("inside", rows_then(rows_of(128, ordinary), rows_of(32, fine)), {distance("distance, off by")}),
             probe_check("small_and_edge_on", rows_of(96, small), {distance("distance to a small shape, off by")}),
             probe_check("interval", rows_of(160, [=](Generator& random) { return draw(random, true); }),
                         {distance("distance within the interval, off by")})};

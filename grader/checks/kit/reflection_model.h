@@ -44,13 +44,22 @@ inline rt::Color reflected(const rt::Material& material, rt::vec3 n, rt::vec3 d,
 
 /// Angle of a light from the normal: above the horizon, just below it, or behind.
 inline double light_angle(Generator& random) {
+    if (chance(random, 0.06)) return 0;
     if (chance(random, 0.3)) return rt::pi / 2 - close_to_zero(random, 1e-5);  // grazing
     const double which = between(random, 0, 1);
     return which < 0.65 ? between(random, 0, 1.45) : which < 0.9 ? between(random, 1.65, 1.9) : between(random, 1.9, 3);
 }
 
+/// The direction to a light; along the surface, to the last bit, where the normal is an axis of the world.
+inline rt::vec3 light_direction(Generator& random, rt::vec3 n) {
+    if (rt::largest(n) == 1 && chance(random, 0.15)) return {n.y, n.z, n.x};
+    return tilted(random, n, light_angle(random));
+}
+
 /// A viewer above the surface, near the mirrored light where it is that high, or anywhere.
 inline rt::vec3 viewer(Generator& random, rt::vec3 n, rt::vec3 d) {
+    if (chance(random, 0.06)) return n;
+    if (chance(random, 0.06) && rt::dot(n, d) > 0.01) return d;
     if (chance(random, 0.7))
         for (int attempt = 0; attempt < 20; ++attempt) {
             const double off = chance(random, 0.3) ? std::abs(close_to_zero(random, 1e-3)) : between(random, 0, 0.6);
@@ -58,6 +67,11 @@ inline rt::vec3 viewer(Generator& random, rt::vec3 n, rt::vec3 d) {
             if (rt::dot(c, n) > 0.01) return c;
         }
     return tilted(random, n, between(random, 0, 1.5));
+}
+
+/// How bright a light is, over what is usual in a room.
+inline double brightness_of_light(Generator& random) {
+    return chance(random, 0.7) ? 1 : range_between(random, 1e-2, 1e4);
 }
 
 /// A highlight as the handout promises it: of any exponent from 1 to 10,000, seen from within it or from where it is 0
@@ -69,11 +83,11 @@ struct Highlight {
 inline Highlight extreme_highlight(Generator& random) {
     Highlight h;
     const bool behind = chance(random, 0.4);
-    h.n = direction(random), h.to_light = tilted(random, h.n, between(random, 0, 1.2));
+    h.n = scene_direction(random), h.to_light = tilted(random, h.n, between(random, 0, 1.2));
     const rt::vec3 mirrored = 2 * rt::dot(h.n, h.to_light) * h.n - h.to_light;
     // behind it, a power of a negative number is nan, or a number where the exponent is whole
     const int whole = whole_between(random, 1, 4);
-    h.material.shininess = !behind ? log_between(random, 10, 1e4) : chance(random, 0.5) ? whole : whole + 0.5;
+    h.material.shininess = !behind ? range_between(random, 1, 1e4) : chance(random, 0.5) ? whole : whole + 0.5;
     h.material.specular = chance(random, 0.3) ? rt::Color(1) : box(random, 0.1, 0.9);
     h.to_viewer = tilted(random, behind ? -mirrored : mirrored,
                          behind ? between(random, 0, 1.2) : between(random, 0, 2) / std::sqrt(h.material.shininess));

@@ -7,7 +7,7 @@ using rt::Emitter, rt::LightSample, rt::vec2, rt::vec3;
 Emitter emitter(Generator& random, Emitter::Kind kind) {
     Emitter light;
     light.kind = kind;
-    const rt::Frame frame = rt::frame_about(direction(random));
+    const rt::Frame frame = rt::frame_about(scene_direction(random));
     light.quad = {box(random, -1, 1), between(random, 0.2, 0.6) * frame.x, between(random, 0.2, 0.6) * frame.y};
     light.disc = {box(random, -1, 1), frame.z, between(random, 0.2, 0.6)};
     light.sphere = {box(random, -1, 1), between(random, 0.3, 0.8)};

@@ -20,8 +20,8 @@ namespace rt {
 Scattered glossy_reflection(vec3 d, vec3 n, Real exponent, vec2 u) {
     DirectionSample s = phong_lobe(exponent, u);
     vec3 w = frame_about(mirror_direction(d, n)).to_world(s.direction);
-    double brdf = (exponent + 2) / (2 * pi) * std::pow(s.direction.z, exponent);
-    return {w, Color(brdf * std::abs(dot(w, n)) / s.density)};
+    double brdf_over_density = (exponent + 2) / (exponent + 1);
+    return {w, Color(brdf_over_density * std::abs(dot(w, n)))};
 }
 
 }  // namespace rt
