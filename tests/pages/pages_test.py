@@ -194,6 +194,9 @@ def check_reading(browser, folder):
         inner = page.evaluate("[...document.querySelectorAll('a[href^=\"#\"]')].filter(a => !document.getElementById("
                               "a.getAttribute('href').slice(1))).map(a => a.getAttribute('href'))")
         expect(not inner, f"{name}: links to nothing: {inner}")
+        if "failing" in name:
+            row = page.locator(".overview tr:has(.failed)").first.inner_text()
+            expect(re.search(r"at 1e-?\d+: ", row), f"a family that fails says why: {row!r}")
         page.close()
 
 
