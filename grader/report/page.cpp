@@ -40,7 +40,8 @@ std::string fragment_section(const FragmentRecord& fragment, const std::string& 
         text += fmt::format("<pre tabindex=\"0\">{}</pre>\n", html(fragment.message));
     else if (!fragment.message.empty())
         text += tell(fragment.message);
-    else if (const Finding& f = fragment.finding; !f.how.empty() || !f.arguments.empty() || !f.fault.empty())
+    else if (const Finding& f = fragment.finding;
+             !f.how.empty() || !f.arguments.empty() || !f.fault.empty() || fragment.verdict == Verdict::timed_out)
         text += tell(diagnose(fragment).words);
     if (!fragment.finding.code.empty())
         text += fmt::format(
