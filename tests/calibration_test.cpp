@@ -6,6 +6,7 @@
 #include "calibration/pool.h"
 #include "calibration/real.h"
 #include "calibration/replay.h"
+#include "calibration/report.h"
 #include "calibration/summary.h"
 #include "calibration/variant.h"
 #include "calibration/workshop.h"
@@ -219,6 +220,22 @@ TEST_CASE("steps of all shards together are all steps; what is done is not done 
     for (int turn = 0; turn < 2; ++turn)
         for (int shard = 0; shard < 3; ++shard) run_steps(steps, shard, 3, 1, {});
     CHECK(runs == std::vector<int>(7, 1));
+}
+
+TEST_CASE("of what was not measured the report says so once") {
+    Summary summary;
+    summary.steps = 121;
+    const std::string nothing = calibration_report(summary, "grade calibrate --report", "plot.svg");
+    CHECK(nothing.find("none of 121 steps is done") != std::string::npos);
+    CHECK(nothing.find("ot run") == std::string::npos);
+    CHECK(nothing.find("alpha") == std::string::npos);
+    CHECK(nothing.find("* neighbours spoiled, real gradings: 0\n") != std::string::npos);
+
+    summary.steps_done = 1, summary.neighbours = 7;
+    const std::string some = calibration_report(summary, "grade calibrate --report", "plot.svg");
+    CHECK(some.find("| neighbours spoiled, real gradings | 0 | 0 of 7 (0.0 %) |") != std::string::npos);
+    CHECK(some.find("* same submission and seed") != std::string::npos);
+    CHECK(some.find("**Alpha** is the rate") != std::string::npos);
 }
 
 TEST_CASE("a plot shows each series by name, and leaves out what a logarithm cannot show") {

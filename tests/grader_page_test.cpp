@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
@@ -52,6 +54,15 @@ TEST_CASE("a value far off stays inside its drawing, as an arrow") {
     CHECK(bar(statistic).find("<path") != std::string::npos);
     statistic.value = 1.05;
     CHECK(bar(statistic).find("<circle") != std::string::npos);
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    statistic.value = statistic.low = statistic.high = infinite;
+    for (const double tolerance : {0.1, 0.0}) {
+        statistic.tolerance = tolerance;
+        CHECK(bar(statistic).find("<path") != std::string::npos);
+        CHECK(bar(statistic).find("\"nan") == std::string::npos);
+    }
+    statistic.value = std::nan("");
+    CHECK(bar(statistic).find("not to be drawn") != std::string::npos);
     statistic.value = std::nullopt;
     CHECK(bar(statistic).empty());
 }
@@ -119,21 +130,35 @@ TEST_CASE("a report in Markdown becomes sections of a page, and what it quotes i
     CHECK(text.find("<tr><th> a </th><th> b </th></tr>\n<tr><td> 1 </td><td data-is=\"b\"> <b>2</b> </td></tr>") !=
           std::string::npos);
     CHECK(text.find("<ul><li>one</li>\n<li>two ** alone</li>\n</ul>") != std::string::npos);
+    CHECK(html_of_markdown("# title\n\n## A\n\nwords\n").starts_with("<h2>A</h2>"));  // no empty card before it
 }
 
 TEST_CASE("pages of one folder lead to each other, whichever was written first") {
     const fs::path folder = fs::temp_directory_path() / fmt::format("penumbra-pages-{}", getpid());
-    write_page(folder, "stress.html", plain_page("Stress", "mine", "<p>s</p>"));
+    write_page(folder, "stress.html", plain_page("Stress", "mine", "", "<p>s</p>"));
     const std::string alone = read_text(folder / "stress.html").value();
     CHECK(alone.find("<b aria-current=\"page\">extreme cases</b>") != std::string::npos);
     CHECK(alone.find("lesson.html") == std::string::npos);
     CHECK(alone.find("<code>./grade lesson SUBMISSION --out DIR</code>") != std::string::npos);
 
-    write_page(folder, "lesson.html", plain_page("Lesson", "mine", "<p>l</p>"));
+    write_page(folder, "lesson.html", plain_page("Lesson", "mine", "", "<p>l</p>"));
     const std::string both = read_text(folder / "stress.html").value();
     CHECK(both.find("<a href=\"lesson.html\"") != std::string::npos);
     CHECK(both.find("<p>s</p>") != std::string::npos);
     CHECK(both.find("./grade lesson") == std::string::npos);
     CHECK(read_text(folder / "lesson.html").value().find("<a href=\"stress.html\"") != std::string::npos);
+    CHECK(both.find("<a href=\"handout.html\">") == std::string::npos);
+
+    // a handout that is a page comes along, and each page leads to it
+    const fs::path kit = folder / "kit";
+    fs::create_directories(kit);
+    CHECK(handout_beside(folder, kit) == "kit/handout.md");
+    write_text(kit / "handout.html", "the handout");
+    CHECK(handout_beside(folder, kit) == "handout.html");
+    CHECK(read_text(folder / "handout.html") == "the handout");
+    write_page(folder, "lesson.html", plain_page("Lesson", "mine", read_link("phong", "handout.html"), "<p>l</p>"));
+    for (const char* page : {"stress.html", "lesson.html"})
+        CHECK(read_text(folder / page).value().find("<a href=\"handout.html\">handout</a>") != std::string::npos);
+    CHECK(read_text(folder / "lesson.html").value().find("<a href=\"handout.html#phong\">") != std::string::npos);
     fs::remove_all(folder);
 }

@@ -88,7 +88,7 @@ TEST_CASE("reports show what a picture costs and how noisy it is, beside the sol
     CHECK(json["fragments"][0]["checks"][0]["solution_picture"]["cpu_seconds"] == Approx(0.25));
     const std::string text = page(record);
     CHECK(text.find("Efficiency: 0.12 times the right one's.") != std::string::npos);
-    CHECK(text.find("error against run time</text>") != std::string::npos);
+    CHECK(text.find("Error of pictures against run time</text>") != std::string::npos);
     CHECK(table(record, {}).find("0.12 times the solution's") != std::string::npos);
 
     // without an error there is no efficiency

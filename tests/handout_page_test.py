@@ -142,6 +142,11 @@ def check_page(folder):
     shown = text.count('<math display="block"')
     expect(shown == display, where, f"{shown} formulas in lines of their own; expected {display}")
     expect("$" not in "".join(page.words), where, "a $ is left; expected MathML")
+    expect(not re.search(r'</m(?:i|sub|row)><mi mathvariant="normal">d</mi>', text), where, "no space before a differential")
+    expect(not re.search(r"<semantics><mrow><mo>[=+]", text), where, "no space about a sign at the head of a part of a formula")
+    plain = re.findall(r"\b[a-z]_[a-z],", "".join(page.words))  # descriptions of keys have what code has
+    expect(not plain, where, f"{plain[:3]} as in TeX; expected <sub>")
+    expect("<th></th>" not in text, where, "a head of a column without words; expected <td>")
     expect("prefers-color-scheme: dark" in text, where, "no dark mode; expected page.css")
     expect("url(data:font/woff2" in text and "url(math" not in text, where, "no font of formulas; expected math.woff2 within the page")
     last = [rule for rule in re.findall(r"\bhtml\s*\{([^}]*)\}", text) if "background" in rule][-1:]

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <regex>
 #include <set>
@@ -7,6 +9,7 @@
 #include "checks/kit/check.h"
 #include "diagnosis/diagnosis.h"
 #include "files/files.h"
+#include "judging/grading.h"
 #include "report/describe.h"
 #include "report/scene_tables.h"
 #include "rt/files/scene_keys.h"
@@ -96,6 +99,11 @@ TEST_CASE("the handout documents each option of raytrace and grade") {
             INFO(option);
             CHECK(handout().find("`" + option) != std::string::npos);
         }
+}
+
+TEST_CASE("the handout has the grader's own limit of time") {
+    const std::string row = "| `--time-limit SECONDS` | CPU time for one answer of a fragment; default ";
+    CHECK(handout().find(row + fmt::format("{:g} |\n", GradingSettings{}.time_limit)) != std::string::npos);
 }
 
 TEST_CASE("the handout's and the README's pictures and files are there") {

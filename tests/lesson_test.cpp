@@ -40,15 +40,15 @@ TEST_CASE("a plot's guides have their slopes, and what is too small stands on it
     Plot plot{"lines", "x", "y", {{"one", {{1, 1}, {10, 0.1}, {100, 1e-30}}}}};
     plot.guides = {{-1, "N^-1"}};
     plot.least_y = 1e-2;
-    // the plot's area is 454 wide and 340 high, from 76, 44
+    // the plot's area is 314 wide and 250 high, from 58, 34
     const std::string svg = log_log(plot);
     INFO(svg);
-    CHECK(svg.find("M76.0 44.0L530.0 384.0") != std::string::npos);              // the guide: two decades down in two
-    CHECK(svg.find("M76.0 44.0L303.0 214.0L530.0 384.0") != std::string::npos);  // the line
+    CHECK(svg.find("M58.0 34.0L372.0 284.0") != std::string::npos);              // the guide: two decades down in two
+    CHECK(svg.find("M58.0 34.0L215.0 159.0L372.0 284.0") != std::string::npos);  // the line
     CHECK(svg.find("1e-30") == std::string::npos);
 
     plot.series[0].joined = false;
-    CHECK(log_log(plot).find("M76.0 44.0L303.0 214.0") == std::string::npos);
+    CHECK(log_log(plot).find("M58.0 34.0L215.0 159.0") == std::string::npos);
     plot.series[0].color = 1;
     CHECK(log_log(plot).find("#d55e00") != std::string::npos);
 }

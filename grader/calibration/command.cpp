@@ -82,7 +82,10 @@ bool calibrate(const CalibrateArguments& arguments, const std::string& toolchain
     fs::create_directories(out);
     const std::string text = calibration_report(summary, command, "calibration.svg");
     write_text(out / "calibration.md", text);
-    write_page(out, "calibration.html", plain_page("How far verdicts can be trusted", command, html_of_markdown(text)));
+    handout_beside(out, workshop.chain().source);
+    write_page(out, "calibration.html",
+               plain_page("How far verdicts can be trusted",
+                          "what was to be shown of verdicts, beside what was measured", "", html_of_markdown(text)));
     write_text(out / "calibration.svg", log_log(budget_plot(summary, int(workshop.assignment().fragments.size()))));
     fmt::print("{}\n{}\n", text.substr(0, text.find("\n## Sizes of a bias")), (out / "calibration.md").string());
     return true;

@@ -99,7 +99,7 @@ std::string goals(const Summary& s) {
                     long(s.confined.size())));
     goals.row("same submission and seed, on a quiet and on a busy machine, with 1 and 7 jobs", "identical records",
               share(s.same_under_load, s.under_load));
-    return goals.text;
+    return goals.text();
 }
 
 }  // namespace grade::calibration

@@ -29,8 +29,8 @@ std::string error_against_time(const Summary& s, const std::string& plot) {
     return fmt::format(
                "\n## Error of the verdict against run time\n\nReplayed with other budgets. A verdict is wrong where a "
                "right submission does not pass, or a wrong variant does not fail;\n"
-               "inconclusive is wrong here. First with a fixed number of replicates of each check, tested once at the "
-               "same rates; then with\nthe grader's own rule, which looks at 8, 16, 32... replicates and stops when "
+               "inconclusive is wrong here. First with a fixed number of repetitions of each check, tested once at the "
+               "same rates; then with\nthe grader's own rule, which looks at 8, 16, 32... repetitions and stops when "
                "it is certain. The default is at most {}.\n\n{}",
                GradingSettings{}.replicates,
                has_run(s.fixed_budgets) || has_run(s.budgets)
@@ -43,17 +43,25 @@ std::string error_against_time(const Summary& s, const std::string& plot) {
 }  // namespace
 
 std::string calibration_report(const Summary& s, const std::string& command, const std::string& plot) {
-    std::string text = "# How far verdicts can be trusted\n\n";
+    std::string text =
+        fmt::format("# How far verdicts can be trusted\n\nMade by `{}` on {:%Y-%m-%d}, {}, {} threads. ", command,
+                    fmt::localtime(std::time(nullptr)), name_of_processor(), std::thread::hardware_concurrency());
+    if (s.steps_done == 0)
+        return text + fmt::format(
+                          "Nothing is measured yet: none of {} steps is done in this folder. The command without "
+                          "`--report` does them.\n\n## What is to be shown\n\n{}",
+                          s.steps, goals(s));
+    text += fmt::format("{} of {} steps were done; each statistic of each variant was measured {} times or more.\n\n",
+                        s.steps_done, s.steps, s.least_replicates);
     text += fmt::format(
-        "Made by `{}` on {:%Y-%m-%d}, {}. {} of {} steps were done; each statistic of each variant has {} replicates "
-        "or more,\nand {} statistics with noise share alpha.\n\n",
-        command, fmt::localtime(std::time(nullptr)),
-        fmt::format("{}, {} threads", name_of_processor(), std::thread::hardware_concurrency()), s.steps_done, s.steps,
-        s.least_replicates, s.noisy);
-    text +=
-        "**Real** gradings run programs, on fresh seeds. **Replays** draw replicates from stores, with replacement, "
-        "and decide with the same\n"
-        "code; each draws from one of the stores' grading seeds. Rates are given with 95 % bounds.\n\n";
+        "* A **variant** is a fragment that is wrong on purpose, or right in an unusual way.\n"
+        "* **Real** gradings run programs, on fresh seeds.\n"
+        "* **Replays** run none: what programs measured once is kept, in stores, and a replay draws from a store, with "
+        "replacement, and decides with the same code. Each draws from the stores of one grading seed.\n"
+        "* **Alpha** is the rate at which right submissions may fail; {} statistics have noise and share it.\n"
+        "* **Δ0** is what pages call right within, **Δ** what it calls wrong beyond.\n"
+        "* Rates are given with 95 % bounds.\n\n",
+        s.noisy);
     text += "## What was to be shown\n\n" + goals(s);
     if (s.whole_seconds > 0)
         text += fmt::format("\nA whole right submission takes {:.2f} CPU seconds in its checks (real gradings).\n",

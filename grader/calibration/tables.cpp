@@ -17,6 +17,18 @@ std::string share(long hits, long all) {
     return all > 0 ? fmt::format("{} of {} ({:.1f} %)", hits, all, 100.0 * double(hits) / double(all)) : "not run";
 }
 
+void GoalTable::row(const std::string& what, const std::string& goal, const std::string& measured) {
+    if (measured == "not run" || measured == "not run; not run")
+        open_ += fmt::format("* {}: {}\n", what, goal);
+    else
+        rows_ += fmt::format("| {} | {} | {} |\n", what, goal, measured);
+}
+
+std::string GoalTable::text() const {
+    return (rows_.empty() ? "" : "| measure | goal | measured |\n|---|---|---|\n" + rows_ + "\n") +
+           (open_.empty() ? "" : "Not measured here, and what they must be:\n\n" + open_);
+}
+
 double failed_rate(const VariantSummary& v) {
     return v.replayed.gradings > 0 ? double(v.replayed.failed) / double(v.replayed.gradings) : 0;
 }
@@ -157,7 +169,6 @@ std::string hint_table(const Summary& s) {
     goals.row("by any of these", "at least 95 %", share(together, found));
     goals.row("CPU seconds that the diagnosis of a fragment takes: mean; most", "at most 1",
               found > 0 ? fmt::format("{:.2f}; {:.2f} ({})", seconds / double(found), most, dearest) : "not run");
-    goals.text += "\nThe first hint of each beside what is wrong, for a reader to judge:\n\n";
     std::string hints;
     const auto in_cell = [](const std::string& words) {
         std::string cell;
@@ -168,7 +179,8 @@ std::string hint_table(const Summary& s) {
         if (!v.hints.empty())
             hints += fmt::format("| {} | {} | {} |\n", v.variant->name.substr(v.variant->name.find('/') + 1),
                                  in_cell(v.variant->what), in_cell(v.hints.front().message));
-    return goals.text + table_or_none("| variant | what is wrong | hint |\n|---|---|---|\n", hints);
+    return goals.text() + "\nThe first hint of each beside what is wrong, for a reader to judge:\n\n" +
+           table_or_none("| variant | what is wrong | hint |\n|---|---|---|\n", hints);
 }
 
 }  // namespace grade::calibration

@@ -25,13 +25,16 @@ auto total(const Rows& rows, Value value) {
 double failed_rate(const VariantSummary& v);
 double open_rate(const VariantSummary& v);
 
-/// What was to be shown beside what was measured.
-struct GoalTable {
-    std::string text = "| measure | goal | measured |\n|---|---|---|\n";
+/// What was to be shown beside what was measured; what was not measured is named once, below.
+class GoalTable {
+public:
+    /// measured  as rate and share give it
+    void row(const std::string& what, const std::string& goal, const std::string& measured);
 
-    void row(const std::string& what, const std::string& goal, const std::string& measured) {
-        text += "| " + what + " | " + goal + " | " + measured + " |\n";
-    }
+    std::string text() const;
+
+private:
+    std::string rows_, open_;
 };
 
 /// What was to be shown, and what was.

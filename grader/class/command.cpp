@@ -17,6 +17,7 @@
 #include "files/interrupt.h"
 #include "judging/provenance.h"
 #include "programs/toolchain.h"
+#include "report/folder.h"
 #include "rt/files/scene_reader.h"
 #include "studies/studies.h"
 
@@ -90,7 +91,7 @@ int run_class(const ClassArguments& arguments, const std::string& toolchain) {
     std::vector<Result> results = results_of(entries, assignment, chain, setup);
     const Outcome outcome = grade_all(entries, results, assignment, chain, setup, shard, arguments, out);
     for (Result& result : results) result.record = find_record(out, result);
-    write_class(out, results, assignment.title);
+    write_class(out, results, assignment.title, handout_beside(out, chain.source));
     fmt::print("{}", class_table(results));
     fmt::print("{} graded now, {} as before; seed {}; {}\n", outcome.graded, outcome.before, setup.seed,
                (out / "index.html").string());

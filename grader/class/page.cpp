@@ -8,6 +8,7 @@
 #include "class/findings.h"
 #include "class/report.h"
 #include "convert/words.h"
+#include "diagnosis/diagnosis.h"
 #include "report/escape.h"
 #include "report/page_parts.h"
 #include "report/terminal.h"
@@ -51,10 +52,13 @@ std::string spread_of_scores(const std::vector<Result>& results) {
     for (std::size_t i = 0; i < counts.size(); ++i)
         text += fmt::format("<div><span>{}</span><i style=\"height:{:.0f}%\"></i><span>{}</span></div>",
                             counts[i] ? std::to_string(counts[i]) : "", 75.0 * counts[i] / most, 10 * (i + 1));
-    return text + "</div><p class=\"soft\">Submissions by percent of the points, up to.</p>";
+    return text +
+           "</div><p class=\"soft\">Above each bar, how many submissions have so large a part of the points; below it, "
+           "up "
+           "to which percent. The first bar is 0 to 10 %.</p>";
 }
 
-std::string by_fragment(const std::vector<Result>& results) {
+std::string by_fragment(const std::vector<Result>& results, const std::string& handout) {
     struct Sum {
         double points = 0, most = 0;
         int count = 0, passed = 0, idle = 0;
@@ -71,7 +75,11 @@ std::string by_fragment(const std::vector<Result>& results) {
         }
     }
     std::string text =
-        "<table class=\"overview\"><tr><th>fragment</th><th class=\"number\">mean</th><th>passed, wrong, not "
+        "<p class=\"soft\"><span class=\"entry\"><span class=\"key ok\"></span>passed</span> "
+        "<span class=\"entry\"><span class=\"key no\"></span>wrong</span> "
+        "<span class=\"entry\"><span class=\"key idle\"></span>not started</span></p><table "
+        "class=\"overview\"><tr><th>fragment</th><th "
+        "class=\"number\">mean</th><th>passed, wrong, not "
         "started</th><th class=\"number\">passed</th><th class=\"number\">wrong</th><th "
         "class=\"number\">not started</th></tr>\n";
     for (const std::string& name : order) {
@@ -85,8 +93,8 @@ std::string by_fragment(const std::vector<Result>& results) {
             "style=\"width:{7:.1f}%\"></i><i class=\"idle\" style=\"width:{8:.1f}%\"></i></div></td><td "
             "class=\"number\" data-is=\"passed\">{3}</td><td class=\"number\" data-is=\"wrong\">{4}</td><td "
             "class=\"number\" data-is=\"not started\">{5}</td></tr>\n",
-            html(name), short_number(s.points / s.count), short_number(s.most), s.passed, wrong, s.idle,
-            100.0 * s.passed / s.count, 100.0 * wrong / s.count, 100.0 * s.idle / s.count);
+            section_link(name, handout, html(name)), short_number(s.points / s.count), short_number(s.most), s.passed,
+            wrong, s.idle, 100.0 * s.passed / s.count, 100.0 * wrong / s.count, 100.0 * s.idle / s.count);
     }
     return text + "</table>";
 }
@@ -142,8 +150,21 @@ std::string all_submissions(const std::vector<Result>& results, const Links& lin
     return text + "</table>";
 }
 
-std::string section(const std::string& title, const std::string& body) {
-    return fmt::format("<h2>{}</h2><section class=\"card wide\">{}</section>\n", title, body);
+struct Section {
+    std::string title, body;
+};
+
+std::string shown(const Section& section) {
+    return fmt::format("<h2 id=\"{}\">{}</h2><section class=\"card wide\">{}</section>\n", anchor(section.title),
+                       section.title, section.body);
+}
+
+/// Links to all sections, and to the handout.
+std::string index_of(const std::vector<Section>& sections, const std::string& handout) {
+    std::string text = "<nav class=\"pages\" aria-label=\"sections of this page\">";
+    for (const Section& section : sections)
+        text += fmt::format("<a href=\"#{}\">{}</a>", anchor(section.title), section.title);
+    return text + (handout.empty() ? "" : fmt::format("<a href=\"{}\">handout</a>", html(handout))) + "</nav>\n";
 }
 
 /// Of the first record: all are made with the same.
@@ -159,22 +180,24 @@ std::string made_with(const std::vector<Result>& results) {
 
 }  // namespace
 
-std::string class_page(const std::vector<Result>& results, const std::string& title) {
+std::string class_page(const std::vector<Result>& results, const std::string& title, const std::string& handout) {
     const Links links = links_of(results);
     double sum = 0, most = 0;
     int count = 0;
     for (const Result& result : results)
         if (result.record) sum += result.record->score(), most = result.record->max_score(), ++count;
+    const std::vector<Section> sections{{"Scores", spread_of_scores(results)},
+                                        {"Submissions", all_submissions(results, links)},
+                                        {"By fragment", by_fragment(results, handout)},
+                                        {"Frequent mistakes", frequent_mistakes(results, links)},
+                                        {"Twins", suspicious_twins(results, links)}};
     std::string text = page_head("Class: " + title, class_style);
     text += fmt::format(
-        "<main>\n<header><div><h1>{}</h1><p>{}, {} graded</p><p class=\"soft\">{}</p></div><div "
+        "<main>\n{}<header><div><h1>{}</h1><p>{}, {} graded</p><p class=\"soft\">{}</p></div><div "
         "class=\"score\"><b>{}</b> <span>of {}, mean</span></div></header>\n",
-        html(title), counted(results.size()), count, html(made_with(results)), short_number(count ? sum / count : 0),
-        short_number(most));
-    text += section("Scores", spread_of_scores(results)) + section("By fragment", by_fragment(results));
-    text += section("Frequent mistakes", frequent_mistakes(results, links));
-    text += section("Twins", suspicious_twins(results, links));
-    text += section("Submissions", all_submissions(results, links));
+        index_of(sections, handout), html(title), counted(results.size()), count, html(made_with(results)),
+        short_number(count ? sum / count : 0), short_number(most));
+    for (const Section& section : sections) text += shown(section);
     return text +
            "<p class=\"soft\">Tables: <a href=\"class.csv\">class.csv</a>, <a href=\"canvas.csv\">canvas.csv</a>, <a "
            "href=\"moodle.csv\">moodle.csv</a>.</p></main></body></html>\n";

@@ -55,7 +55,8 @@ std::vector<std::string> places_of(const std::vector<Result>& results) {
     return places;
 }
 
-void write_class(const fs::path& out, const std::vector<Result>& results, const std::string& title) {
+void write_class(const fs::path& out, const std::vector<Result>& results, const std::string& title,
+                 const std::string& handout) {
     fs::create_directories(out / "submissions");
     const std::vector<std::string> places = places_of(results);
     for (std::size_t i = 0; i < results.size(); ++i) {
@@ -67,7 +68,7 @@ void write_class(const fs::path& out, const std::vector<Result>& results, const 
     write_changed(out / "class.csv", csv_table(rows));
     write_changed(out / "canvas.csv", canvas_table(rows));
     write_changed(out / "moodle.csv", moodle_table(rows));
-    write_changed(out / "index.html", class_page(results, title));
+    write_changed(out / "index.html", class_page(results, title, handout));
     write_list(out, results, title);
 }
 

@@ -10,7 +10,10 @@ namespace grade::course {
 
 /// Writes what there is of a class: class.json, class.csv, canvas.csv, moodle.csv, index.html, and a page and a record
 /// for each submission in submissions/.
-void write_class(const fs::path& out, const std::vector<Result>& results, const std::string& title);
+///
+/// handout  where index.html finds the handout; empty: nowhere
+void write_class(const fs::path& out, const std::vector<Result>& results, const std::string& title,
+                 const std::string& handout = "");
 
 /// For the terminal: a line for each submission.
 std::string class_table(const std::vector<Result>& results);
@@ -19,6 +22,8 @@ std::string class_table(const std::vector<Result>& results);
 std::vector<std::string> places_of(const std::vector<Result>& results);
 
 /// The class page.
-std::string class_page(const std::vector<Result>& results, const std::string& title);
+///
+/// handout  where it finds the handout; empty: nowhere
+std::string class_page(const std::vector<Result>& results, const std::string& title, const std::string& handout = "");
 
 }  // namespace grade::course

@@ -27,27 +27,6 @@ namespace grade {
 
 namespace {
 
-/// The handout as a page where there is one: beside a kit, or in the project's build folder.
-fs::path handout_in(const fs::path& root) {
-    for (const char* page : {"handout.html", "build/release/handout.html"})
-        if (fs::exists(root / page)) return root / page;
-    return root / "handout.md";
-}
-
-/// Where a page in this folder finds the handout. As a page, which needs nothing else, it comes along: the folder may
-/// be moved.
-std::string handout_for(const fs::path& folder, const fs::path& handout) {
-    const std::string there = fs::relative(handout, folder).generic_string();
-    const fs::path copy = folder / handout.filename();
-    if (handout.extension() != ".html") return there;
-    std::error_code error;
-    if (fs::equivalent(copy, handout, error)) return copy.filename().string();
-    fs::copy_file(handout, copy, fs::copy_options::overwrite_existing, error);
-    if (!error) return copy.filename().string();
-    fs::remove(copy, error);  // no room: a page without it is better than none
-    return there;
-}
-
 /// A folder as one would type it, with a slash at its end; empty where one stands in it.
 std::string from_here(const fs::path& folder) {
     std::error_code error;
@@ -156,7 +135,7 @@ public:
                 record.own_picture_scene = own_scene_.filename().string();
                 record.own_picture_fault = error.what();
             }
-        grade::write_page(html_, "index.html", page(record, handout_for(html_, handout_in(chain_.source))));
+        grade::write_page(html_, "index.html", page(record, handout_beside(html_, chain_.source)));
         line.clear();
         fmt::print("page: {}\n", (html_ / "index.html").string());
     }

@@ -14,6 +14,7 @@
 #include "programs/programs.h"
 #include "report/folder.h"
 #include "report/markdown.h"
+#include "report/page_parts.h"
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
 #include "studies/studies.h"
@@ -92,7 +93,8 @@ void add_programs(Bench& bench, Programs& programs, const Assignment& assignment
     bench.submission_stamp = stamp.text();
 }
 
-void write_reports(const ConvergenceRecord& record, const ConvergeArguments& arguments) {
+/// project  whose handout the page leads to
+void write_reports(const ConvergenceRecord& record, const ConvergeArguments& arguments, const fs::path& project) {
     if (!arguments.json.empty()) write_text(arguments.json, to_json(record));
     if (!arguments.csv.empty()) write_text(arguments.csv, to_csv(record));
     if (arguments.out.empty()) return;
@@ -103,7 +105,9 @@ void write_reports(const ConvergenceRecord& record, const ConvergeArguments& arg
             if (!scene.curves.empty()) write_text(out / plot_file(scene, against), log_log(error_plot(scene, against)));
     const std::string text = report(record);
     write_text(out / "converge.md", text);
-    write_page(out, "converge.html", plain_page("Error against run time", record.submission, html_of_markdown(text)));
+    const std::string read = read_link("Error against run time", handout_beside(out, project)) + ".";
+    write_page(out, "converge.html",
+               plain_page("Error against run time", record.submission, read, html_of_markdown(text)));
 }
 
 }  // namespace
@@ -189,7 +193,7 @@ int converge(const ConvergeArguments& arguments, const std::string& toolchain, c
         ++scenes_done;
     }
     line.clear();
-    write_reports(record, arguments);
+    write_reports(record, arguments, chain.source);
     fmt::print("{}", table(record, isatty(STDOUT_FILENO)));
     if (!arguments.out.empty()) fmt::print("report: {}\n", (fs::path(arguments.out) / "converge.html").string());
     const bool broken = std::ranges::any_of(record.scenes, [](const SceneRecord& s) { return !s.fault.empty(); });

@@ -29,7 +29,7 @@ std::string words(const std::optional<Ratio>& ratio) {
 std::string root(double square) { return square > 0 ? fmt::format("{:.3g}", std::sqrt(square)) : "0"; }
 
 std::string bias_of(const Curve& curve) {
-    if (!curve.bias) return "";
+    if (!curve.bias) return "no noise to average away";
     const auto [value, se] = *curve.bias;
     if (!curve.bias->is_positive()) return fmt::format("< {}", root(std::max(value, 0.0) + 4 * se));
     return fmt::format("{} ({} to {})", root(value), root(value - 1.96 * se), root(value + 1.96 * se));
@@ -37,13 +37,26 @@ std::string bias_of(const Curve& curve) {
 
 const char* whose(Who who) { return who == Who::submission ? "yours" : "right"; }
 
-/// The result of each curve; the long form has relative errors and rays as well.
+/// Of a curve, in a report: its pattern, and whose it is where there are both.
+std::string name_of(const SceneRecord& scene, const Curve& curve) {
+    if (scene.comparisons.empty()) return curve.sampler;
+    return curve.sampler + (curve.who == Who::submission ? ", yours" : ", the right one");
+}
+
+/// The result of each curve; the long form, for pages, has relative errors and rays as well, and heads in full words.
 Cells curve_rows(const SceneRecord& scene, bool is_long) {
     Cells rows{
         {"", "sampler", "slope", "expected", "samples", "error", "CPU s", "efficiency", "s to 64", "to 1024", "bias"}};
-    if (is_long) rows[0].insert(rows[0].begin() + 6, {"relative error", "M rays"});
+    if (is_long)
+        rows[0] = {"pattern",         "slope",
+                   "slope in theory", "samples a pixel",
+                   "error",           "error / brightness",
+                   "million rays",    "CPU seconds",
+                   "efficiency",      "CPU seconds to the error of 64 random samples",
+                   "to that of 1024", "bias"};
     for (const Curve& curve : scene.curves) {
         std::vector<std::string> row{whose(curve.who), curve.sampler};
+        if (is_long) row = {name_of(scene, curve)};
         const Fit& fit = curve.fit;
         row.push_back(fit.good ? with_interval(fit.order, fit.low, fit.high, "{:.2f}") : "none");
         row.push_back(expected_order(curve.sampler));
@@ -61,6 +74,29 @@ Cells curve_rows(const SceneRecord& scene, bool is_long) {
         rows.push_back(row);
     }
     return rows;
+}
+
+/// "With 16 samples a pixel the pattern orthogonal has the least error, 0.0032; independent points have 0.0073."
+std::string result(const SceneRecord& scene) {
+    const Who who = scene.comparisons.empty() ? scene.curves.front().who : Who::submission;
+    const Curve* best = nullptr;
+    for (const Curve& curve : scene.curves)
+        if (curve.who == who && !curve.levels.empty() &&
+            (!best || curve.levels.back().mse() < best->levels.back().mse()))
+            best = &curve;
+    if (!best) return {};
+    const Level& last = best->levels.back();
+    std::string text = fmt::format("With {} samples a pixel the pattern `{}` has the least error{}, {}", last.samples,
+                                   best->sampler, who == Who::submission ? " of yours" : "", root(last.mse()));
+    const Curve* random = scene.find(who, "random");
+    if (random && random != best && !random->levels.empty())
+        text += fmt::format("; independent points, `random`, have {}", root(random->levels.back().mse()));
+    text += ".";
+    for (const Comparison& c : scene.comparisons)
+        if (c.sampler == best->sampler && c.mse_at_equal_time)
+            text += fmt::format(" In the same time, its squared error is {} times the right one's.",
+                                words(c.mse_at_equal_time));
+    return text;
 }
 
 Cells comparison_rows(const SceneRecord& scene) {
@@ -127,6 +163,29 @@ constexpr const char* legend =
     "pixel.\n"
     "Bias: error that is left when all noise is averaged away; <: none is shown, and none above that is likely.\n";
 
+/// How it was measured, what words mean, and what theory expects.
+std::string methods(const std::string& command) {
+    Cells orders{{"pattern", "slope of the error on an edge in 2D", "for a smooth function in 2D"}};
+    for (const ExpectedOrder& order : expected_orders())
+        orders.push_back({order.sampler, order.edge ? fmt::format("{:.2f}", *order.edge) : "no law",
+                          order.smooth ? fmt::format("{:.2f}", *order.smooth) : "no law"});
+    return "## What the words mean\n\n"
+           "* Error: the root of the mean squared difference from the right picture.\n"
+           "* Slope: of the error against the samples, both logarithmic, with its 95 % interval: -0.5 means that four "
+           "times the samples halve the error. From the fit error^2 = b^2 + v N^(-2q).\n"
+           "* Efficiency: 1 / (error^2 x CPU seconds).\n"
+           "* CPU seconds to the error of 64 random samples: what this pattern takes for as small an error as 64 "
+           "independent samples a pixel have.\n"
+           "* Bias: error that is left when all noise is averaged away. < 0.002: none is shown, and none above 0.002 "
+           "is likely.\n"
+           "* CPU seconds are of rendering alone, with fragments linked as the grader does it; compare them within one "
+           "run only.\n\n"
+           "## What theory expects\n\n"
+           "A picture has edges and smooth parts, and where many dimensions interact, patterns that stratify two at a "
+           "time fall back towards -0.50. Edges along the axes behave otherwise.\n\n" +
+           markdown(orders) + fmt::format("Again: `{}`\n", command);
+}
+
 }  // namespace
 
 std::string table(const ConvergenceRecord& record, bool color) {
@@ -145,31 +204,22 @@ std::string table(const ConvergenceRecord& record, bool color) {
 }
 
 std::string report(const ConvergenceRecord& record) {
-    std::string text = fmt::format("# Error against run time: {}\n\n`{}`\n\n", record.submission, record.command);
+    std::string text = fmt::format("# Error against run time: {}\n\n", record.submission);
     if (!record.note.empty()) text += record.note + "\n\n";
-    text += legend;
-    text +=
-        "\nCPU seconds are of rendering alone, with fragments linked as the grader does it; compare them within one "
-        "run only.\n\n";
-    Cells orders{{"pattern", "slope of the error on an edge in 2D", "for a smooth function in 2D"}};
-    for (const ExpectedOrder& order : expected_orders())
-        orders.push_back({order.sampler, order.edge ? fmt::format("{:.2f}", *order.edge) : "no law",
-                          order.smooth ? fmt::format("{:.2f}", *order.smooth) : "no law"});
-    text +=
-        "Expected in theory; a picture has both, and where many dimensions interact, patterns that stratify two at a "
-        "time\nfall back towards -0.50. Edges along the axes behave otherwise.\n\n" +
-        markdown(orders);
     for (const SceneRecord& scene : record.scenes) {
-        text += fmt::format("## {}\n\n{}.\n\n", scene.name, about_reference(scene));
+        text += fmt::format("## {}\n\n", scene.name);
         if (const std::string words = warning(scene); !words.empty()) text += fmt::format("**{}**\n\n", words);
-        if (scene.curves.empty()) continue;
+        if (!scene.curves.empty()) text += result(scene) + "\n\n";
         for (const Against against : {Against::seconds, Against::rays})
-            text += fmt::format("![error of {} against {}]({})\n", scene.name,
-                                against == Against::seconds ? "CPU seconds" : "rays", plot_file(scene, against));
-        text += "\n" + markdown(curve_rows(scene, true));
+            if (!scene.curves.empty())
+                text += fmt::format("![error of {} against {}]({})\n", scene.name,
+                                    against == Against::seconds ? "CPU seconds" : "rays", plot_file(scene, against));
+        text += "\n";
+        if (!scene.curves.empty()) text += markdown(curve_rows(scene, true));
         if (!scene.comparisons.empty()) text += markdown(comparison_rows(scene));
+        text += about_reference(scene) + ".\n\n";
     }
-    return text;
+    return text + methods(record.command);
 }
 
 Plot error_plot(const SceneRecord& scene, Against against) {

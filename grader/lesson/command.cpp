@@ -10,6 +10,7 @@
 #include "programs/runner.h"
 #include "report/folder.h"
 #include "report/markdown.h"
+#include "report/page_parts.h"
 #include "studies/studies.h"
 
 namespace grade::lesson {
@@ -84,8 +85,9 @@ void run_lesson(const LessonArguments& arguments, const std::string& toolchain) 
         fmt::print("  {}\n", file.string());
     }
     if (sections.empty()) return;
+    const std::string read = read_link("Integrals in one dimension", handout_beside(arguments.out, chain.source)) + ".";
     write_page(arguments.out, "lesson.html",
-               plain_page("Integrals: how the error falls with the number of points", submission.name,
+               plain_page("Integrals: how the error falls with the number of points", submission.name, read,
                           html_of_markdown(lesson_words + sections)));
     fmt::print("page: {}\n", (fs::path(arguments.out) / "lesson.html").string());
 }

@@ -20,16 +20,16 @@ double right_within(const StatisticRecord& statistic) {
 }
 
 std::string bar(const StatisticRecord& statistic) {
-    if (!statistic.value || !statistic.truth || !std::isfinite(*statistic.value) || !std::isfinite(*statistic.truth))
-        return {};
+    if (!statistic.value || !statistic.truth || !std::isfinite(*statistic.truth)) return {};
+    if (std::isnan(*statistic.value)) return "<span class=\"soft\">not to be drawn</span>";
     const double value = *statistic.value, truth = *statistic.truth, low = statistic.low.value_or(value),
                  high = statistic.high.value_or(value);
     const double band = std::max(statistic.tolerance, statistic.delta0), right = right_within(statistic);
 
     // truth in the middle; a value that is very far off stands at the edge, as an arrow
     double reach = 1.25 * std::max({2 * band, std::abs(value - truth), std::abs(low - truth), std::abs(high - truth)});
-    if (!(reach > 0)) reach = 1;
     if (band > 0) reach = std::min(reach, 12 * band);
+    if (!(reach > 0 && std::isfinite(reach))) reach = 1;
     const auto at = [&](double x) { return bar_width / 2 * (1 + std::clamp((x - truth) / reach, -1.0, 1.0) * 0.96); };
     const bool off = std::abs(value - truth) > reach;
     const char* color = statistic.verdict == Verdict::passed   ? "good"

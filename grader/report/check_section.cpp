@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/diagnosis.h"
 #include "report/escape.h"
 #include "report/page_parts.h"
 #include "report/picture.h"
@@ -36,17 +37,14 @@ std::string tile_map(const CheckRecord& check) {
     if (check.tiles.empty()) return {};
     const Difference map = significance(check.tiles, check.picture.width, check.picture.height);
     const std::size_t clearest = check.tiles.clearest();
-    return "<div class=\"pictures\">\n" +
-           figure(
-               data_uri(map.image, 1),
-               "which tiles of the picture for " + check.name + " are surely darker or brighter",
-               fmt::format("surely darker {0} surely brighter, not by chance. Most clearly, {1}"
-                           "<details><summary>figures</summary>Tiles of {2} x {2} pixels; full colour where Welch's t "
-                           "is beyond ±{3:g}; the clearest has t = {4:.3g}, p = {5:.2g}</details>",
-                           scale, html(tile_in_words(check.tiles, clearest)), Tiles::side, map.full,
-                           check.tiles.t[clearest], check.tiles.p[clearest]),
-               "map") +
-           "</div>\n";
+    return figure(
+        data_uri(map.image, 1), "which tiles of the picture for " + check.name + " are surely darker or brighter",
+        fmt::format("surely darker {0} surely brighter, not by chance. Most clearly, {1}"
+                    "<details><summary>figures</summary>Tiles of {2} x {2} pixels; full colour where Welch's t "
+                    "is beyond ±{3:g}; the clearest has t = {4:.3g}, p = {5:.2g}</details>",
+                    scale, html(tile_in_words(check.tiles, clearest)), Tiles::side, map.full, check.tiles.t[clearest],
+                    check.tiles.p[clearest]),
+        "map");
 }
 
 /// The first answer along a path that is not the solution's.
@@ -55,6 +53,16 @@ std::string parting(const CheckRecord& check) {
     return "<details class=\"parting\"><summary>Where a path parts from the right one, with the same random numbers"
            "</summary><pre tabindex=\"0\">" +
            html(check.parting) + "</pre></details>\n";
+}
+
+/// What the program left behind when it ended: the arguments of the call that went wrong, or what it printed.
+std::string output(const CheckRecord& check) {
+    if (check.excerpt.empty()) return {};
+    const bool is_call = check.excerpt.starts_with("for (");
+    return fmt::format("<p class=\"soft\">{}</p><pre tabindex=\"0\">{}</pre>\n",
+                       is_call ? "All numbers that this call was given, in the order of the arguments:"
+                               : "The program wrote on its output:",
+                       html(is_call ? check.excerpt.substr(4) : check.excerpt));
 }
 
 /// A row, which narrow pages lay out as a block: data-is names what a header names on wide ones.
@@ -80,8 +88,10 @@ std::string statistics(const CheckRecord& check, Told& told) {
     std::string text =
         "<table class=\"statistics\"><tr><th>measures</th><th class=\"number\">yours</th><th class=\"number\">must "
         "be</th><th class=\"number\">right within</th><th class=\"number\">wrong beyond</th>"
-        "<th><span class=\"legend dot\"></span>yours<span class=\"legend line\"></span>must be"
-        "<span class=\"legend area\"></span>right<span class=\"legend faint\"></span>in between</th>"
+        "<th><span class=\"entry\"><span class=\"legend dot\"></span>yours</span> "
+        "<span class=\"entry\"><span class=\"legend line\"></span>must be</span> "
+        "<span class=\"entry\"><span class=\"legend area\"></span>right</span> "
+        "<span class=\"entry\"><span class=\"legend faint\"></span>in between</span></th>"
         "<th>verdict</th></tr>\n";
     for (const StatisticRecord& s : check.statistics) text += statistic_row(s);
     text += "</table>\n";
@@ -97,11 +107,23 @@ std::string statistics(const CheckRecord& check, Told& told) {
 
 }  // namespace
 
+std::string section_link(const std::string& section, const std::string& handout, const std::string& words) {
+    if (handout.empty()) return words;
+    return fmt::format("<a href=\"{}#{}\">{}</a>", html(handout), html(anchor(section)), words);
+}
+
+std::string read_link(const std::string& section, const std::string& handout) {
+    if (section.empty()) return {};
+    if (handout.empty()) return "See " + html(reading(section));
+    return "See " + section_link(section, handout, fmt::format("handout, &quot;{}&quot;", html(section)));
+}
+
 std::string badge(Verdict verdict) {
     return fmt::format("<span class=\"badge {}\">{}</span>", name(verdict), in_words(verdict));
 }
 
-std::string three_pictures(const rt::Image& mine, const rt::Image& right, double exposure, const std::string& what) {
+std::string three_pictures(const rt::Image& mine, const rt::Image& right, double exposure, const std::string& what,
+                           const std::string& more) {
     std::string text = fmt::format("<div class=\"pictures\" data-exposure=\"{:.6g}\">\n", exposure);
     text += figure(data_uri(mine, exposure), "your picture " + what, "yours");
     if (!right.pixels.empty()) {
@@ -114,7 +136,7 @@ std::string three_pictures(const rt::Image& mine, const rt::Image& right, double
                        : fmt::format("difference: darker {} brighter; full colour at ±{:.2g}", scale, map.full),
                    "map");
     }
-    return text + "</div>\n";
+    return text + more + "</div>\n";
 }
 
 std::string pictures(const CheckRecord& check) {
@@ -123,7 +145,7 @@ std::string pictures(const CheckRecord& check) {
     // both alike, so that most of what is right can be seen
     const double exposure =
         preview_exposure(check.solution_picture.pixels.empty() ? check.picture : check.solution_picture);
-    return three_pictures(check.picture, check.solution_picture, exposure, "for " + check.name) + tile_map(check) +
+    return three_pictures(check.picture, check.solution_picture, exposure, "for " + check.name, tile_map(check)) +
            parting(check);
 }
 
@@ -131,14 +153,13 @@ std::string check_section(const CheckRecord& check, bool fragment_passes, Told& 
     const bool folded = check.verdict == Verdict::passed || is_not_run(check);
     std::string text = fmt::format("<details class=\"check{}\"{}><summary><h4>{}</h4>{}</summary>\n",
                                    folded ? "" : " is_open", folded ? "" : " open", html(check.name), badge(check));
+    std::string found;
     if (is_not_run(check))
-        text += fmt::format("<p class=\"soft\">{}</p>\n", html(check.message));
+        found = fmt::format("<p class=\"soft\">{}</p>\n", html(check.message));
     else if (!check.message.empty() && told.insert(check.message).second)
-        text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(check.verdict), html_with_code(check.message));
-    if (!check.excerpt.empty())
-        text += fmt::format("<p class=\"soft\">It printed:</p><pre tabindex=\"0\">{}</pre>\n", html(check.excerpt));
-    const std::string found = pictures(check) + cost_line(check, fragment_passes) + statistics(check, told);
-    text += found.empty() && !folded && check.excerpt.empty() ? "<p class=\"soft\">As said above.</p>\n" : found;
+        found = fmt::format("<p class=\"hint {}\">{}</p>\n", name(check.verdict), html_with_code(check.message));
+    found += output(check) + pictures(check) + cost_line(check, fragment_passes) + statistics(check, told);
+    text += found.empty() && !folded ? "<p class=\"soft\">As said above.</p>\n" : found;
     if (!check.scene.empty())
         text += fmt::format(
             "<details><summary class=\"soft\">scene: <code>--samples {} --sampler {}</code></summary><pre "

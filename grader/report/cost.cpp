@@ -33,10 +33,8 @@ std::string cost_line(const CheckRecord& check, bool passes) {
 }
 
 std::string error_section(const Record& record) {
-    Plot plot{"Pictures of the checks: error against run time",
-              "CPU time of one picture [s]",
-              "error of a pixel (root mean square)",
-              {}};
+    Plot plot{
+        "Error of pictures against run time", "CPU time of one picture [s]", "error of a pixel (root mean square)", {}};
     plot.least_y = least_error;
     plot.series = {{"the right one", {}}, {"yours", {}}};
     for (Series& series : plot.series) series.joined = false;
@@ -65,13 +63,14 @@ std::string error_section(const Record& record) {
     if (plot.series[0].points.empty()) return {};
     const auto ratio = record.efficiency_ratio();
     return fmt::format(
-        "<h2>Error against run time</h2><section class=\"card\"><div class=\"plot\" tabindex=\"0\">{}</div>"
-        "<p class=\"soft\">Each dot is one picture, joined with the right one of the same check; what is wrong has a "
-        "larger error, and its name "
-        "where there is room. The foot of the plot is 1e-6 and less. {}<code>grade converge</code> shows how the error "
-        "falls "
-        "with "
-        "time.</p></section>\n",
+        "<h2>Error against run time</h2><section class=\"card\"><details class=\"costs\"><summary>A dot for each "
+        "picture: "
+        "its error, and what it took</summary><div><div class=\"plot\">{}</div>"
+        "<p class=\"soft\">Each dot is one picture, joined with the right one of the same check. What is wrong has a "
+        "larger error, and its name where there is room; the pointer on a dot shows the others. The foot of the plot "
+        "is "
+        "1e-6 and less. {}<code>grade converge</code> shows how the error falls with "
+        "time.</p></div></details></section>\n",
         log_log(plot),
         ratio ? fmt::format("Efficiency, 1 / (mean squared error × CPU time), is {:.2g} times the right one's in the "
                             "median of fragments that pass. ",

@@ -79,8 +79,8 @@ std::string describe_points(const Assignment& assignment) {
         double sum = 0;
         for (const Fragment& fragment : assignment.fragments) {
             if (fragment.part != part.name) continue;
-            names.push_back(fragment.given ? fmt::format("`{}` given", fragment.name)
-                                           : fmt::format("`{}` {}", fragment.name, rounded_points(fragment.points)));
+            names.push_back(fmt::format("[`{0}`](#{0}) {1}", fragment.name,
+                                        fragment.given ? "given" : rounded_points(fragment.points)));
             sum += fragment.points;
         }
         all += sum;

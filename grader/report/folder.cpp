@@ -33,6 +33,13 @@ constexpr FolderPage folder_pages[] = {
     {"calibration.html", "trust", "how often a verdict errs", "./grade calibrate --out DIR"},
 };
 
+/// The handout as a page where there is one: beside a kit, or in the project's build folder.
+fs::path handout_in(const fs::path& project) {
+    for (const char* page : {"handout.html", "build/release/handout.html"})
+        if (fs::exists(project / page)) return project / page;
+    return project / "handout.md";
+}
+
 /// The links of one page of the folder.
 std::string links_of(const fs::path& folder, const std::string& own) {
     std::string there, others;
@@ -43,6 +50,7 @@ std::string links_of(const fs::path& folder, const std::string& own) {
             there += fmt::format("<a href=\"{}\" title=\"{}\">{}</a>", page.file, page.answers, page.name);
         else
             others += fmt::format("<li>{}, {}: <code>{}</code></li>", page.name, page.answers, page.command);
+    if (fs::exists(folder / "handout.html")) there += "<a href=\"handout.html\">handout</a>";
     if (others.empty()) return there;
     return there + fmt::format("<details><summary>more pages</summary><ul>{}</ul></details>", others);
 }
@@ -56,9 +64,25 @@ std::string page_head(const std::string& title, const char* style) {
         html(title), page_style, style);
 }
 
-std::string plain_page(const std::string& title, const std::string& about, const std::string& body) {
-    return fmt::format("{0}<main>\n{1}<header><div><h1>{2}</h1><p>{3}</p></div></header>\n{4}</main></body></html>\n",
-                       page_head(title), page_links, html(title), html(about), body);
+std::string plain_page(const std::string& title, const std::string& about, const std::string& read,
+                       const std::string& body) {
+    return fmt::format(
+        "{0}<main>\n{1}<header><div><h1>{2}</h1><p>{3}</p>{4}</div></header>\n{5}</main></body></html>\n",
+        page_head(title), page_links, html(title), html(about),
+        read.empty() ? "" : fmt::format("<p class=\"soft\">{}</p>", read), body);
+}
+
+std::string handout_beside(const fs::path& folder, const fs::path& project) {
+    fs::create_directories(folder);
+    const fs::path handout = handout_in(project), copy = folder / handout.filename();
+    const std::string there = fs::relative(handout, folder).generic_string();
+    if (handout.extension() != ".html") return there;
+    std::error_code error;
+    if (fs::equivalent(copy, handout, error)) return copy.filename().string();
+    fs::copy_file(handout, copy, fs::copy_options::overwrite_existing, error);
+    if (!error) return copy.filename().string();
+    fs::remove(copy, error);  // no room: a page without it is better than none
+    return there;
 }
 
 void write_page(const fs::path& folder, const std::string& file, const std::string& text) {

@@ -23,14 +23,6 @@ std::string in_a_line(const FragmentRecord& fragment) {
     return fault.empty() || first == fault ? first : first + "; " + fault;
 }
 
-/// Where to read about what is wrong.
-std::string read_link(const std::string& section, const std::string& handout) {
-    if (section.empty()) return {};
-    if (handout.empty()) return "See " + html(reading(section));
-    return fmt::format("See <a href=\"{}#{}\">handout, &quot;{}&quot;</a>", html(handout), html(anchor(section)),
-                       html(section));
-}
-
 std::string fragment_section(const FragmentRecord& fragment, const std::string& handout) {
     std::string text = fmt::format(
         "<section class=\"card{4}\" id=\"{0}\"><div class=\"head\"><h3>{0}</h3>{1}<span class=\"points\"><b>{2:g}</b> "
@@ -48,7 +40,8 @@ std::string fragment_section(const FragmentRecord& fragment, const std::string& 
         text += fmt::format("<pre tabindex=\"0\">{}</pre>\n", html(fragment.message));
     else if (!fragment.message.empty())
         text += tell(fragment.message);
-    else if (const Finding& f = fragment.finding; !f.how.empty() || !f.arguments.empty() || !f.fault.empty())
+    else if (const Finding& f = fragment.finding;
+             !f.how.empty() || !f.arguments.empty() || !f.fault.empty() || fragment.verdict == Verdict::timed_out)
         text += tell(diagnose(fragment).words);
     if (!fragment.finding.code.empty())
         text += fmt::format(
@@ -66,18 +59,20 @@ std::string fragment_section(const FragmentRecord& fragment, const std::string& 
     return text + "</section>\n";
 }
 
-/// A fragment's row: the verdict, the points, and the one hint.
+/// A fragment's row: the verdict, the points, the one hint, and where to read.
 std::string overview_row(const FragmentRecord& fragment, const std::string& handout) {
     const bool passed = fragment.verdict == Verdict::passed;
-    const Diagnosis diagnosis = passed ? Diagnosis{} : diagnose(fragment);
-    const std::string link = read_link(diagnosis.section, handout), words = passed ? "" : in_a_line(fragment);
+    const std::string section = passed ? fragment.name : diagnose(fragment).section;
     return fmt::format(
         "<tr{6} data-lost=\"{7:g}\"><td><a href=\"#{0}\">{0}</a></td><td>{1}</td><td class=\"number\">{2:g} of "
         "{3:g}</td>"
-        "<td class=\"soft\">{4}{5}</td></tr>\n",
-        html(fragment.name), badge(fragment.verdict), fragment.points, fragment.max_points, html_with_code(words),
-        link.empty() ? "" : (words.ends_with('?') ? " " : ". ") + link, passed ? " class=\"is_passed\"" : "",
-        fragment.max_points - fragment.points);
+        "<td class=\"soft\">{4}</td>{5}</tr>\n",
+        html(fragment.name), badge(fragment.verdict), fragment.points, fragment.max_points,
+        passed ? "" : html_with_code(in_a_line(fragment)),
+        handout.empty() ? ""
+                        : fmt::format("<td class=\"soft read\" data-is=\"read\">{}</td>",
+                                      section.empty() ? "" : section_link(section, handout, html(section))),
+        passed ? " class=\"is_passed\"" : "", fragment.max_points - fragment.points);
 }
 
 std::string overview(const Record& record, const std::string& handout) {
@@ -87,7 +82,11 @@ std::string overview(const Record& record, const std::string& handout) {
         "<button data-sort aria-pressed=\"false\">most points to be had first</button>"
         "<button data-toggle=\"open\" aria-pressed=\"false\">all details</button>"
         "<span class=\"soft\"><kbd>n</kbd> <kbd>p</kbd> next and previous that is not passed</span></div>\n"
-        "<table class=\"overview\">\n";
+        "<table class=\"overview verdicts\"><thead><tr><th>fragment</th><th>verdict</th><th "
+        "class=\"number\">points</th>"
+        "<th>what is wrong</th>";
+    text += handout.empty() ? "" : "<th class=\"read\">read in the handout</th>";
+    text += "</tr></thead><tbody>\n";
     for (const Part& part : record.parts) {
         double have = 0, most = 0;
         std::string rows;
@@ -98,10 +97,11 @@ std::string overview(const Record& record, const std::string& handout) {
         }
         if (!rows.empty())
             text += fmt::format(
-                "<tr class=\"part\"><td colspan=\"2\">{}</td><td class=\"number\">{:g} of {:g}</td><td></td></tr>\n{}",
-                html(part.title), have, most, rows);
+                "<tr class=\"part\"><td colspan=\"2\">{}</td><td class=\"number\">{:g} of "
+                "{:g}</td><td></td>{}</tr>\n{}",
+                html(part.title), have, most, handout.empty() ? "" : "<td class=\"read\"></td>", rows);
     }
-    text += "</table>\n";
+    text += "</tbody></table>\n";
     if (std::ranges::any_of(record.fragments, [](const FragmentRecord& fragment) {
             return fragment.verdict == Verdict::failed && fragment.points > 0;
         }))

@@ -22,10 +22,18 @@ std::string page_head(const std::string& title, const char* style = "");
 
 std::string badge(Verdict verdict);
 
+/// Where to read about something: `See handout, "SECTION"`, a link where the handout is known. Empty without section.
+std::string read_link(const std::string& section, const std::string& handout);
+
+/// "<a href="handout.html#hit_sphere">WORDS</a>", or the words alone, where no handout is known.
+std::string section_link(const std::string& section, const std::string& handout, const std::string& words);
+
 /// Yours, the right one, and the difference; without the right one, yours alone.
 ///
 /// what  "for NAME" or "of SCENE"
-std::string three_pictures(const rt::Image& mine, const rt::Image& right, double exposure, const std::string& what);
+/// more  figures that stand with them
+std::string three_pictures(const rt::Image& mine, const rt::Image& right, double exposure, const std::string& what,
+                           const std::string& more = "");
 
 /// All pictures of a check; empty: it draws none.
 std::string pictures(const CheckRecord& check);

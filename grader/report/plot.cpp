@@ -13,7 +13,9 @@ namespace grade {
 
 namespace {
 
-constexpr double plot_width = 720, plot_height = 440, left = 76, right = 190, top = 44, bottom = 56;
+// Small, with the legend below: its words can be read where a narrow page scales it down. It is shown larger elsewhere.
+constexpr double plot_width = 400, wide = 314, tall = 250, left = 58, top = 34, axis_room = 44, legend_row = 19;
+constexpr double shown_larger = 1.3;
 
 // Source: Okabe and Ito, "Color Universal Design", 2008.
 constexpr std::array colors{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000"};
@@ -47,7 +49,8 @@ std::string text(double x, double y, const std::string& anchor, const std::strin
 }
 
 std::string power(double decade) {
-    if (decade >= -3 && decade <= 4) return fmt::format("{:g}", std::pow(10, decade));
+    if (decade >= -2 && decade <= 4)  // as long as the others
+        return fmt::format("{:g}", std::pow(10, decade));
     return fmt::format("1e{:g}", decade);
 }
 
@@ -71,10 +74,8 @@ struct Frame {
             }
         x.close(), y.close();
     }
-    double at_x(double value) const { return left + (plot_width - left - right) * x.share(value); }
-    double at_y(double value) const {
-        return top + (plot_height - top - bottom) * (1 - std::clamp(y.share(value), 0.0, 1.0));
-    }
+    double at_x(double value) const { return left + wide * x.share(value); }
+    double at_y(double value) const { return top + tall * (1 - std::clamp(y.share(value), 0.0, 1.0)); }
 };
 
 /// From the corner down to the border that is met first.
@@ -90,7 +91,6 @@ std::string guide_line(const Guide& guide, const Frame& frame) {
 }
 
 std::string grid(const Frame& frame) {
-    const double wide = plot_width - left - right, tall = plot_height - top - bottom;
     std::string svg;
     for (double decade = frame.x.low; decade <= frame.x.high; ++decade) {
         const double at = frame.at_x(std::pow(10, decade));
@@ -106,15 +106,32 @@ std::string grid(const Frame& frame) {
     return svg;
 }
 
-/// A series with its ribbon, and its row of the legend.
-std::string drawn(const Series& series, std::size_t place, const Frame& frame) {
+/// How many series stand side by side in the legend.
+std::size_t legend_columns(const Plot& plot) {
+    constexpr std::size_t short_name = 20;
+    return std::ranges::all_of(plot.series, [](const Series& s) { return s.name.size() <= short_name; }) ? 2 : 1;
+}
+
+std::string dot(double x, double y, const std::string& name = "") {
+    const std::string title = name.empty() ? "" : "<title>" + html(name) + "</title>";
+    return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" fill=\"currentColor\">{}</circle>\n", x, y,
+                       title);
+}
+
+/// The entry of a series in the legend: its line or dot, and its name.
+std::string legend_entry(const Series& series, std::size_t place, std::size_t columns, const std::string& dashes) {
+    const double row = top + tall + axis_room + 8 + legend_row * double(place / columns);
+    const double at = left - 44 + (plot_width - 16) / double(columns) * double(place % columns);
+    return (series.joined ? fmt::format("<path d=\"M{0:g} {1:g}h22\" stroke=\"currentColor\" stroke-width=\"2\"{2}/>\n",
+                                        at, row, dashes)
+                          : dot(at + 11, row)) +
+           "</g>\n" + text(at + 28, row + 4, "start", series.name);
+}
+
+/// A series with its ribbon and its entry in the legend.
+std::string drawn(const Series& series, std::size_t place, std::size_t columns, const Frame& frame) {
     const std::size_t color = color_of_series(series, place);
     const std::string dashes = series.dashed ? " stroke-dasharray=\"5 4\"" : "";
-    const auto dot = [](double x, double y, const std::string& name = "") {
-        const std::string title = name.empty() ? "" : "<title>" + html(name) + "</title>";
-        return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" fill=\"currentColor\">{}</circle>\n", x, y,
-                           title);
-    };
     std::string line, upper, lower, dots;
     for (const auto& point : series.points) {
         if (!(point.x > 0 && point.y > 0)) continue;
@@ -132,34 +149,54 @@ std::string drawn(const Series& series, std::size_t place, const Frame& frame) {
     if (series.joined)
         svg +=
             fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"currentColor\" stroke-width=\"2\"{}/>\n", line, dashes);
-    svg += dots;
-    const double row = top + 8 + 20 * double(place), at = plot_width - right + 14;
-    svg += series.joined ? fmt::format("<path d=\"M{0:g} {1:g}h22\" stroke=\"currentColor\" stroke-width=\"2\"{2}/>\n",
-                                       at, row, dashes)
-                         : dot(at + 11, row);
-    return svg + "</g>\n" + text(at + 28, row + 4, "start", series.name);
+    return svg + dots + legend_entry(series, place, columns, dashes);
 }
 
-/// Lines between what belongs together, with as many names as do not cover each other.
-std::string pairs(const std::vector<Pair>& all, const Frame& frame) {
-    constexpr double letter = 6.2, height = 12, gap = 8;
-    struct Box {
-        double x, y, wide;
+struct Box {
+    double left, right, top, bottom;
+
+    bool meets(const Box& other) const {
+        return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+    }
+};
+
+/// A name beside its dot, on the first side where it covers neither a dot nor another name nor the frame.
+std::string name_beside(double x, double y, const std::string& name, std::vector<Box>& taken) {
+    constexpr double letter = 6, height = 12, gap = 7;
+    const double length = letter * double(name.size());
+    struct Side {
+        const char* anchor;
+        double x, y, from;  // from: the left end
     };
+    const Side sides[] = {{"start", x + gap, y, x + gap},
+                          {"end", x - gap, y, x - gap - length},
+                          {"middle", x, y - gap - height / 2, x - length / 2},
+                          {"middle", x, y + gap + height / 2, x - length / 2}};
+    for (const Side& side : sides) {
+        const Box box{side.from, side.from + length, side.y - height / 2, side.y + height / 2};
+        const bool inside = box.left > left && box.right < left + wide && box.top > top && box.bottom < top + tall;
+        if (!inside || std::ranges::any_of(taken, [&](const Box& other) { return box.meets(other); })) continue;
+        taken.push_back(box);
+        return text(side.x, side.y + 4, side.anchor, name, "font-size=\"11\"");
+    }
+    return {};  // the pointer still tells it
+}
+
+/// Lines between what belongs together, with as many names as there is room for.
+std::string pairs(const std::vector<Pair>& all, const Frame& frame) {
+    constexpr double around = 4;  // a dot
     std::vector<Box> taken;
     std::string svg;
     for (const Pair& pair : all) {
-        const double x = frame.at_x(pair.to.x), y = frame.at_y(pair.to.y);
+        for (const Series::Point* point : {&pair.from, &pair.to}) {
+            const double x = frame.at_x(point->x), y = frame.at_y(point->y);
+            taken.push_back({x - around, x + around, y - around, y + around});
+        }
         svg += fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"#888\"/>\n", frame.at_x(pair.from.x),
-                           frame.at_y(pair.from.y), x, y);
-        const Box box{x + gap, y, letter * double(pair.name.size())};
-        const bool is_free = std::ranges::none_of(taken, [&](const Box& other) {
-            return std::abs(box.y - other.y) < height && box.x < other.x + other.wide && other.x < box.x + box.wide;
-        });
-        if (pair.name.empty() || !is_free) continue;
-        taken.push_back(box);
-        svg += text(box.x, y + 4, "start", pair.name, "font-size=\"11\"");
+                           frame.at_y(pair.from.y), frame.at_x(pair.to.x), frame.at_y(pair.to.y));
     }
+    for (const Pair& pair : all)
+        if (!pair.name.empty()) svg += name_beside(frame.at_x(pair.to.x), frame.at_y(pair.to.y), pair.name, taken);
     return svg;
 }
 
@@ -167,21 +204,23 @@ std::string pairs(const std::vector<Pair>& all, const Frame& frame) {
 
 std::string log_log(const Plot& plot) {
     const Frame frame(plot);
-    const double wide = plot_width - left - right, tall = plot_height - top - bottom;
+    const std::size_t columns = legend_columns(plot), rows = (plot.series.size() + columns - 1) / columns;
+    const double plot_height = top + tall + axis_room + legend_row * double(rows) + 4;
     std::string svg = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"loglog\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" "
-        "height=\"{1:g}\" "
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"loglog\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{6:g}\" "
+        "height=\"{7:g}\" "
         "role=\"img\" "
         "aria-label=\"{2}: {4} against {3}\" font-family=\"sans-serif\" font-size=\"13\">\n"
         "{5}<rect class=\"paper\" width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-        plot_width, plot_height, html(plot.title), html(plot.x), html(plot.y), dark_style);
-    svg += text(left, 24, "start", plot.title, "font-size=\"15\" font-weight=\"bold\"");
+        plot_width, plot_height, html(plot.title), html(plot.x), html(plot.y), dark_style, shown_larger * plot_width,
+        shown_larger * plot_height);
+    svg += text(left, 20, "start", plot.title, "font-size=\"14\" font-weight=\"bold\"");
     svg += grid(frame);
-    svg += text(left + wide / 2, plot_height - 14, "middle", plot.x);
-    svg += text(0, 0, "middle", plot.y, fmt::format("transform=\"translate(18 {:.1f}) rotate(-90)\"", top + tall / 2));
+    svg += text(left + wide / 2, top + tall + 36, "middle", plot.x);
+    svg += text(0, 0, "middle", plot.y, fmt::format("transform=\"translate(14 {:.1f}) rotate(-90)\"", top + tall / 2));
     for (const Guide& guide : plot.guides) svg += guide_line(guide, frame);
     svg += pairs(plot.pairs, frame);
-    for (std::size_t i = 0; i < plot.series.size(); ++i) svg += drawn(plot.series[i], i, frame);
+    for (std::size_t i = 0; i < plot.series.size(); ++i) svg += drawn(plot.series[i], i, columns, frame);
     return svg + "</svg>\n";
 }
 

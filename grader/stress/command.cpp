@@ -83,9 +83,9 @@ int run_stress(const StressArguments& arguments, const std::string& toolchain, c
     line.clear();
 
     if (!arguments.json.empty()) write_text(arguments.json, to_json(record));
-    if (!arguments.html.empty()) {
-        write_page(arguments.html, "stress.html", page(record, assignment.title));
-    }
+    if (!arguments.html.empty())
+        write_page(arguments.html, "stress.html",
+                   page(record, assignment.title, handout_beside(arguments.html, chain.source)));
     fmt::print("{}{}\n", table(record, isatty(STDOUT_FILENO)), record.sandbox);
     if (!arguments.html.empty()) fmt::print("page: {}\n", (fs::path(arguments.html) / "stress.html").string());
     return arguments.require && record.scored() < record.most_scored() ? 1 : 0;

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <cstdlib>
+
+#include "diagnosis/diagnosis.h"
 #include "report/escape.h"
 #include "report/folder.h"
 #include "report/page_parts.h"
@@ -17,32 +21,56 @@ std::string badge(const FamilyRecord& f) {
                              : "<span class=\"badge failed\">failed</span>";
 }
 
-std::string message_of(const FamilyRecord& f) {
+/// Why it fails: what stopped it, or the failing decade of ordinary scenes that is nearest to the mildest one.
+std::string why(const FamilyRecord& f) {
     if (!f.started) return f.message.substr(0, f.message.find('\n'));
     for (const DecadeRecord& d : f.decades)
         if (!d.message.empty()) return fmt::format("at 1e{}: {}", d.decade, d.message);
-    return {};
+    if (!f.is_scored() || f.scored_passed()) return {};
+    const Demand& demand = f.family->demand;
+    const DecadeRecord* first = nullptr;
+    for (const DecadeRecord& d : f.decades)
+        if (demand.scored.holds(d.decade) && !d.passed &&
+            (!first || std::abs(d.decade - demand.mildest()) < std::abs(first->decade - demand.mildest())))
+            first = &d;
+    if (!first) return {};
+    if (!std::isfinite(first->error)) return fmt::format("at 1e{}: a wrong verdict or no number", first->decade);
+    return fmt::format("at 1e{}: {} is {:.2g}, at most {:.2g} is allowed", first->decade, f.family->error, first->error,
+                       demand.allowed(first->decade));
 }
 
-std::string overview(const StressRecord& record) {
+/// Where to read about a family that fails.
+std::string reading_of(const FamilyRecord& f, const std::string& handout) {
+    if (handout.empty() || !f.started || !f.is_scored() || f.scored_passed()) return {};
+    const std::string numbers(numbers_section), own = f.family->fragments.front();
+    return fmt::format("<br>Read {} and {}", section_link(own, handout, html(own)),
+                       section_link(numbers, handout, html(numbers)));
+}
+
+std::string overview(const StressRecord& record, const std::string& handout) {
     std::string text =
         "<section class=\"card\"><p class=\"soft\">Decades of what is swept, each row on its own scale."
-        "<span class=\"key ordinary\"></span>ordinary scenes: scored<span class=\"key tried\"></span>tried"
-        "<span class=\"key passes good\"></span>passes<span class=\"key passes bad\"></span>passes, but not all of "
-        "what is scored"
-        "<span class=\"key solution\"></span>the right one</p>\n<table class=\"overview\">\n"
+        " <span class=\"entry\"><span class=\"key ordinary\"></span>ordinary scenes: scored</span> "
+        "<span class=\"entry\"><span class=\"key tried\"></span>tried</span> "
+        "<span class=\"entry\"><span class=\"key passes good\"></span>passes</span> "
+        "<span class=\"entry\"><span class=\"key passes bad\"></span>passes, but not all scored</span> "
+        "<span class=\"entry\"><span class=\"key solution\"></span>the right one</span></p>\n<table "
+        "class=\"overview\">\n"
         "<tr><th>family</th><th>scored tier</th><th>decades</th><th>passes</th><th>the right one</th></tr>\n";
     std::string about;
     for (const FamilyRecord& f : record.families) {
-        if (f.family->fragments.front() != about)
+        if (f.family->fragments.front() != about) {
+            about = f.family->fragments.front();
             text += fmt::format("<tr class=\"part\"><td colspan=\"5\">{}</td></tr>\n",
-                                html(about = f.family->fragments.front()));
-        const std::string message = message_of(f);
+                                section_link(about, handout, html(about)));
+        }
+        const std::string message = why(f);
         text += fmt::format(
-            "<tr><td><a href=\"#{0}\">{0}</a><br><span class=\"soft\">{1}{2}</span></td><td>{3}</td><td>{4}</td>"
+            "<tr><td><a href=\"#{0}\">{0}</a><br><span class=\"soft\">{1}{2}{7}</span></td><td>{3}</td><td>{4}</td>"
             "<td data-is=\"passes\">{5}</td><td data-is=\"the right one\">{6}</td></tr>\n",
             html(f.family->name), html(f.family->swept), message.empty() ? "" : "<br>" + html(message), badge(f),
-            f.started ? reach_bar(f) : "", f.started ? html(in_words(f.reach)) : "", html(in_words(f.solution)));
+            f.started ? reach_bar(f) : "", f.started ? html(in_words(f.reach)) : "", html(in_words(f.solution)),
+            reading_of(f, handout));
     }
     return text + "</table></section>\n";
 }
@@ -75,7 +103,7 @@ std::string plots(const StressRecord& record) {
 
 }  // namespace
 
-std::string page(const StressRecord& record, const std::string& title) {
+std::string page(const StressRecord& record, const std::string& title, const std::string& handout) {
     const double share = record.most_scored() > 0 ? double(record.scored()) / record.most_scored() : 0;
     std::string text =
         page_head(fmt::format("{} of {}: {}", record.scored(), record.most_scored(), record.submission), stress_style) +
@@ -87,7 +115,7 @@ std::string page(const StressRecord& record, const std::string& title) {
         "<p class=\"soft\">bonus: {} decades beyond ordinary scenes; the right one {}</p></div></header>\n",
         html(title), html(record.submission), record.scored(), record.most_scored(), 100 * share, 100 * share,
         record.bonus(), record.most_bonus());
-    text += overview(record) + counts(record) + plots(record);
+    text += overview(record, handout) + counts(record) + plots(record);
     return text + fmt::format(
                       "<h2>About this run</h2><section class=\"card soft\"><p>Again: <code>{}</code></p><p>Toolchain: "
                       "{}. Grader {}. Sandbox: {}.</p></section>\n</main></body></html>\n",

@@ -51,7 +51,7 @@ double height_of(const Family& family, const DecadeRecord& d) {
 std::string reach_bar(const FamilyRecord& f) {
     constexpr double width = 280, height = 30;
     const auto& decades = f.family->demand.decades;
-    const Places at{decades, 34, width - 34};
+    const Places at{decades, 40, width - 40};
     std::string svg = fmt::format(
         "<svg class=\"reach\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" role=\"img\" "
         "aria-label=\"{2}: passes {3}\">",
@@ -60,7 +60,7 @@ std::string reach_bar(const FamilyRecord& f) {
            at.rect("ordinary", f.family->demand.scored, 2, 24);
     svg += at.rect(f.is_scored() && !f.scored_passed() ? "passes bad" : "passes good", f.reach, 9, 10);
     svg += at.rect("solution", f.solution, 22, 3);
-    return svg + label(30, 18, "end", power(decades.front())) + label(width - 30, 18, "start", power(decades.back())) +
+    return svg + label(36, 18, "end", power(decades.front())) + label(width - 36, 18, "start", power(decades.back())) +
            "</svg>";
 }
 

@@ -11,7 +11,9 @@ namespace grade::stress {
 std::string table(const StressRecord& record, bool color);
 
 /// The record as one page that needs nothing else: what passes, and how the error grows.
-std::string page(const StressRecord& record, const std::string& title);
+///
+/// handout  where the page finds the handout; empty: nowhere
+std::string page(const StressRecord& record, const std::string& title, const std::string& handout = "");
 
 /// The decades of a family as a bar, SVG: all that were tried, those of ordinary scenes, those that pass, and the
 /// solution's.

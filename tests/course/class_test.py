@@ -99,9 +99,9 @@ def check_small(grade, work):
     expect((out / "submissions/Zoë_Müller_77_assignsubmission_file_.html").is_file(), "a page's name has lost letters")
     page = (out / "index.html").read_text()
     expect("<b>" not in re.sub(r"<b>[\d.]+</b>", "", page) and "&lt;b&gt;" in page, "a name's markup in the page")
-    twins = page[page.index("<h2>Twins"):page.index("<h2>Submissions")]
+    twins = page[page.index('<h2 id="twins">'):page.index("class.csv")]
     expect("alice" in twins and "bob" in twins and "jsmith" not in twins, "twins: the same but for names and comments")
-    expect("mirror_direction" in page[page.index("<h2>Frequent"):page.index("<h2>Twins")], "a mistake")
+    expect("mirror_direction" in page[page.index('<h2 id="frequent-mistakes">'):page.index('<h2 id="twins">')], "a mistake")
     for link in re.findall(r'href="([^"#:]+)"', page):
         expect((out / link).is_file(), f"the page links {link}, which is not there")
 

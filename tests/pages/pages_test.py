@@ -57,6 +57,7 @@ def make_pages(grade, folder):
     run(example, *FRAGMENTS, "--seed", "1", "--html", folder / "grade")
     run("solution", "phong", "shadow_ray", "--seed", "1", "--html", folder / "passing")
     run("stress", "solution", "--only", "phong", "--html", folder / "stress")
+    run("stress", example, "--only", "hit_sphere", "--html", folder / "failing")
     run("lesson", "solution", "--out", folder / "stress")
     run("converge", "solution", "scenes/penumbra.toml", "--samples", "1,4", "--replicates", "2", "--side", "16", "--out",
         folder / "stress", "--folder", folder / "kept")
@@ -67,16 +68,17 @@ def make_pages(grade, folder):
             shutil.copy(example / f"fragments/{name}.cpp", folder / f"export/hw1-{student}")
     (folder / "export/hw1-a-name-as-long-as-names-of-repositories-and-groups-are-at-some-schools.zip").write_text("no archive")
     run("class", folder / "export", "-o", folder / "class", "--seed", "1")
-    for name in ("grade", "passing"):
-        (folder / name / "handout.html").unlink(missing_ok=True)  # has a test of its own
+    for copy in folder.glob("*/handout.html"):  # one of them is enough, below
+        copy.unlink()
+    subprocess.run(["scenes/make_page", "--html", folder / "handout"], stdout=subprocess.DEVNULL, check=False)
     return sorted(folder.glob("*/*.html"))
 
 
 # What stands beyond the edge or beyond its card, or in a box that scrolls on a narrow page: nobody sees that digits are
 # missing.
-CUT = """[...document.querySelectorAll('td, th, .score, figcaption, svg.bar, .points')].filter(e => {
+CUT = """[...document.querySelectorAll('td, th, header p, .score, figcaption, svg.bar, svg.reach, .plot, .points')].filter(e => {
     const box = e.getBoundingClientRect(), scroll = e.closest('.scroll, .wide');
-    if (!box.width) return false;
+    if (!box.width || e.closest('[role=region]')) return false;  // that one goes sideways, by keyboard too, with a cue
     const card = e.closest('.card'), edge = card && !scroll && card.getBoundingClientRect().right;
     return (edge && box.right > edge - 4) || box.right > innerWidth + 1 || (scroll && innerWidth <= 640 && scroll.scrollWidth > scroll.clientWidth + 1);
 }).map(e => e.textContent.trim().slice(0, 60))"""
@@ -110,6 +112,34 @@ def check_dark(page, name):
                 expect(white < 0.2, f"{name}: {white:.0%} of {what} is white")
 
 
+def check_axe(page, name):
+    page.evaluate("for (const d of document.querySelectorAll('details')) d.open = true")
+    for violation in Axe().run(page).response["violations"]:
+        node = violation["nodes"][0]
+        expect(False, f"{name}: {violation['id']}, {len(violation['nodes'])} times: {node['html'][:120]} "
+                      f"{node['failureSummary'].splitlines()[-1]}")
+
+
+def check_handout(browser, page_file):
+    """Links differ from text before and after a visit, light and dark; tables have names that tell them apart."""
+    for scheme in ("light", "dark"):
+        page = new_page(browser, color_scheme=scheme)
+        page.goto(page_file.as_uri())
+        rules = page.evaluate("[...document.styleSheets].flatMap(s => [...s.cssRules]).filter(r => r.selectorText === 'a:visited')"
+                              ".map(r => r.cssText)")
+        expect(not rules, f"handout, {scheme}: pandoc's own style for visited links: {rules}")
+        pairs = "[...document.querySelectorAll('.pictures tr:not(:has(td + td + td)) img')]"
+        sizes = page.evaluate("[getComputedStyle(document.documentElement).fontSize, "
+                              f"Math.min(...{pairs}.map(i => i.getBoundingClientRect().width))]")
+        expect(sizes[0] == "16px" and sizes[1] >= 480, f"handout, {scheme}: size of text and least width of pictures {sizes}")
+        page.close()
+    page = new_page(browser)
+    page.goto(page_file.as_uri())
+    names = page.evaluate("[...document.querySelectorAll('[role=region]')].map(e => e.ariaLabel)")
+    expect(len(names) > 50 and len(names) == len(set(names)), f"handout: {len(names) - len(set(names))} tables go by another one's name")
+    page.close()
+
+
 def check_widths(browser, page_file, keep):
     for scheme in ("light", "dark"):
         for width in WIDTHS:
@@ -126,13 +156,8 @@ def check_widths(browser, page_file, keep):
             expect(not cut, f"{name}: cut off: {cut[:3]}")
             if (width, scheme) == (768, "dark"):
                 check_dark(page, name)
-            if (width, scheme) in ((320, "light"), (1280, "dark")):
-                page.evaluate("for (const d of document.querySelectorAll('details')) d.open = true")
-                found = Axe().run(page).response["violations"]
-                for violation in found:
-                    node = violation["nodes"][0]
-                    expect(False, f"{name}: {violation['id']}, {len(violation['nodes'])} times: {node['html'][:120]} "
-                                  f"{node['failureSummary'].splitlines()[-1]}")
+            if width in (320, 1280) and (page_file.stem == "handout" or (width == 320) == (scheme == "light")):
+                check_axe(page, name)
             if keep:
                 page.evaluate("for (const image of document.images) image.loading = 'eager'")
                 page.wait_for_function("[...document.images].every(image => image.complete)")
@@ -154,6 +179,25 @@ def check_links(browser, folder):
     page.get_by_role("link", name="extreme cases").click()
     expect(page.url.endswith("stress.html"), f"pages of one folder: the lesson leads to {page.url}")
     page.close()
+
+
+def check_reading(browser, folder):
+    """Every page leads to the handout, and what fails to the section about it; each link has a target."""
+    for name, section in (("grade/index.html", "integrate_stratified"), ("failing/stress.html", "hit_sphere"),
+                          ("failing/stress.html", "what-to-use-instead-of-an-epsilon"),
+                          ("stress/lesson.html", "integrals-in-one-dimension"),
+                          ("stress/converge.html", "error-against-run-time"), ("class/index.html", "phong")):
+        page = new_page(browser)
+        page.goto((folder / name).as_uri())
+        links = [a.get_attribute("href") for a in page.locator("a[href*='handout.']").all()]
+        expect(any(link.endswith(f"#{section}") for link in links), f"{name} leads not to {section}: {links[:3]}")
+        inner = page.evaluate("[...document.querySelectorAll('a[href^=\"#\"]')].filter(a => !document.getElementById("
+                              "a.getAttribute('href').slice(1))).map(a => a.getAttribute('href'))")
+        expect(not inner, f"{name}: links to nothing: {inner}")
+        if "failing" in name:
+            row = page.locator(".overview tr:has(.failed)").first.inner_text()
+            expect(re.search(r"at 1e-?\d+: ", row), f"a family that fails says why: {row!r}")
+        page.close()
 
 
 def check_without_script(browser, page_file):
@@ -227,6 +271,9 @@ def check_print(browser, page_file):
     expect(page.locator("#shadow_ray table").first.is_visible(), "print: a check that fails is whole")
     expect(any(is_open for is_open, _ in opened), "print: what fails is unfolded again")
     pages = len(re.findall(rb"/Type\s*/Page\b", page.pdf(format="A4")))
+    first = page.locator("#overview").bounding_box()
+    expect(first["y"] < 400, "print: the overview begins on the first page")
+    expect(not page.locator(".verdicts .read").first.is_visible(), "print: links take no room from hints")
     expect(2 <= pages <= 2 * len(FRAGMENTS), f"print: {pages} pages of A4 for {len(FRAGMENTS)} fragments")
     page.close()
 
@@ -238,6 +285,13 @@ def check_words(browser, page_file):
     for text in page.locator("#overview tr:has-text('integrate_stratified')").all_inner_texts() + [
             page.locator("header").inner_text()]:
         expect("a null pointer is followed" in text, f"the line that crashes is in {text!r}")
+    heads = page.locator(".verdicts th").all_inner_texts()
+    expect(heads[:4] == ["fragment", "verdict", "points", "what is wrong"], f"the overview's heads: {heads}")
+    for check in page.locator("details.check:has(> .hint)").all():
+        expect("As said above" not in check.inner_text(), "a hint, and that it was said above")
+    rows = page.evaluate("""[...document.querySelectorAll('.pictures')].filter(p => p.offsetParent).map(
+        p => [p.children.length, new Set([...p.children].map(f => f.getBoundingClientRect().top)).size])""")
+    expect(rows and all(lines == 1 for _, lines in rows), f"pictures of a check in one row: {rows}")
     link = page.locator("#integrate_stratified a").first
     expect(link.get_attribute("href").endswith("#integrate_stratified"), f"a crash leads to {link.get_attribute('href')}")
     for section in page.locator("section.card[id]:not(#overview)").all():
@@ -290,11 +344,15 @@ def main():
         words.keep.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
         pages = make_pages(words.grade, pathlib.Path(folder))
-        expect(len(pages) == 7, f"seven kinds of pages are written, not {len(pages)}")
+        kinds = 9 if shutil.which("pandoc") else 8
+        expect(len(pages) == kinds, f"{kinds} pages are written, not {len(pages)}")
         browser = playwright.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
         for page_file in pages:
             check_widths(browser, page_file, words.keep)
+        if kinds == 9:
+            check_handout(browser, pathlib.Path(folder) / "handout/handout.html")
         check_links(browser, pathlib.Path(folder) / "stress")
+        check_reading(browser, pathlib.Path(folder))
         graded = pathlib.Path(folder) / "grade/index.html"
         student = [graded, pathlib.Path(folder) / "passing/index.html"]
         student += [pathlib.Path(folder) / f"stress/{name}.html" for name in ("stress", "lesson", "converge")]
