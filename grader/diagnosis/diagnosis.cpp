@@ -171,6 +171,7 @@ Diagnosis diagnose(const FragmentRecord& fragment) {
                      {found ? statistic.without_numbers : statistic.hint, statistic.worth},
                      section_of(check, &statistic), check.tiles);
     }
+    if (!fragment.said.empty()) return {fragment.said, section};
     if (!found && !picture.empty()) return {first.words + "\nMost clearly, " + picture, section};
     if (!found) return {first.words, section};
     return {in_order(fragment, first), section};

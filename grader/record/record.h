@@ -98,6 +98,7 @@ struct FragmentRecord {
     bool finished = false;
     Finding finding;
     std::string warnings;  // of the compiler, a line each; untrusted text
+    std::string said{};    // of a record that has been read again: what it tells first
 };
 
 /// What a grading was made with. Hashes are SHA-256.
