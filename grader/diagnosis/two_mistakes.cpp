@@ -55,10 +55,7 @@ bool Search::is_same_in(const Change& first, const Change& second, const std::ve
 }
 
 bool Search::are_of_one(const Change& first, const Change& second) {
-    constexpr std::string_view in_place = " in place of ";
-    const std::size_t at = first.words.rfind(in_place), other = second.words.rfind(in_place);
-    return at != std::string::npos && other != std::string::npos &&
-           std::string_view(first.words).substr(at) == std::string_view(second.words).substr(other);
+    return !first.replaced.empty() && first.replaced == second.replaced;
 }
 
 void Search::two_changes(const std::vector<std::size_t>& scope) {
