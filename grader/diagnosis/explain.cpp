@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <regex>
 
 #include "diagnosis/bounds.h"
 #include "diagnosis/by_textbook.h"
@@ -53,16 +52,13 @@ std::string which(const WrongCalls& region) { return (region.is_exact ? "those "
 /// What sets wrong calls apart, in arguments or in variables of a form; in these rather than in the right answers.
 WrongCalls region_of(const Calls& calls, bool is_known) {
     WrongCalls region = where_wrong(calls);
-    const bool is_of_answers = region.words.starts_with("where the right ");
-    return is_known || (region.is_exact && !is_of_answers) ? region : where_wrong_in_textbook(calls, region);
+    return is_known || (region.is_exact && !region.of_answers) ? region : where_wrong_in_textbook(calls, region);
 }
 
 /// What code takes for granted that is wrong only where it does not hold.
 std::string assumption(const WrongCalls& region) {
-    static const std::regex not_one("where `\\|([^|`]+)\\|` is not 1( and the right .*)?");
-    std::smatch found;
-    if (!region.is_exact || !std::regex_match(region.words, found, not_one)) return {};
-    return fmt::format("the length of `{}` is taken to be 1: it may have any", found[1].str());
+    if (!region.is_exact || region.not_unit.empty()) return {};
+    return fmt::format("the length of `{}` is taken to be 1: it may have any", region.not_unit);
 }
 
 /// Which calls are wrong, or which are no number.

@@ -77,7 +77,7 @@ private:
         quantities_ = quantities_of(arguments_, told_);
         for (std::size_t i = 0; i < quantities_.size(); ++i) {
             arguments_.parts.push_back({quantities_[i].words, Kind::number, calls_.rows.front().size() + i});
-            told_.push_back(quantities_[i].words.find_first_of("(|") != std::string::npos);
+            told_.push_back(quantities_[i].kind != Quantity::Kind::number);
         }
         all_.nodes = source_.nodes;
         all_.seen.assign(source_.nodes.size(), Value::Kind::none);
