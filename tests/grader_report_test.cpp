@@ -195,7 +195,7 @@ TEST_CASE("a record that is read again says the same, and where to read about it
     Record record;
     FragmentRecord no_number = fragment_with(Verdict::not_finite, "a nan", {});
     no_number.checks[0].trouble = Trouble::not_a_number;
-    no_number.finding.how = "some are nan; it is too large";
+    no_number.finding.how = "some are nan; it is too large", no_number.finding.of_numbers = "it is too large";
     StatisticRecord sure = failing("L3", "it is squared: 4; expected 2");
     sure.without_numbers = "it is squared", sure.worth = StatisticRecord::Worth::cause;
     FragmentRecord squared = fragment_with(Verdict::failed, "", {sure});

@@ -37,13 +37,12 @@ void Search::one_of_several() {
         if (!explains || telling < least || same <= most) continue;
         most = same;
         const bool are_all = same == wrong_.size();
-        best_ =
-            Relation{fmt::format("in {} wrong calls {}{}{}",
-                                 are_all ? fmt::format("all {}", same) : fmt::format("{} of {}", same, wrong_.size()),
-                                 as_changed, change.words, are_all ? "" : other_mistakes)};
+        best_ = Relation{change.words, Relation::Kind::change};
+        best_->calls = are_all ? fmt::format("in all {} wrong calls ", same)
+                               : fmt::format("in {} of {} wrong calls ", same, wrong_.size());
         best_->everywhere = false, best_->cost = best_cost, best_->explains = Relation::Explains::some;
         best_->share = double(same) / double(wrong_.size());
-        best_->others = std::move(others);
+        best_->others_remain = !are_all, best_->others = std::move(others);
     }
 }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "diagnosis/mistakes.h"
+#include "diagnosis/asked.h"
 
 namespace grade {
 
