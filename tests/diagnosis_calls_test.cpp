@@ -91,6 +91,7 @@ TEST_CASE("answers that are no number are told as such, and which they are") {
     const Finding finding = found("moved", rows, mine);
     CHECK(finding.how == "some answers are nan where the right one is a number");
     CHECK_THAT(finding.where, ContainsSubstring("calls are nan, those where `time < 0`"));
+    CHECK(finding.says_which);
     CHECK(finding.answer == "(nan, nan, nan)");
 }
 

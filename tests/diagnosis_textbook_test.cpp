@@ -2,7 +2,7 @@
 #include <random>
 #include <regex>
 
-#include "diagnosis/mistakes.h"
+#include "diagnosis/asked.h"
 #include "explained.h"
 #include "textbook/form.h"
 #include "textbook/wrap.h"

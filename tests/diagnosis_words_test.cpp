@@ -1,4 +1,5 @@
 #include "diagnosis/diagnosis.h"
+#include "diagnosis/relation.h"
 #include "diagnosis/sanitizer.h"
 #include "explained.h"
 
@@ -79,4 +80,33 @@ TEST_CASE("the largest number in place of inf is told as any other wrong answer"
     CHECK_THAT(finding.where, ContainsSubstring("the right answer is inf"));
     CHECK(finding.right == "inf");
     CHECK_THAT(finding.answer, ContainsSubstring("e+308"));
+}
+
+TEST_CASE("a relation's words are made of its fields") {
+    Relation found{"`x * x` in place of `x`", Relation::Kind::change};
+    found.usually = ": is a square root missing?", found.line = 7;
+    const std::string change = "the answers are exactly what the right fragment answers with `x * x` in place of `x`";
+    CHECK(found.is_change());
+    CHECK(found.all_words() == change + ": is a square root missing? See line 7");
+    found.usually.clear();
+    CHECK(found.all_words() == change + ": see line 7");
+    found.line = 0, found.repair = "with `x` every answer is right";
+    CHECK(found.all_words() == change + "; with `x` every answer is right");
+    found.repair.clear(), found.calls = "in most wrong calls ", found.others_remain = true;
+    CHECK_FALSE(found.is_change());
+    CHECK(found.words() == "in most wrong calls " + change + "; in the others something else is wrong");
+    found.in_others = "`x` is 0";
+    CHECK(found.words() == "in most wrong calls " + change + "; in the others, `x` is 0");
+    found.others_remain = false, found.only_where_not_nothing = true;
+    CHECK(found.all_words() == "in most wrong calls " + change + "; elsewhere, `x` is 0");
+}
+
+TEST_CASE("beside nan stands what is wrong with answers that are numbers") {
+    FragmentRecord fragment;
+    fragment.finding.how = "some are nan; where it is a number, it is too large";
+    fragment.checks.resize(1);
+    fragment.checks[0].verdict = Verdict::not_finite, fragment.checks[0].message = "a nan";
+    CHECK(diagnose(fragment).words == "a nan");
+    fragment.finding.of_numbers = "where it is a number, it is too large";
+    CHECK(diagnose(fragment).words == "a nan\nwhere it is a number, it is too large");
 }

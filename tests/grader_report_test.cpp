@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
+#include "convert/read_record.h"
 #include "diagnosis/diagnosis.h"
 #include "records.h"
 #include "report/escape.h"
@@ -188,4 +189,26 @@ TEST_CASE("the compiler's warnings are in the table, on the page and in the reco
     CHECK(text.find("&lt;b&gt;variable") != std::string::npos);
     CHECK(text.find("<b>variable") == std::string::npos);
     CHECK(nlohmann::json::parse(to_json(record))["fragments"][0].contains("warnings"));
+}
+
+TEST_CASE("a record that is read again says the same, and where to read about it") {
+    Record record;
+    FragmentRecord no_number = fragment_with(Verdict::not_finite, "a nan", {});
+    no_number.checks[0].trouble = Trouble::not_a_number;
+    no_number.finding.how = "some are nan; it is too large", no_number.finding.of_numbers = "it is too large";
+    StatisticRecord sure = failing("L3", "it is squared: 4; expected 2");
+    sure.without_numbers = "it is squared", sure.worth = StatisticRecord::Worth::cause;
+    FragmentRecord squared = fragment_with(Verdict::failed, "", {sure});
+    squared.finding.how = "another";
+    FragmentRecord blank = fragment_with(Verdict::not_started, "", {});
+    blank.message = "fill it in";
+    record.fragments = {no_number, squared, blank, fragment_with(Verdict::passed, "", {})};
+    const Record again = record_of(to_json(record), "record.json");
+    REQUIRE(again.fragments.size() == record.fragments.size());
+    for (std::size_t i = 0; i < again.fragments.size(); ++i) {
+        const Diagnosis first = diagnose(record.fragments[i]), second = diagnose(again.fragments[i]);
+        CHECK(second.words == first.words);
+        CHECK(second.section == first.section);
+        CHECK(again.fragments[i].message == record.fragments[i].message);
+    }
 }

@@ -41,7 +41,7 @@ RealVerdict verdict_on(const FragmentRecord& fragment) {
     verdict.by_arguments = finding.by_arguments, verdict.by_textbook = finding.by_textbook;
     verdict.by_repair = finding.by_repair;
     verdict.by_suspect = has_suspect(fragment);
-    verdict.is_bare = finding.how.empty() && finding.where.find(", ") == std::string::npos && finding.fault.empty() &&
+    verdict.is_bare = finding.how.empty() && !finding.says_which && finding.fault.empty() &&
                       !finding.arguments.empty() && !verdict.by_suspect;
     verdict.diagnosis_seconds = finding.cpu_seconds;
     return verdict;

@@ -165,6 +165,36 @@ Statistic variance_of_sample(int n) {
                 }};
 }
 
+Statistic inside_the_pixel() {
+    return property({.id = "A1",
+                     .what = "distance outside the pixel, in its size",
+                     .violation =
+                         [](const Row& in, const Row& out) {
+                             const vec2 s = place_in_pixel(in, out);
+                             return std::max({0.0, -s.x, -s.y, s.x - 1, s.y - 1});
+                         },
+                     .tolerance = 1e-5,
+                     .says = "samples fall outside the pixel: it covers low <= x < high"});
+}
+
+/// A single sample of a pixel: its two coordinates must not go together.
+Check single_sample() {
+    const auto single = rows_over_square(24, [](vec2 u) { return row(Extent{vec2(3, 5), vec2(4, 6)}, 0, 1, u); });
+    const Statistic together =
+        mean_of({.id = "A1",
+                 .what = "covariance of the two coordinates of a single sample, over their variance",
+                 .number =
+                     [](const Row& in, const Row& out) {
+                         const vec2 s = place_in_pixel(in, out) - 0.5;
+                         return 12 * s.x * s.y;
+                     },
+                 .truth = 0,
+                 .delta0 = 0.02,
+                 .delta = 0.2,
+                 .hint = always("x and y of a sample go together: each needs a coordinate of u of its own")});
+    return probe_check("single_sample", single, {together});
+}
+
 }  // namespace
 
 Checks check_film_sample(Generator& random) {
@@ -195,15 +225,6 @@ Checks check_film_sample(Generator& random) {
             for (int i = 0; i < n; ++i) rows.push_back(row(pixel, i, n, square(draws)));
         return rows;
     };
-    const Statistic inside = property({.id = "A1",
-                                       .what = "distance outside the pixel, in its size",
-                                       .violation =
-                                           [](const Row& in, const Row& out) {
-                                               const vec2 s = place_in_pixel(in, out);
-                                               return std::max({0.0, -s.x, -s.y, s.x - 1, s.y - 1});
-                                           },
-                                       .tolerance = 1e-5,
-                                       .says = "samples fall outside the pixel: it covers low <= x < high"});
     const SamplesOfASquare samples{
         [](vec2 low, int i, int n, vec2 u) {
             return row(Extent{low, low + 1.0}, i, n, u);
@@ -211,25 +232,11 @@ Checks check_film_sample(Generator& random) {
         [](const Row& in, const Row& out) {
             return SamplesOfASquare::Sample{place_in_pixel(in, out), result<rt::film_sample>(out).weight};
         }};
-    // a single sample of a pixel: its two coordinates must not go together
-    const auto single = rows_over_square(24, [](vec2 u) { return row(Extent{vec2(3, 5), vec2(4, 6)}, 0, 1, u); });
-    const Statistic together =
-        mean_of({.id = "A1",
-                 .what = "covariance of the two coordinates of a single sample, over their variance",
-                 .number =
-                     [](const Row& in, const Row& out) {
-                         const vec2 s = place_in_pixel(in, out) - 0.5;
-                         return 12 * s.x * s.y;
-                     },
-                 .truth = 0,
-                 .delta0 = 0.02,
-                 .delta = 0.2,
-                 .hint = always("x and y of a sample go together: each needs a coordinate of u of its own")});
     std::vector<Statistic> of_any_number = means_about_the_middle();
-    of_any_number.insert(of_any_number.begin(), inside);
-    return {probe_check("in_the_pixel", inputs, {inside}),
+    of_any_number.insert(of_any_number.begin(), inside_the_pixel());
+    return {probe_check("in_the_pixel", inputs, {inside_the_pixel()}),
             probe_check("any_number_of_samples", any_number, of_any_number),
-            probe_check("single_sample", single, {together}),
+            single_sample(),
             probe_check("stratified", one_pixel, {variance_of_sample(n), dispersion_of_mean(n)}),
             even_in_the_pixel(n, inputs),
             film_sample::slanted_edges(random),

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "diagnosis/diagnosis.h"
 #include "files/files.h"
 #include "report/json.h"
 #include "rt/files/scene_reader.h"
@@ -136,9 +135,8 @@ FragmentRecord fragment_of(const Node& node) {
     }
     f.warnings = node.text_or_none("warnings");
     for (const Node& check : node.objects("checks")) f.checks.push_back(check_of(check, f.name));
-    // what follows from the checks is said again from them; what does not is the fragment's own
-    const std::string message = node.text("message");
-    if (diagnose(f).words != message) f.message = message;
+    const bool was_built = f.verdict != Verdict::did_not_build && f.verdict != Verdict::not_started;
+    (was_built ? f.said : f.message) = node.text("message");
     return f;
 }
 

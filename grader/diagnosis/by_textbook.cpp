@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <ranges>
 
+#include "diagnosis/asked.h"
 #include "diagnosis/calls_made.h"
-#include "diagnosis/mistakes.h"
 #include "diagnosis/surest.h"
 
 namespace grade {
@@ -75,7 +75,7 @@ public:
                 if (is_same_place(all[a], all[b])) continue;
                 if (left_ == 0) return std::nullopt;
                 if (!explain_all(all[a], all[b])) continue;
-                Relation both{std::string(as_changed) + asked_.words_of(all[a]) + ", and " + asked_.words_of(all[b])};
+                Relation both{asked_.words_of(all[a]) + ", and " + asked_.words_of(all[b]), Relation::Kind::change};
                 both.cost = all[a].cost + all[b].cost, both.by_textbook = true;
                 return both;
             }
@@ -97,7 +97,7 @@ private:
         constexpr std::size_t usual = 64;  // values that are computed for an answer
         const Row answer = asked_.answer(calls_.rows[k], calls_.layouts[k], &first, second);
         left_ -= std::min(left_, 1 + textbook::watch.passed / usual);
-        return answer.size() == calls_.mine[k].size() && is_equal(calls_.result, answer, calls_.mine[k]);
+        return is_answer(calls_.result, answer, calls_.mine[k]);
     }
 
     /// Whether it explains the first or the second call that it can change.
@@ -120,8 +120,8 @@ private:
 
     bool changes_an_answer(const Mistake& mistake) {
         return std::ranges::any_of(sample_, [&](std::size_t k) {
-            const Row answer = asked_.answer(calls_.rows[k], calls_.layouts[k], &mistake);
-            return answer.size() != calls_.right[k].size() || !is_equal(calls_.result, answer, calls_.right[k]);
+            return !is_answer(calls_.result, asked_.answer(calls_.rows[k], calls_.layouts[k], &mistake),
+                              calls_.right[k]);
         });
     }
 
@@ -153,11 +153,12 @@ private:
     }
 
     Relation relation(const Mistake& mistake, double share) const {
-        Relation found{std::string(as_changed) + asked_.words_of(mistake), mistake.usually};
+        Relation found{asked_.words_of(mistake), Relation::Kind::change};
+        found.edit = asked_.words_of(mistake, false), found.usually = mistake.usually;
         found.cost = mistake.cost, found.by_textbook = share == 1, found.share = share;
         if (share < 1) {
-            found.explains = Relation::Explains::some;
-            found.words = "in most wrong calls " + found.words + std::string(other_mistakes);
+            found.calls = "in most wrong calls ", found.explains = Relation::Explains::some;
+            found.others_remain = true;
         }
         return found;
     }
@@ -168,32 +169,6 @@ private:
     std::vector<std::size_t> wrong_, sample_;
     std::vector<std::vector<bool>> computed_;  // by call of the sample, by node
 };
-
-/// The calls with the form's answers as the right ones; where it is the solution, those in which it is.
-std::optional<Calls> as_form_has(const Calls& calls, Asked& asked, bool sampled) {
-    constexpr double least = 0.9;  // of the calls, in which the form must be the solution, or must answer
-    const auto answers = [&](std::size_t k) { return asked.answer(calls.rows[k], calls.layouts[k]); };
-    Calls same = those_of(calls, [&](std::size_t k) {
-        const Row answer = answers(k);
-        return answer.size() == calls.right[k].size() && is_equal(calls.result, answer, calls.right[k]);
-    });
-    if (double(same.size()) >= least * double(calls.size())) return same;
-    if (!sampled) return std::nullopt;
-    Calls other = calls;
-    for (std::size_t k = 0; k < other.size(); ++k)
-        if (other.right[k] = answers(k); other.right[k].size() != calls.right[k].size()) return std::nullopt;
-    return other;
-}
-
-/// The calls with other random numbers.
-Calls with_numbers(const Calls& calls, const Change& base, Asked& asked) {
-    Calls all = calls;
-    for (std::size_t k = 0; k < all.size(); ++k) {
-        base.make(all.rows[k], all.layouts[k]);
-        all.right[k] = asked.answer(all.rows[k], all.layouts[k]);
-    }
-    return all;
-}
 
 /// visit(calls, form) with each form that the calls can be compared with.
 template <class Visit>
@@ -216,14 +191,13 @@ std::optional<Relation> known_mistake(const Calls& calls, bool sampled) {
             const auto is_explained = [&](std::size_t k) {
                 Row row = calls.rows[k];
                 base.make(row, calls.layouts[k]);
-                const Row answer = asked.answer(row, calls.layouts[k]);
                 wrong += !is_equal(calls.result, calls.mine[k], calls.right[k]);
-                return answer.size() == calls.mine[k].size() && is_equal(calls.result, answer, calls.mine[k]);
+                return is_answer(calls.result, asked.answer(row, calls.layouts[k]), calls.mine[k]);
             };
             std::size_t k = 0;
             while (k < calls.size() && is_explained(k)) ++k;
             if (k < calls.size() || wrong < enough) continue;
-            Relation found{std::string(as_changed) + form.says};
+            Relation found{form.says, Relation::Kind::named_mistake};
             found.cost = 1 + base.cost, found.by_textbook = true;
             return found;
         }
@@ -275,16 +249,13 @@ namespace {
 /// A form that is wrong as a whole, with one more mistake in it.
 std::optional<Relation> known_mistake_and_another(const Calls& calls, const textbook::Form& form, std::size_t& left) {
     Asked asked(form);
-    Calls as_form = calls;
-    for (std::size_t k = 0; k < calls.size(); ++k)
-        if (as_form.right[k] = asked.answer(calls.rows[k], calls.layouts[k]);
-            as_form.right[k].size() != calls.right[k].size())
-            return std::nullopt;
-    Textbook textbook(as_form, asked, left);
+    const auto as_form = with_answers_of(asked, calls);
+    if (!as_form) return std::nullopt;
+    Textbook textbook(*as_form, asked, left);
     if (textbook.wrong() < enough) return std::nullopt;
     auto found = textbook.one(true, dearest_of_pairs);
     if (!is_exact(found)) return std::nullopt;
-    found->words = std::string(as_changed) + form.says + ", and " + found->words.substr(as_changed.size());
+    found->said = form.says + ", and " + found->said;
     return found;
 }
 

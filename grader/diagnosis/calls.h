@@ -94,6 +94,11 @@ inline bool is_alike(const Layout& result, const Row& a, const Row& b, double wi
     return true;
 }
 
+/// Whether an answer, which may be too short, is that one.
+inline bool is_answer(const Layout& result, const Row& answer, const Row& wanted) {
+    return answer.size() == wanted.size() && is_equal(result, answer, wanted);
+}
+
 /// Whether there is more in an answer than 0 and inf.
 inline bool is_something(const Row& answer) {
     return std::ranges::any_of(answer, [](double x) { return std::isfinite(x) && x != 0; });

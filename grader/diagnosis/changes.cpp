@@ -43,12 +43,12 @@ Changes::Changes(const Layout& layout, const std::vector<bool>& told)
 }
 
 void Changes::add_flag(std::size_t i) {
-    add(in_place("!" + name(i), name(i)), 1, [i](Row& row, const Layout& l) {
+    add("!" + name(i), name(i), 1, [i](Row& row, const Layout& l) {
         row[l.parts[i].at] = 1 - row[l.parts[i].at];
         return true;
     });
     for (const double value : {0.0, 1.0})
-        add(in_place(value != 0 ? "true" : "false", name(i)), 1.1, [i, value](Row& row, const Layout& l) {
+        add(value != 0 ? "true" : "false", name(i), 1.1, [i, value](Row& row, const Layout& l) {
             row[l.parts[i].at] = value;
             return true;
         });
@@ -59,7 +59,7 @@ void Changes::add_scalar(const Scalar& s) {
         const bool of_index = s.whole && s.name == "i", is_half = std::string(f.words) == "{} / 2";
         // whole numbers are rarely rounded by mistake
         if (constexpr double some = 3; s.whole && !is_half && f.value(some) != std::floor(f.value(some))) continue;
-        add(in_place(s.whole && is_half ? s.name + " / 2 (of whole numbers)" : filled(f.words, s.name), s.name), f.cost,
+        add(s.whole && is_half ? s.name + " / 2 (of whole numbers)" : filled(f.words, s.name), s.name, f.cost,
             [s, f, of_index](Row& row, const Layout& l) {
                 double& x = row[s.at(l)];
                 const double before = x;
@@ -73,13 +73,12 @@ void Changes::add_scalar(const Scalar& s) {
         if (other.name == s.name || s.whole != other.whole) continue;
         const double near = s.owner() == other.owner() ? -0.3 : 0;
         for (const TwoScalars& f : of_two_scalars)
-            add(in_place(filled(f.words, s.name, other.name), s.name), f.cost + near,
-                [s, other, f](Row& row, const Layout& l) {
-                    double& x = row[s.at(l)];
-                    const double before = x;
-                    x = f.value(x, row[other.at(l)]);
-                    return fits(x, before, s.whole);
-                });
+            add(filled(f.words, s.name, other.name), s.name, f.cost + near, [s, other, f](Row& row, const Layout& l) {
+                double& x = row[s.at(l)];
+                const double before = x;
+                x = f.value(x, row[other.at(l)]);
+                return fits(x, before, s.whole);
+            });
         if (s.owner() == "u" && other.owner() == "u")
             all_[all_.size() - std::size(of_two_scalars)].usually = ": one number is used for both";
         if (s.name < other.name)
@@ -94,14 +93,14 @@ template <class Functions, class TwoFunctions>
 void Changes::add_vector(std::size_t i, const std::vector<std::size_t>& others, const Functions& functions,
                          const TwoFunctions& of_two) {
     for (const VectorFunction& f : functions)
-        add(in_place(filled(f.words, name(i)), name(i)), f.cost, [i, f](Row& row, const Layout& l) {
+        add(filled(f.words, name(i)), name(i), f.cost, [i, f](Row& row, const Layout& l) {
             put(row, l.parts[i].at, f.value(vector_at(row, l.parts[i].at)));
             return true;
         });
     for (const std::size_t j : others) {
         if (j == i) continue;
         for (const TwoVectors& f : of_two)
-            add(in_place(filled(f.words, name(i), name(j)), name(i)), f.cost, [i, j, f](Row& row, const Layout& l) {
+            add(filled(f.words, name(i), name(j)), name(i), f.cost, [i, j, f](Row& row, const Layout& l) {
                 put(row, l.parts[i].at, f.value(vector_at(row, l.parts[i].at), vector_at(row, l.parts[j].at)));
                 return true;
             });
@@ -117,12 +116,11 @@ void Changes::add_vector(std::size_t i, const std::vector<std::size_t>& others, 
 void Changes::add_scaled(std::size_t i, double cost) {
     const auto factor = [&](const std::string& words, double more,
                             std::function<double(const Row&, const Layout&)> value) {
-        add(in_place(fmt::format("{} * {}", name(i), words), name(i)), cost + more,
-            [i, value](Row& row, const Layout& l) {
-                const double x = value(row, l);
-                put(row, l.parts[i].at, x * vector_at(row, l.parts[i].at));
-                return std::isfinite(x);
-            });
+        add(fmt::format("{} * {}", name(i), words), name(i), cost + more, [i, value](Row& row, const Layout& l) {
+            const double x = value(row, l);
+            put(row, l.parts[i].at, x * vector_at(row, l.parts[i].at));
+            return std::isfinite(x);
+        });
     };
     std::vector<Quantity> list;
     const bool is_color = layout_.parts[i].kind == Kind::color;

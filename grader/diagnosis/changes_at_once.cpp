@@ -26,6 +26,7 @@ void Changes::add_joint() {
                     for (const std::size_t i : group) put(row, l.parts[i].at, f.value(vector_at(row, l.parts[i].at)));
                     return true;
                 });
+            all_.back().replaced = names;
         }
         if (group.size() == 3)
             add(fmt::format("the axes of the world in place of {}", names), 1.2, [group](Row& row, const Layout& l) {
@@ -44,7 +45,7 @@ void Changes::add_pairs() {
                 if (i != j && f.cost > 1.6) continue;
                 // what stands in the formula in their place says more
                 const double unusual = i == j && name(i) == "u" ? 0.5 : 0;
-                add(in_place(filled(f.words, name(j)), name(i)), f.cost + unusual + (i != j ? 0.2 : 0),
+                add(filled(f.words, name(j)), name(i), f.cost + unusual + (i != j ? 0.2 : 0),
                     [i, j, f](Row& row, const Layout& l) {
                         for (std::size_t c = 0; c < 2; ++c) row[l.parts[i].at + c] = f.value(row[l.parts[j].at + c]);
                         return true;
@@ -72,7 +73,7 @@ void Changes::add_lists() {
         for (const Function& f : scalar_functions) {
             if (f.cost > 1.3) continue;
             const std::string each = layout_.lists[which].name + "[k]";
-            add(in_place(filled(f.words, each), each), f.cost + 0.2, [which, f](Row& row, const Layout& l) {
+            add(filled(f.words, each), each, f.cost + 0.2, [which, f](Row& row, const Layout& l) {
                 const List& list = l.lists[which];
                 for (std::size_t k = 0; k < list.count * list.stride; ++k)
                     row[list.at + 1 + k] = f.value(row[list.at + 1 + k]);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "diagnosis/changes.h"
+#include "diagnosis/expressions.h"
 #include "diagnosis/scalars.h"
 
 namespace grade {
@@ -15,6 +16,13 @@ public:
 private:
     void add(std::string words, double cost, std::function<bool(Row&, const Layout&)> make) {
         all_.push_back({std::move(words), cost, std::move(make), {}});
+    }
+
+    /// An expression in place of a name.
+    void add(const std::string& expression, const std::string& replaced, double cost,
+             std::function<bool(Row&, const Layout&)> make) {
+        add(in_place(expression, replaced), cost, std::move(make));
+        all_.back().replaced = replaced;
     }
 
     const std::string& name(std::size_t part) const { return layout_.parts[part].name; }

@@ -122,10 +122,7 @@ std::string in_order(const FragmentRecord& fragment, const FirstHint& hint) {
     std::string cause = (is_sure && !is_wrong_first) || finding.how.empty() ? hint.words : finding.how;
     if (hint.is_changing && !finding.fault.empty()) cause.clear();
     if (finding.how.empty() && !finding.arguments.empty() && hint.worth == StatisticRecord::Worth::guess) cause.clear();
-    const std::size_t others = hint.is_nan ? finding.how.find("where it is a number, ") : std::string::npos;
-    // of all answers, those that are no number as well
-    const bool is_of_all = hint.is_nan && finding.how.starts_with("the answers are exactly ");
-    const std::string beside = others != std::string::npos ? finding.how.substr(others) : is_of_all ? finding.how : "";
+    const std::string beside = hint.is_nan ? finding.of_numbers : "";
     // where no call shows it, what was measured does
     const bool is_shown = !finding.arguments.empty() || hint.worth != StatisticRecord::Worth::fact;
     std::string text;
@@ -171,6 +168,7 @@ Diagnosis diagnose(const FragmentRecord& fragment) {
                      {found ? statistic.without_numbers : statistic.hint, statistic.worth},
                      section_of(check, &statistic), check.tiles);
     }
+    if (!fragment.said.empty()) return {fragment.said, section};
     if (!found && !picture.empty()) return {first.words + "\nMost clearly, " + picture, section};
     if (!found) return {first.words, section};
     return {in_order(fragment, first), section};

@@ -21,8 +21,15 @@ using Test = std::function<bool(const Row& row, const Layout& layout, const Row&
 struct Feature {
     std::string words;
     Test test;
-    std::vector<bool> holds;
+    bool of_answers = false;
+    std::string number{};    // as WrongCalls has it
+    std::string not_unit{};  // likewise
+    std::vector<bool> holds{};
 };
+
+WrongCalls region(const Feature& one, bool is_exact) {
+    return {one.words, one.test, is_exact, one.of_answers, one.not_unit, {one.number}};
+}
 
 class Features {
 public:
@@ -45,7 +52,7 @@ public:
         double most = 0;
         for (const Feature& one : list_)
             if (const double s = score(one.holds); s > most) most = s, best = &one;
-        if (most == 1) return {best->words, best->test, true};
+        if (most == 1) return region(*best, true);
         const Feature *first = nullptr, *second = nullptr;
         double most_of_two = std::max(most, share);
         for (std::size_t a = 0; a < list_.size(); ++a)
@@ -55,13 +62,16 @@ public:
                 if (const double s = score(both); s > most_of_two)
                     most_of_two = s, first = &list_[a], second = &list_[b];
             }
-        if (most >= share && most_of_two < 1) return {best->words, best->test};
+        if (most >= share && most_of_two < 1) return region(*best, false);
         if (!first) return {};
         return {first->words + " and " + second->words,
                 [one = first->test, other = second->test](const Row& row, const Layout& layout, const Row& right) {
                     return one(row, layout, right) && other(row, layout, right);
                 },
-                most_of_two == 1};
+                most_of_two == 1,
+                first->of_answers,
+                "",
+                {first->number, second->number}};
     }
 
 private:
@@ -75,8 +85,7 @@ private:
         return holding > 0 && wrong > 0 && spared > 0.8 ? std::min(both / wrong, both / holding) : 0;
     }
 
-    void add(const std::string& words, Test test) {
-        Feature feature{words, std::move(test), {}};
+    void add(Feature feature) {
         std::size_t count = 0;
         for (std::size_t k = 0; k < calls_.size(); ++k) {
             feature.holds.push_back(feature.test(calls_.rows[k], calls_.layouts[k], calls_.right[k]));
@@ -131,10 +140,10 @@ private:
                     cut = short_one;
         }
         if (!cut) return;
-        add(fmt::format("`{} {} {}`", q.words, above ? ">" : "<", number_in_words(*cut)),
-            [f = q.value, above, low, high](const Row& row, const Layout& l, const Row& right) {
-                return above ? f(row, l, right) >= high : f(row, l, right) <= low;
-            });
+        const auto test = [f = q.value, above, low, high](const Row& row, const Layout& l, const Row& right) {
+            return above ? f(row, l, right) >= high : f(row, l, right) <= low;
+        };
+        add({fmt::format("`{} {} {}`", q.words, above ? ">" : "<", number_in_words(*cut)), test, false, q.words});
     }
 
     void quantities() {
@@ -144,18 +153,22 @@ private:
             std::vector<double> x;
             for (std::size_t k = 0; k < calls_.size(); ++k)
                 x.push_back(q.value(calls_.rows[k], calls_.layouts[k], calls_.right[k]));
-            const bool is_length = q.words.front() == '|';
+            const bool is_length = q.kind == Quantity::Kind::length;
             if (!varies(x, is_length)) continue;
             const auto f = q.value;
-            const auto number = [&](const char* words, auto holds) {
-                add(fmt::format(fmt::runtime(words), q.words),
-                    [f, holds](const Row& row, const Layout& l, const Row& right) { return holds(f(row, l, right)); });
+            const auto number = [&](const char* words, auto holds, const std::string& not_unit = {}) {
+                const auto test = [f, holds](const Row& row, const Layout& l, const Row& right) {
+                    return holds(f(row, l, right));
+                };
+                add({fmt::format(fmt::runtime(words), q.words), test, false, q.words, not_unit});
             };
             number("`{} < 0`", [](double y) { return y < 0; });
             number("`{} > 0`", [](double y) { return y > 0; });
             number("`{} = 0`", [](double y) { return y == 0; });
             number("`{} = inf`", [](double y) { return y == rt::inf; });
-            if (is_length) number("`{}` is not 1", [](double y) { return std::abs(y - 1) > 1e-6; });
+            if (is_length)
+                number(
+                    "`{}` is not 1", [](double y) { return std::abs(y - 1) > 1e-6; }, q.vector);
             threshold(q, x);
             if (std::ranges::any_of(x, [](double y) { return y < 0; }) && !is_length) {
                 const Quantity size{
@@ -165,16 +178,17 @@ private:
                 threshold(size, x);
             }
         }
-        const auto is_plain = [&](std::size_t i) { return all[i].words.find_first_of("(|/*'") == std::string::npos; };
+        const auto is_plain = [&](std::size_t i) { return all[i].kind == Quantity::Kind::number; };
         // a random number is compared with another one alone
         const auto is_random = [&](std::size_t i) { return all[i].words == "u" || all[i].words.starts_with("u."); };
         for (std::size_t a = 0; a < all.size(); ++a)
             for (std::size_t b = 0; b < all.size(); ++b)
                 if (a != b && is_plain(a) && is_plain(b) && is_random(a) == is_random(b))
-                    add(fmt::format("`{} < {}`", all[a].words, all[b].words),
-                        [f = all[a].value, g = all[b].value](const Row& row, const Layout& l, const Row& right) {
-                            return f(row, l, right) < g(row, l, right);
-                        });
+                    add({fmt::format("`{} < {}`", all[a].words, all[b].words),
+                         [f = all[a].value, g = all[b].value](const Row& row, const Layout& l, const Row& right) {
+                             return f(row, l, right) < g(row, l, right);
+                         },
+                         false, all[a].words});
     }
 
     /// Of a direction that is mirrored at a normal, as a highlight's: its cosine with a third one.
@@ -199,7 +213,8 @@ private:
                                        [=](const Row& row, const Layout& l, const Row&) {
                                            const auto at = [&](std::size_t i) { return vector_at(row, l.parts[i].at); };
                                            return rt::dot(2 * rt::dot(at(n), at(a)) * at(n) - at(a), at(b));
-                                       }});
+                                       },
+                                       Quantity::Kind::product});
         return all;
     }
 
@@ -209,8 +224,8 @@ private:
             if (!told_[i]) continue;
             const Field part = parts[i];
             const auto add_part = [&](const std::string& words, auto holds) {
-                add(words,
-                    [i, holds](const Row& row, const Layout& l, const Row&) { return holds(&row[l.parts[i].at]); });
+                add({words,
+                     [i, holds](const Row& row, const Layout& l, const Row&) { return holds(&row[l.parts[i].at]); }});
             };
             if (part.kind == Kind::flag) {
                 add_part(fmt::format("`{}` is true", part.name), [](const double* x) { return x[0] != 0; });
@@ -246,16 +261,16 @@ private:
                     if (right[part.at + c] != 0) return false;
                 return true;
             };
+            const auto add_answer = [&](const char* is, Test test) {
+                add({fmt::format("the right {} is {}", name, is), std::move(test), true});
+            };
             const bool is_flag = part.kind == Kind::flag;
-            add(fmt::format("the right {} is {}", name, is_flag ? "false" : "0"), is_zero);
-            add(fmt::format("the right {} is {}", name, is_flag ? "true" : "not 0"),
-                [is_zero](const Row& row, const Layout& layout, const Row& right) {
-                    return !is_zero(row, layout, right);
-                });
-            add(fmt::format("the right {} is inf", name),
-                [part](const Row&, const Layout&, const Row& right) { return std::isinf(right[part.at]); });
-            add(fmt::format("the right {} is not inf", name),
-                [part](const Row&, const Layout&, const Row& right) { return std::isfinite(right[part.at]); });
+            add_answer(is_flag ? "false" : "0", is_zero);
+            add_answer(is_flag ? "true" : "not 0", std::not_fn(is_zero));
+            add_answer("inf",
+                       [part](const Row&, const Layout&, const Row& right) { return std::isinf(right[part.at]); });
+            add_answer("not inf",
+                       [part](const Row&, const Layout&, const Row& right) { return std::isfinite(right[part.at]); });
         }
     }
 

@@ -29,7 +29,7 @@ public:
     }
 
     std::optional<Form> any() const {
-        if (auto form = simple(); form && form->words != right_way) return form;
+        if (auto form = simple(); form && form->kind != Form::Kind::not_unit) return form;
         if (auto form = first_of(*this)) return form;
         // logarithms of what is not 0; what is 0 may be a second mistake, but not most of it
         std::vector<std::size_t> shining;
@@ -46,7 +46,10 @@ public:
         if (fewer) {
             auto form = Forms(some).simple();
             if (!form || form->words.empty()) form = first_of(Forms(some));
-            if (form) return Form{form->words + " where it is not 0", form->cost + 0.4};
+            const bool is_constant = form && form->kind == Form::Kind::constant;
+            if (form)
+                return Form{form->words + " where it is not 0", form->cost + 0.4,
+                            is_constant ? form->kind : Form::Kind::other};
         }
         const PartOfCalls& lit = fewer ? some : of_;
         for (const auto& look : {quantity_of, product_of, terms_of, difference_of})
@@ -102,7 +105,11 @@ private:
         if (!is_other || !all([&](std::size_t k) { return is_close(length(right_[k]), 1, 1); }) ||
             !equals([&](std::size_t k, std::size_t c) { return length(calls_.mine[k]) * right(k, c); }))
             return std::nullopt;
-        return Form{std::string(right_way), 1.9};
+        return not_normalised();
+    }
+
+    static Form not_normalised() {
+        return {"points the right way, but does not have length 1", 1.9, Form::Kind::not_unit};
     }
 
     std::optional<Form> constant_value() const {
@@ -110,9 +117,9 @@ private:
         if (!equals([&](std::size_t, std::size_t c) { return mine(first, c); })) return std::nullopt;
         for (std::size_t c = 0; c < size_; ++c)
             if (std::isnan(mine(first, c))) return std::nullopt;
-        if (size_ == 1 && part_.kind == Kind::number && is_named(mine(first, 0)))
-            return Form{std::string(always) + constant(mine(first, 0)), 1.5};
-        return Form{std::string(always) + value_in_words(part_, calls_.mine[first]), 1.5};
+        const bool has_name = size_ == 1 && part_.kind == Kind::number && is_named(mine(first, 0));
+        return Form{"is always " + (has_name ? constant(mine(first, 0)) : value_in_words(part_, calls_.mine[first])),
+                    1.5, Form::Kind::constant};
     }
 
     /// By which factor, where the right one has a length.
@@ -140,7 +147,7 @@ private:
                         fmt::format("points the right way, but is `{}` long: its length must be 1", parts[i].name),
                         1.5};
             }
-            return Form{std::string(right_way), 1.9};
+            return not_normalised();
         }
         std::vector<std::size_t> some;
         for (const std::size_t k : scope_)

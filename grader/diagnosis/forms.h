@@ -8,13 +8,11 @@ namespace grade {
 struct Form {
     std::string words;  // "is 2 times too large"; empty: it is right
     double cost = 0;
+
+    /// Always the same, which says nothing of a cause; of a vector, not normalised.
+    enum class Kind { other, constant, not_unit };
+    Kind kind = Kind::other;
 };
-
-/// How a form is told that says nothing of a cause.
-constexpr std::string_view always = "is always ";
-
-/// Of a vector that is not normalised.
-constexpr std::string_view right_way = "points the right way, but does not have length 1";
 
 /// One part of the answers to some calls.
 struct PartOfCalls {

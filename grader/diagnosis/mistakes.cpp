@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "diagnosis/expressions.h"
 #include "diagnosis/scalars.h"
@@ -12,43 +11,6 @@ namespace grade {
 
 using textbook::Made;
 using textbook::Value;
-using textbook::watch;
-
-Row Asked::answer(const Row& row, const Layout& layout, const Mistake* first, const Mistake* second) {
-    const Row* asked = &row;
-    for (const Mistake* mistake : {first, second})
-        if (mistake && mistake->of_arguments) {
-            if (asked != &changed_) changed_ = row;
-            asked = &changed_;
-            if (!mistake->of_arguments->make(changed_, layout) || changed_.size() != row.size()) return {};
-        }
-    watch.begin(form_.first, form_.nodes.size(), *asked, first ? &first->made : nullptr,
-                second ? &second->made : nullptr);
-    try {
-        return form_.answer(*asked);
-    } catch (const std::exception&) {
-        return {};
-    }
-}
-
-std::vector<Mistake> Asked::mistakes_of(const Calls& calls) {
-    Expressions all{form_.nodes, form_.first, std::vector<Value::Kind>(form_.nodes.size(), Value::Kind::none)};
-    for (std::size_t k = 0; k < calls.size(); ++k) {
-        answer(calls.rows[k], calls.layouts[k]);
-        for (std::size_t i = 0; i < all.seen.size(); ++i)
-            if (watch.values[i].kind != Value::Kind::none) all.seen[i] = watch.values[i].kind;
-    }
-    return mistakes_in(all, calls.layouts.front(), calls.told);
-}
-
-std::string Asked::words_of(const Mistake& mistake) const {
-    if (mistake.of_arguments) return mistake.of_arguments->words;
-    const Expressions all{form_.nodes, form_.first};
-    const textbook::Node& node = all.node(mistake.made.nodes.front());
-    const std::string words = in_place(changed_in_words(all, mistake), written_in_words(all, mistake));
-    if (mistake.made.nodes.size() > 1) return words + " everywhere";
-    return node.context == node.text ? words : fmt::format("{}, in `{}`", words, node.context);
-}
 
 namespace {
 

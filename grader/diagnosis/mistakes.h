@@ -1,11 +1,10 @@
 #pragma once
 
-#include <memory>
 #include <span>
 
-#include "diagnosis/calls.h"
 #include "diagnosis/changes.h"
-#include "textbook/form.h"
+#include "textbook/node.h"
+#include "textbook/watch.h"
 
 /// What is done wrong in one expression of a formula.
 namespace grade {
@@ -42,26 +41,5 @@ std::vector<Mistake> mistakes_in(const Expressions& all, const Layout& arguments
 /// "2 * x" for "x"; what stands there, "x".
 std::string changed_in_words(const Expressions& all, const Mistake& mistake);
 std::string written_in_words(const Expressions& all, const Mistake& mistake);
-
-/// A textbook's form that is asked about calls.
-class Asked {
-public:
-    explicit Asked(const textbook::Form& form) : form_(form) {}
-
-    int first() const { return form_.first; }
-
-    /// The answer with so many mistakes in it; none where it breaks off.
-    Row answer(const Row& row, const Layout& layout, const Mistake* first = nullptr, const Mistake* second = nullptr);
-
-    /// Those that make sense in what was seen in the calls, the simplest first.
-    std::vector<Mistake> mistakes_of(const Calls& calls);
-
-    /// "`2 * x` in place of `x`, in `y = x * x`"
-    std::string words_of(const Mistake& mistake) const;
-
-private:
-    const textbook::Form& form_;
-    Row changed_;
-};
 
 }  // namespace grade

@@ -20,7 +20,7 @@ struct Column {
     std::vector<double> log;
 };
 
-bool is_of_vectors(const Quantity& q) { return q.words.find_first_of("|('") != std::string::npos; }
+bool is_of_vectors(const Quantity& q) { return q.kind != Quantity::Kind::number; }
 
 std::vector<Column> columns_of(const PartOfCalls& of) {
     std::vector<Column> list;
@@ -38,8 +38,7 @@ std::vector<Column> columns_of(const PartOfCalls& of) {
         return q.value(of.calls.rows[k], of.calls.layouts[k], of.calls.mine[k]);
     };
     for (const Quantity& q : quantities)
-        if (q.words != "the answer's " + of.part.name && q.words != fmt::format("|the answer's {}|", of.part.name))
-            add(q.words, [&](std::size_t k) { return std::log(std::abs(at(q, k))); });
+        if (q.answer_at != of.part.at) add(q.words, [&](std::size_t k) { return std::log(std::abs(at(q, k))); });
     const std::size_t numbers = std::size_t(std::ranges::find_if(quantities, is_of_vectors) - quantities.begin());
     constexpr std::size_t few = 4;
     for (std::size_t a = 0; a < numbers && numbers <= few; ++a)
@@ -47,9 +46,7 @@ std::vector<Column> columns_of(const PartOfCalls& of) {
             add(fmt::format("({} - {})", quantities[b].words, quantities[a].words),
                 [&](std::size_t k) { return std::log(std::abs(at(quantities[b], k) - at(quantities[a], k))); });
     for (const Quantity& q : quantities) {
-        const bool is_plain = q.words.find('|') == q.words.npos && q.words.find('(') == q.words.npos &&
-                              q.words.find('\'') == q.words.npos;
-        if (!is_plain) continue;
+        if (is_of_vectors(q)) continue;
         for (const int more : {1, 2})
             add(fmt::format("({} + {})", q.words, more),
                 [&](std::size_t k) { return std::log(std::abs(at(q, k) + more)); });
@@ -59,7 +56,7 @@ std::vector<Column> columns_of(const PartOfCalls& of) {
         add(fmt::format("sqrt(1 - {0} * {0})", q.words),
             [&](std::size_t k) { return std::log(1 - at(q, k) * at(q, k)) / 2; });
         for (const Quantity& base : quantities)
-            if (base.words.starts_with("dot") || base.words.ends_with(".z"))
+            if (base.kind == Quantity::Kind::product || base.kind == Quantity::Kind::coordinate)
                 add(fmt::format("pow({}, {})", base.words, q.words),
                     [&](std::size_t k) { return at(q, k) * std::log(at(base, k)); });
     }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "diagnosis/scalars.h"
 
@@ -50,25 +49,33 @@ std::vector<Vector> vectors_of(const Layout& layout, const std::vector<bool>& to
     return vectors;
 }
 
+using Measured = decltype(Quantity::value);
+
+Quantity length(const std::string& vector, Measured value, std::optional<std::size_t> answer_at = {}) {
+    return {fmt::format("|{}|", vector), std::move(value), Quantity::Kind::length, vector, answer_at};
+}
+
+Quantity product(const std::string& of, Measured value) {
+    return {fmt::format("dot({})", of), std::move(value), Quantity::Kind::product};
+}
+
 /// Lengths, products and distances.
 void add_vectors(const std::vector<Vector>& vectors, std::vector<Quantity>& all) {
     for (std::size_t a = 0; a < vectors.size(); ++a) {
         const Vector v = vectors[a];
         if (v.mirror >= 0) continue;
-        all.push_back({fmt::format("|{}|", v.name), [=](const Row& row, const Layout& l, const Row& out) {
-                           return glm::length(v.at(row, l, out));
-                       }});
+        all.push_back(length(
+            v.name, [=](const Row& row, const Layout& l, const Row& out) { return glm::length(v.at(row, l, out)); },
+            v.own ? std::optional(v.part) : std::nullopt));
         for (std::size_t b = a + 1; b < vectors.size(); ++b) {
             const Vector w = vectors[b];
             if (w.mirror >= 0 && !v.own) continue;
-            all.push_back(
-                {fmt::format("dot({}, {})", v.name, w.name), [=](const Row& row, const Layout& l, const Row& out) {
-                     return rt::dot(v.at(row, l, out), w.at(row, l, out));
-                 }});
-            all.push_back(
-                {fmt::format("|{} - {}|", v.name, w.name), [=](const Row& row, const Layout& l, const Row& out) {
-                     return glm::length(v.at(row, l, out) - w.at(row, l, out));
-                 }});
+            all.push_back(product(v.name + ", " + w.name, [=](const Row& row, const Layout& l, const Row& out) {
+                return rt::dot(v.at(row, l, out), w.at(row, l, out));
+            }));
+            all.push_back(length(v.name + " - " + w.name, [=](const Row& row, const Layout& l, const Row& out) {
+                return glm::length(v.at(row, l, out) - w.at(row, l, out));
+            }));
         }
     }
 }
@@ -86,11 +93,11 @@ void add_sides(const Layout& layout, const std::vector<bool>& told, std::vector<
     const auto direction = part_named(layout, told, "ray.direction");
     if (!direction) return;
     const auto add = [&](const std::string& words, auto normal) {
-        all.push_back({fmt::format("dot(cross({}), ray.direction)", words),
-                       [=, d = *direction](const Row& row, const Layout& l, const Row&) {
-                           const auto at = [&](std::size_t part) { return vector_at(row, l.parts[part].at); };
-                           return rt::dot(normal(at), at(d));
-                       }});
+        all.push_back(product(fmt::format("cross({}), ray.direction", words),
+                              [=, d = *direction](const Row& row, const Layout& l, const Row&) {
+                                  const auto at = [&](std::size_t part) { return vector_at(row, l.parts[part].at); };
+                                  return rt::dot(normal(at), at(d));
+                              }));
     };
     const auto a = part_named(layout, told, "triangle.a"), b = part_named(layout, told, "triangle.b"),
                c = part_named(layout, told, "triangle.c");
@@ -102,17 +109,18 @@ void add_sides(const Layout& layout, const std::vector<bool>& told, std::vector<
 
 void add_answers(const Layout& result, std::vector<Quantity>& all) {
     for (const Field& part : result.parts) {
+        const std::string name = "the answer's " + part.name;
+        const std::size_t at = part.at;
         if (part.kind == Kind::pair && !part.name.empty())
-            all.push_back(
-                {fmt::format("|the answer's {}|", part.name), [part](const Row&, const Layout&, const Row& out) {
-                     return std::hypot(out[part.at], out[part.at + 1]);
-                 }});
+            all.push_back(length(
+                name, [at](const Row&, const Layout&, const Row& out) { return std::hypot(out[at], out[at + 1]); },
+                at));
         if (part.kind == Kind::number && part.name == "distance")
-            all.push_back({fmt::format("the answer's {}", part.name),
-                           [part](const Row&, const Layout&, const Row& out) { return out[part.at]; }});
+            all.push_back({name, [at](const Row&, const Layout&, const Row& out) { return out[at]; },
+                           Quantity::Kind::length, "", at});
         if (part.kind == Kind::vector && !part.name.empty())
-            all.push_back({fmt::format("the answer's {}.z", part.name),
-                           [part](const Row&, const Layout&, const Row& out) { return out[part.at + 2]; }});
+            all.push_back({name + ".z", [at](const Row&, const Layout&, const Row& out) { return out[at + 2]; },
+                           Quantity::Kind::coordinate});
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "diagnosis/arguments.h"
 
@@ -8,8 +9,12 @@ namespace grade {
 
 /// A number of the arguments that a formula may hold: an argument, a length, a dot product, a distance.
 struct Quantity {
+    enum class Kind { number, length, product, coordinate };  // but for a number, of vectors or of the answer
     std::string words;
     std::function<double(const Row& row, const Layout& layout, const Row& output)> value;
+    Kind kind = Kind::number;
+    std::string vector{};                    // whose length it is
+    std::optional<std::size_t> answer_at{};  // where the part of the answer stands that it is, or the length of
 };
 
 /// With result, those that the direction or point of the fragment's own answer is part of as well.

@@ -9,6 +9,21 @@
 
 namespace grade {
 
+std::string Relation::words() const {
+    const bool of_change = kind == Kind::change || kind == Kind::named_mistake;
+    return calls + (of_change ? "the answers are exactly what the right fragment answers with " : "") + said +
+           (!others_remain      ? ""
+            : in_others.empty() ? "; in the others something else is wrong"
+                                : "; in the others, " + in_others);
+}
+
+std::string Relation::all_words() const {
+    std::string all = words() + usually;
+    if (only_where_not_nothing && !in_others.empty()) all += "; elsewhere, " + in_others;
+    if (!repair.empty()) return all + "; " + repair;
+    return line == 0 ? all : fmt::format("{}{} line {}", all, usually.ends_with('?') ? " See" : ": see", line);
+}
+
 std::optional<Relation> Search::run(bool& right_otherwise) {
     right_otherwise = false;
     if (wrong_.size() < enough_wrong) return std::nullopt;
@@ -76,18 +91,24 @@ std::optional<Relation> by_kinds(const Calls& calls,
             are_all = are_all && one;
             if (!one) continue;
             const std::string kind = value_in_words({parts[i].name, parts[i].kind, 0}, {double(value)});
-            const auto same = std::ranges::find_if(found, [&](const auto& f) { return f.first.words == one->words; });
+            const auto same =
+                std::ranges::find_if(found, [&](const auto& f) { return f.first.words() == one->words(); });
             if (same != found.end())
                 same->second += " or " + kind;
             else
                 found.emplace_back(*one, kind);
         }
         if (found.empty()) continue;
-        std::string words;
-        for (const auto& [one, kinds] : found)
-            words += fmt::format("{}where `{}` is {}, {}", words.empty() ? "" : "; ", parts[i].name, kinds, one.words);
         Relation all = found.front().first;
-        all.words = words + (are_all ? "" : "; other calls are wrong as well"), all.everywhere = false;
+        std::string words;
+        bool has_change = false;
+        for (const auto& [one, kinds] : found) {
+            has_change = has_change || one.has_change(), all.is_constant = all.is_constant || one.is_constant;
+            words +=
+                fmt::format("{}where `{}` is {}, {}", words.empty() ? "" : "; ", parts[i].name, kinds, one.words());
+        }
+        all.said = words + (are_all ? "" : "; other calls are wrong as well"), all.everywhere = false;
+        all.kind = has_change ? Relation::Kind::of_kinds : Relation::Kind::sentence;
         return all;
     }
     return std::nullopt;
@@ -116,9 +137,10 @@ std::optional<Relation> Search::where_it_is_not_nothing() {
     for (const std::size_t k : all_)
         if (is_something(calls_.right[k]) && !is_void(calls_.result, calls_.right[k])) some.push_back(k);
     if (some.size() < 2 * enough_wrong || some.size() == all_.size()) return std::nullopt;
-    region_ = where_not_nothing;
+    region_ = "where the right answer is not 0 or inf, ";
     one_change(same_, some);
     region_.clear();
+    if (best_) best_->only_where_not_nothing = true;
     return best_;
 }
 

@@ -1,23 +1,21 @@
 #pragma once
 
-#include <string_view>
-
 #include "diagnosis/calls.h"
 
 namespace grade {
 
-/// How the words of a change begin.
-constexpr std::string_view as_changed = "the answers are exactly what the right fragment answers with ";
-
-/// How the words of a relation that does not explain all calls end.
-constexpr std::string_view other_mistakes = "; in the others something else is wrong";
-
-/// How the words of one begin that is looked for where it is clearest.
-constexpr std::string_view where_not_nothing = "where the right answer is not 0 or inf, ";
-
 /// What wrong answers have to do with right ones, in every call that was looked at.
 struct Relation {
-    std::string words;
+    enum class Kind {
+        sentence,
+        change,         // the answers are the right fragment's with a change of an argument or of an expression
+        named_mistake,  // and with a mistake that has a name
+        of_kinds        // a sentence on calls of each kind, some of which are a change's
+    };
+    std::string said;  // of a change, what it is: "`u.x` in place of `u.y`"
+    Kind kind = Kind::sentence;
+    std::string calls{};     // of which it is said: "in the wrong calls "; empty: of all
+    std::string edit{};      // of a change of an expression: what it is, without where
     std::string usually{};   // what that is in most code
     bool everywhere = true;  // else in those calls only that are wrong
     double cost = 0;
@@ -29,7 +27,22 @@ struct Relation {
     double share = 1;            // of what is wrong that is explained
     // explained exactly by a change of arguments, of a textbook's expression; put right by one of the fragment's own
     bool by_arguments = false, by_textbook = false, by_repair = false;
-    Rows others{};  // of the calls that were looked at, those that are not explained
+    bool is_constant = false;             // a part of the answer is always the same, which says nothing of a cause
+    bool only_where_not_nothing = false;  // it is looked for where the right answer is not 0 or inf alone
+    bool others_remain = false;           // in which something else is wrong
+    Rows others{};                        // of the calls that were looked at, those that are not explained
+    std::string in_others{};              // what is wrong in these, or where the right answer is 0 or inf
+    int line = 0;                         // of the fragment's own source, where the change is; 0: unknown
+    std::string repair{};                 // what would have to stand there
+
+    bool has_change() const { return kind != Kind::sentence; }
+    /// Whether the answers to all calls are the right fragment's with a change.
+    bool is_change() const { return calls.empty() && (kind == Kind::change || kind == Kind::named_mistake); }
+
+    /// What is found, in words.
+    std::string words() const;
+    /// And what that usually is, what is wrong in other calls, and where in the source.
+    std::string all_words() const;
 };
 
 /// The simplest one; none: none was found.

@@ -7,6 +7,7 @@
 #include "diagnosis/expressions.h"
 #include "diagnosis/mistakes.h"
 #include "diagnosis/quantities.h"
+#include "diagnosis/surest.h"
 
 namespace grade {
 
@@ -55,9 +56,7 @@ private:
         return some;
     }
 
-    bool is_right(std::size_t k, const Row& answer) const {
-        return answer.size() == calls_.right[k].size() && is_equal(calls_.result, answer, calls_.right[k]);
-    }
+    bool is_right(std::size_t k, const Row& answer) const { return is_answer(calls_.result, answer, calls_.right[k]); }
 
     /// Whether it is the student's fragment, as long as nothing is changed.
     bool answers_as_before(const Rows& answers) const {
@@ -77,7 +76,7 @@ private:
         quantities_ = quantities_of(arguments_, told_);
         for (std::size_t i = 0; i < quantities_.size(); ++i) {
             arguments_.parts.push_back({quantities_[i].words, Kind::number, calls_.rows.front().size() + i});
-            told_.push_back(quantities_[i].words.find_first_of("(|") != std::string::npos);
+            told_.push_back(quantities_[i].kind != Quantity::Kind::number);
         }
         all_.nodes = source_.nodes;
         all_.seen.assign(source_.nodes.size(), Value::Kind::none);
@@ -218,6 +217,29 @@ private:
 
 std::optional<Repair> repair_of(const Calls& calls, const Editable& source, bool only_one) {
     return calls.size() == 0 ? std::nullopt : Repairs(calls, source).run(only_one);
+}
+
+void add_repair(std::optional<Relation>& relation, const Calls& calls, const std::optional<Editable>& source,
+                const std::string& known) {
+    const bool is_cause = is_exact(relation) && !relation->is_constant;
+    const auto repair = source ? repair_of(calls, *source, is_cause) : std::nullopt;
+    if (!repair) return;
+    const bool is_all = repair->share == 1;
+    if (is_exact(relation)) {
+        if (!is_all && is_cause) return;
+        relation->by_repair = is_all;
+        constexpr double simple = 1.9;  // a change of arguments that a student may have made
+        const bool is_told = relation->by_textbook || relation->cost < simple;
+        if (relation->is_change() && is_told)
+            relation->line = repair->line;
+        else
+            relation->repair = repair->words;
+    } else if (is_all || !relation || relation->explains == Relation::Explains::nothing ||
+               relation->share < repair->share) {
+        relation = Relation{known.empty() ? repair->words : known + "; " + repair->words};
+        relation->by_repair = is_all, relation->share = repair->share;
+        relation->explains = is_all ? Relation::Explains::all : Relation::Explains::some;
+    }
 }
 
 }  // namespace grade

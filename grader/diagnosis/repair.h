@@ -1,8 +1,6 @@
 #pragma once
 
-#include <optional>
-
-#include "diagnosis/calls.h"
+#include "diagnosis/relation.h"
 #include "textbook/edits.h"
 #include "textbook/source.h"
 
@@ -26,5 +24,11 @@ struct Repair {
 ///
 /// only_one  of one expression, after which every answer is right
 std::optional<Repair> repair_of(const Calls& calls, const Editable& source, bool only_one);
+
+/// Where in the fragment's own source the mistake is, and where no relation says all, what it is.
+///
+/// known  what else is known then
+void add_repair(std::optional<Relation>& relation, const Calls& calls, const std::optional<Editable>& source,
+                const std::string& known);
 
 }  // namespace grade

@@ -59,13 +59,18 @@ bool Search::all_equal(const Rows& right, const std::vector<std::size_t>& scope)
 void Search::consider(const Rows& right, const std::string& change, double cost, const std::vector<std::size_t>& scope,
                       bool only_simple, const std::string& usually) {
     std::string forms;
+    Form::Kind last = Form::Kind::other;
+    bool is_constant = false;
     for (const Field* part : parts_) {
         const auto form = form_of(calls_, *part, right, scope, only_simple);
         // a change and a constant together explain much by chance
-        if (!form || (!change.empty() && parts_.size() < 2 && !form->words.empty() && form->words != right_way)) return;
+        if (!form ||
+            (!change.empty() && parts_.size() < 2 && !form->words.empty() && form->kind != Form::Kind::not_unit))
+            return;
         cost += form->cost;
-        if (!form->words.empty())
-            forms += fmt::format("{}{} {}", forms.empty() ? "" : ", and ", name_of(*part), form->words);
+        if (form->words.empty()) continue;
+        forms += fmt::format("{}{} {}", forms.empty() ? "" : ", and ", name_of(*part), form->words);
+        last = form->kind, is_constant = is_constant || form->kind == Form::Kind::constant;
     }
     // what is right must stay so
     for (const Field& part : calls_.result.parts)
@@ -76,15 +81,12 @@ void Search::consider(const Rows& right, const std::string& change, double cost,
             return;
     if (best_ && best_->cost <= cost) return;
     const bool everywhere = scope.size() == all_.size();
-    const std::string there = !region_.empty() ? region_ : everywhere ? "" : "in the wrong calls ";
-    best_ = Relation{there + sentence(change, forms), forms.empty() ? usually : "", everywhere, cost,
-                     Relation::Explains::all};
-}
-
-std::string Search::sentence(const std::string& change, const std::string& forms) {
-    if (change.empty()) return forms;
-    const std::string as = std::string(as_changed) + change;
-    return forms.empty() ? as : fmt::format("{}, {} {}", as, forms.ends_with(right_way) ? "and" : "but", forms);
+    const bool is_both = !change.empty() && !forms.empty();
+    const char* const joint = !is_both ? "" : last == Form::Kind::not_unit ? ", and " : ", but ";
+    best_ = Relation{change + joint + forms, change.empty() ? Relation::Kind::sentence : Relation::Kind::change};
+    best_->calls = !region_.empty() || everywhere ? region_ : "in the wrong calls ";
+    best_->usually = forms.empty() ? usually : "", best_->is_constant = is_constant;
+    best_->everywhere = everywhere, best_->cost = cost;
 }
 
 bool Search::tells(const Rows& changed, const std::vector<std::size_t>& scope) const {
@@ -135,7 +137,7 @@ void Search::one_change(const Change& base, const std::vector<std::size_t>& scop
         const auto right = answers(change, &base, scope);
         if (!right || !tells(*right, scope)) continue;
         if (is_other && all_equal(*right, scope)) {
-            best_->words += ", or with " + change.words;
+            best_->said += ", or with " + change.words;
             break;
         }
         consider(*right, change.words, cost, scope, true, change.usually);

@@ -35,7 +35,6 @@ private:
     /// A relation of all parts that are wrong, if it costs less than the best one.
     void consider(const Rows& right, const std::string& change, double cost, const std::vector<std::size_t>& scope,
                   bool only_simple, const std::string& usually = {});
-    static std::string sentence(const std::string& change, const std::string& forms);
     /// Whether the changed answers differ from right ones as often as mine do, and not by one number only, unless it is
     /// told in which calls they are left as they are.
     bool tells(const Rows& changed, const std::vector<std::size_t>& scope) const;

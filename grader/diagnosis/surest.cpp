@@ -20,22 +20,19 @@ std::optional<Relation> simpler_one(std::optional<Relation> of_arguments, std::o
     if (of_arguments->explains != Relation::Explains::all) return of_form;
     if (of_form->other_numbers) return of_arguments;
     constexpr double clearly = 0.25, as_cheap = 0.5;
-    const bool is_change = of_form->words.find(as_changed) != std::string::npos, everywhere = of_form->everywhere;
-    const bool is_other_change = of_arguments->words.find(as_changed) != std::string::npos;
+    const bool is_change = of_form->has_change(), everywhere = of_form->everywhere;
     if (is_change && everywhere && !of_arguments->everywhere) return of_form;
     if (is_change && of_form->cost < of_arguments->cost - clearly) return of_form;
-    if (is_change && !is_other_change && !everywhere && of_form->cost <= of_arguments->cost) return of_form;
-    if (!of_form->words.starts_with(as_changed) || !of_arguments->words.starts_with(as_changed) ||
-        of_form->cost > of_arguments->cost + as_cheap)
+    if (is_change && !of_arguments->has_change() && !everywhere && of_form->cost <= of_arguments->cost) return of_form;
+    if (!of_form->is_change() || !of_arguments->is_change() || of_form->cost > of_arguments->cost + as_cheap)
         return of_arguments;
-    // a mistake with a name, which no change of an argument has
-    if (of_form->words[as_changed.size()] != '`') return of_form;
-    if (of_form->words.starts_with(of_arguments->words + ",")) {
+    if (of_form->kind == Relation::Kind::named_mistake) return of_form;
+    if (of_form->edit == of_arguments->said && of_form->said != of_form->edit) {
         of_form->usually = of_arguments->usually;
         return of_form;
     }
     if (of_form->cost < of_arguments->cost) std::swap(of_form, of_arguments);
-    of_arguments->words += ", or with " + of_form->words.substr(as_changed.size());
+    of_arguments->said += ", or with " + of_form->said;
     return of_arguments;
 }
 
@@ -60,14 +57,14 @@ std::optional<Relation> sure_relation(const Calls& calls, const Ask& ask_right, 
         auto relation = relation_of(some, ask, sampled, right_otherwise);
         if (right_otherwise) return std::optional<Relation>();
         constexpr double simple = 1.1;
-        if (is_exact(relation) && relation->words.starts_with(as_changed) && relation->cost <= simple) return relation;
+        if (is_exact(relation) && relation->is_change() && relation->cost <= simple) return relation;
         relation = simpler(relation, relation_of_textbook(some, sampled, right_otherwise, left_of_forms));
         return right_otherwise ? std::nullopt : relation;
     };
     auto relation = found(false, right);
     if (!is_exact(relation)) return relation;
     const auto again = found(true, again_right);
-    return again && again->words != relation->words ? found(false, again_right, 2 * most_compared) : relation;
+    return again && again->words() != relation->words() ? found(false, again_right, 2 * most_compared) : relation;
 }
 
 /// Which tests turn hits away that no range does.
@@ -86,7 +83,7 @@ std::optional<Relation> relation_near_shapes(const Calls& calls, const Ask& ask_
     const Calls near = near_shapes(calls, ask_mine, ask_right);
     if (near.size() == calls.size()) return std::nullopt;
     auto found = sure_relation(near, ask_right, false, right_otherwise, left_of_forms);
-    if (is_exact(found) && found->words.find(always) == std::string::npos) return found;
+    if (is_exact(found) && !found->is_constant) return found;
     if (std::ranges::any_of(near.mine, is_something)) return std::nullopt;
     return Relation{
         "no ray hits, not even one that starts at the shape and may hit anywhere along its line: what turns "
@@ -94,11 +91,13 @@ std::optional<Relation> relation_near_shapes(const Calls& calls, const Ask& ask_
         tests_of(calls.signature.fragment)};
 }
 
-/// What is wrong in the calls that a relation does not explain, behind its words.
+/// What is wrong in the calls that a relation does not explain. Where it is told what the one in most calls usually is,
+/// that is enough.
 void add_others(Relation& relation, const Calls& calls, const Ask& ask_right, bool sampled,
                 std::size_t& left_of_forms) {
     bool right_otherwise = false;
-    const bool are_nothing = relation.words.starts_with(where_not_nothing);
+    const bool are_nothing = relation.only_where_not_nothing;
+    if (!are_nothing && !(relation.others_remain && relation.usually.empty())) return;
     const Calls rest = those_of(calls, [&](std::size_t k) {
         const Row& row = calls.rows[k];
         // steps of a formula stand behind
@@ -110,12 +109,8 @@ void add_others(Relation& relation, const Calls& calls, const Ask& ask_right, bo
     });
     if (rest.size() == 0 || only_wrong(rest).size() == 0) return;
     const auto found = sure_relation(rest, ask_right, sampled, right_otherwise, left_of_forms);
-    const std::string usual = is_exact(found) ? found->words + found->usually : usual_wrong_answer(rest);
-    if (usual.empty()) return;
-    if (are_nothing) relation.words += "; elsewhere, " + usual;
-    if (relation.words.ends_with(other_mistakes))
-        relation.words.replace(relation.words.size() - other_mistakes.size(), other_mistakes.size(),
-                               "; in the others, " + usual);
+    relation.in_others = is_exact(found) ? found->all_words() : usual_wrong_answer(rest);
+    relation.is_constant = relation.is_constant || (is_exact(found) && found->is_constant);
 }
 
 /// Of several parts of an answer, each by itself; perhaps of some alone.
@@ -139,12 +134,18 @@ std::optional<Relation> relation_of_parts(const Calls& calls, const Ask& ask_rig
         auto found = sure_relation(alone, ask_right, sampled, right_otherwise, left_of_forms);
         if (count < enough || !is_exact(found) || found->other_numbers) continue;
         ++explained;
-        const bool is_change = found->words.starts_with(as_changed);
-        are_changes = are_changes && is_change;
-        if (is_change)
-            found->words = fmt::format("{} is exactly what the right fragment answers with {}", name_of(part),
-                                       found->words.substr(as_changed.size()));
-        if (all) found->words = all->words + "; " + found->words, found->everywhere &= all->everywhere;
+        are_changes = are_changes && found->is_change();
+        if (found->is_change())
+            found->said =
+                fmt::format("{} is exactly what the right fragment answers with {}", name_of(part), found->said),
+            found->kind = Relation::Kind::sentence;
+        if (all) {
+            found->said = all->words() + "; " + found->words(), found->calls.clear();
+            found->kind = Relation::Kind::sentence;
+            found->everywhere = found->everywhere && all->everywhere;
+            found->is_constant = found->is_constant || all->is_constant;
+            found->only_where_not_nothing = all->only_where_not_nothing;
+        }
         all = std::move(found);
     }
     // of a sample whose place is wrong, any measure may be so
@@ -164,15 +165,14 @@ std::optional<Relation> surest_relation(const Calls& calls, const Ask& mine, con
     const auto take = [&](std::optional<Relation> other) {
         if (is_exact(other)) best = std::move(other);
     };
-    if (!is_exact(best) || best->words.find(always) != std::string::npos)
-        take(relation_near_shapes(calls, mine, right, left_of_forms));
+    if (!is_exact(best) || best->is_constant) take(relation_near_shapes(calls, mine, right, left_of_forms));
     if (!is_exact(best) && calls.result.parts.size() > 1) {
         auto parts = relation_of_parts(calls, right, sampled, left_of_forms);
         if (parts && (is_exact(parts) || !best || best->share < parts->share)) best = std::move(parts);
     }
     std::size_t left_of_pairs = most_of_textbook;
     if (!is_exact(best)) take(two_of_textbook(picked(calls, most_compared), left_of_pairs));
-    if (best) best->words += best->usually, add_others(*best, calls, right, sampled, left_of_forms);
+    if (best) add_others(*best, calls, right, sampled, left_of_forms);
     return best;
 }
 

@@ -37,13 +37,12 @@ void Search::one_of_several() {
         if (!explains || telling < least || same <= most) continue;
         most = same;
         const bool are_all = same == wrong_.size();
-        best_ =
-            Relation{fmt::format("in {} wrong calls {}{}{}",
-                                 are_all ? fmt::format("all {}", same) : fmt::format("{} of {}", same, wrong_.size()),
-                                 as_changed, change.words, are_all ? "" : other_mistakes)};
+        best_ = Relation{change.words, Relation::Kind::change};
+        best_->calls = are_all ? fmt::format("in all {} wrong calls ", same)
+                               : fmt::format("in {} of {} wrong calls ", same, wrong_.size());
         best_->everywhere = false, best_->cost = best_cost, best_->explains = Relation::Explains::some;
         best_->share = double(same) / double(wrong_.size());
-        best_->others = std::move(others);
+        best_->others_remain = !are_all, best_->others = std::move(others);
     }
 }
 
@@ -55,10 +54,7 @@ bool Search::is_same_in(const Change& first, const Change& second, const std::ve
 }
 
 bool Search::are_of_one(const Change& first, const Change& second) {
-    constexpr std::string_view in_place = " in place of ";
-    const std::size_t at = first.words.rfind(in_place), other = second.words.rfind(in_place);
-    return at != std::string::npos && other != std::string::npos &&
-           std::string_view(first.words).substr(at) == std::string_view(second.words).substr(other);
+    return !first.replaced.empty() && first.replaced == second.replaced;
 }
 
 void Search::two_changes(const std::vector<std::size_t>& scope) {

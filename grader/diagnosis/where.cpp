@@ -44,14 +44,14 @@ WrongCalls where_among_alike(const Calls& calls) {
                 return !is_alike(calls.right[k]) && !is_equal(calls.result, calls.mine[k], calls.right[k]);
             });
             if (are_all || some.size() == 0 || rest.size() > 0) continue;
-            const WrongCalls region = rule_of(some, true);
+            WrongCalls region = rule_of(some, true);
             if (!region.is_exact) continue;
-            return {fmt::format("{} and the right {} is not {}", region.words, part.name.empty() ? "answer" : part.name,
-                                number_in_words(other)),
-                    [is_alike, holds = region.holds](const Row& row, const Layout& layout, const Row& right) {
-                        return is_alike(right) && holds(row, layout, right);
-                    },
-                    true};
+            region.words += fmt::format(" and the right {} is not {}", part.name.empty() ? "answer" : part.name,
+                                        number_in_words(other));
+            region.holds = [is_alike, holds = region.holds](const Row& row, const Layout& layout, const Row& right) {
+                return is_alike(right) && holds(row, layout, right);
+            };
+            return region;
         }
     return {};
 }

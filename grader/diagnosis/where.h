@@ -8,7 +8,10 @@ namespace grade {
 struct WrongCalls {
     std::string words;  // empty: all of them
     std::function<bool(const Row& row, const Layout& layout, const Row& right)> holds;
-    bool is_exact = false;  // it holds for all wrong calls, and for no other
+    bool is_exact = false;               // it holds for all wrong calls, and for no other
+    bool of_answers = false;             // right answers set them apart, first of all
+    std::string not_unit{};              // the vector whose length sets them apart, since it is not 1
+    std::vector<std::string> numbers{};  // "c" of "`c < 0`"
 };
 
 /// What sets wrong calls apart from right ones; empty where nothing does.

@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
-#include "diagnosis/mistakes.h"
+#include "diagnosis/asked.h"
 
 namespace grade {
 
@@ -35,12 +36,11 @@ public:
         return row;
     }
 
-    /// ", with `c = dot(f, f)`" of the variables that words speak of.
-    std::string formulas_in(const std::string& words) const {
+    /// ", with `c = dot(f, f)`" of those among the numbers that are variables.
+    std::string formulas_of(const std::vector<std::string>& numbers) const {
         std::string all;
         for (std::size_t i = 0; i < names_.size(); ++i)
-            if (words.find("`" + names_[i].name + " ") != words.npos ||
-                words.find("`" + names_[i].name + "`") != words.npos)
+            if (std::ranges::count(numbers, names_[i].name) > 0)
                 all += fmt::format(", {} `{} = {}`", all.empty() ? "with" : "and", names_[i].name, formulas_[i]);
         return all;
     }
@@ -68,7 +68,7 @@ WrongCalls where_wrong_in_textbook(const Calls& calls, WrongCalls otherwise) {
             all.layouts[k] = all.signature.of_arguments(all.rows[k]);
         }
         WrongCalls region = where_wrong(all, false);
-        const std::string formulas = variables->formulas_in(region.words);
+        const std::string formulas = variables->formulas_of(region.numbers);
         if (!region.is_exact || formulas.empty()) continue;
         region.words += formulas;
         region.holds = [holds = region.holds, asked, variables, signature = all.signature](

@@ -142,7 +142,7 @@ std::optional<Editable> editable_of(Programs& programs, const std::string& fragm
 }  // namespace
 
 Finding find_cause(Programs& programs, const Toolchain& chain, const std::string& fragment,
-                   const std::vector<Check>& checks, std::uint64_t seed) {
+                   const std::vector<Check>& checks, std::uint64_t seed) try {
     const auto header = read_text(chain.includes.front() / "rt/fragments.h");
     const auto signature = signature_of(fragment, header.value_or(""));
     if (!signature) return {};
@@ -159,6 +159,8 @@ Finding find_cause(Programs& programs, const Toolchain& chain, const std::string
     Finding finding = calls.empty() ? Finding{} : explain(*signature, calls, mine, right, source);
     finding.cpu_seconds = seconds + thread_seconds() - before;
     return finding;
+} catch (const std::bad_alloc&) {
+    return {};  // the verdict stands, without a hint of calls
 }
 
 }  // namespace grade

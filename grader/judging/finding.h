@@ -8,7 +8,8 @@
 
 namespace grade {
 
-/// What calls of a fragment with failed checks show about its mistake; nothing where it crashes or takes too long.
+/// What calls of a fragment with failed checks show about its mistake; nothing where it crashes, takes too long or
+/// needs too much memory.
 ///
 /// checks  all checks of the grading with this seed
 Finding find_cause(Programs& programs, const Toolchain& chain, const std::string& fragment,

@@ -43,7 +43,7 @@ private:
     void judge_next(const Task& task, Lane& lane, SolutionRunners& solutions);
     CheckRecord judge(const Task& task, Lane& lane, SolutionRunners& solutions);
     Finding explain(const FragmentRecord& fragment);
-    std::string made_from(const Task& task) const;
+    std::string made_from(const std::string& fragment) const;
     void finish(FragmentRecord& fragment);
 
     Programs& programs_;
@@ -112,10 +112,10 @@ void Grading::finish(FragmentRecord& fragment) {
 }
 
 /// What a check's record depends on, beside the grader: settings, and the source of its fragment.
-std::string Grading::made_from(const Task& task) const {
+std::string Grading::made_from(const std::string& fragment) const {
     return fmt::format("{} {} {} {} {} {}\n{}", settings_.seed, settings_.time_limit, settings_.pictures,
                        check_settings_.statistics.statistics, check_settings_.statistics.cap, record_.sandbox,
-                       programs_.text(task.check->fragment));
+                       programs_.text(fragment));
 }
 
 /// What its calls show, where they are wrong; kept beside the checks' records, each in a file of its own.
@@ -124,21 +124,16 @@ Finding Grading::explain(const FragmentRecord& fragment) {
         return check.verdict == Verdict::failed || check.verdict == Verdict::not_finite ||
                check.verdict == Verdict::crashed;
     };
-    const auto first = std::ranges::find_if(fragment.checks, is_wrong);
-    if (!settings_.explains || first == fragment.checks.end() || !programs_.has(fragment.name)) return {};
-    const std::vector<Check>& checks = checks_.get();
-    const auto check = std::ranges::find_if(checks, [&](const Check& c) { return c.fragment == fragment.name; });
-    if (check == checks.end()) return {};
-    const std::string key = fragment.name + ".finding", made = made_from({&*check, nullptr, nullptr});
+    if (!settings_.explains || !programs_.has(fragment.name) || std::ranges::none_of(fragment.checks, is_wrong))
+        return {};
+    const std::string key = fragment.name + ".finding", made = made_from(fragment.name);
     if (const auto before = settings_.build.kept.finding(key, made)) return *before;
     const Programs::Linked& program = programs_.with({fragment.name});
     if (!program.errors.empty()) return {};
+    const std::vector<Check>& checks = checks_.get();
     Finding finding;
-    if (std::ranges::none_of(fragment.checks, [](const CheckRecord& c) { return c.verdict == Verdict::crashed; })) try {
-            finding = find_cause(programs_, chain_, fragment.name, checks, settings_.seed);
-        } catch (const std::bad_alloc&) {
-            finding = {};  // the verdict stands, without a hint of calls
-        }
+    if (std::ranges::count(fragment.checks, Verdict::crashed, &CheckRecord::verdict) == 0)
+        finding = find_cause(programs_, chain_, fragment.name, checks, settings_.seed);
     finding.fault = find_fault(programs_, program, chain_, fragment, checks, settings_.seed);
     settings_.build.kept.keep_finding(key, made, finding);
     return finding;
@@ -149,7 +144,7 @@ std::vector<Task> Grading::recall() {
     std::vector<Task> open;
     for (const Task& task : tasks_) {
         if (!programs_.has(task.check->fragment)) continue;
-        if (auto before = settings_.build.kept.check(key_of(*task.check), made_from(task)))
+        if (auto before = settings_.build.kept.check(key_of(*task.check), made_from(task.check->fragment)))
             *task.record = std::move(*before), ++record_.reused;
         else
             open.push_back(task);
@@ -195,7 +190,7 @@ CheckRecord Grading::judge(const Task& task, Lane& lane, SolutionRunners& soluti
             const bool is_doubtful = is_used || runner->seconds_in_all() == 0;
             if (record.verdict == Verdict::crashed && is_doubtful && !again) continue;
             if (is_measured(record)) lane.runner = std::move(runner);
-            settings_.build.kept.keep_check(key, made_from(task), record);
+            settings_.build.kept.keep_check(key, made_from(task.check->fragment), record);
             return record;
         } catch (const Interrupted&) {
             throw;

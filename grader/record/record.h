@@ -78,9 +78,11 @@ struct Finding {
     std::string command;        // for a shell: "./grade call moved 'time = -1'"; empty: it cannot be written there
     std::string fault;          // "phong.cpp:24: no value is returned": what sanitizers say of a call; untrusted text
 
-    // Not in the record: whether a change of arguments, or of a textbook's expression, explains the answers exactly;
-    // whether one of the fragment's own expressions makes them right; CPU time.
-    bool by_arguments = false, by_textbook = false, by_repair = false;
+    // Not in the record: what `how` says of answers that are numbers; whether `where` says which calls; whether a
+    // change of arguments, or of a textbook's expression, explains the answers exactly; whether one of the fragment's
+    // own expressions makes them right; CPU time.
+    std::string of_numbers{};
+    bool says_which = false, by_arguments = false, by_textbook = false, by_repair = false;
     double cpu_seconds = 0;
 };
 
@@ -98,6 +100,7 @@ struct FragmentRecord {
     bool finished = false;
     Finding finding;
     std::string warnings;  // of the compiler, a line each; untrusted text
+    std::string said{};    // of a record that has been read again: what it tells first
 };
 
 /// What a grading was made with. Hashes are SHA-256.

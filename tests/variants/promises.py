@@ -113,14 +113,17 @@ def broken(fragment, change):
     return text.replace(old, new)
 
 
+def graded(grade, folder, *words):
+    """The fragments of the record."""
+    record = pathlib.Path(folder) / "record.json"
+    done = subprocess.run([grade, folder, *words, "--json", record], capture_output=True, text=True)
+    return json.loads(record.read_text())["fragments"] if done.returncode == 0 else sys.exit(done.stdout + done.stderr)
+
+
 def verdict(grade, fragment, text, seed):
     with tempfile.TemporaryDirectory() as folder:
         (pathlib.Path(folder) / f"{fragment}.cpp").write_text(text)
-        done = subprocess.run([grade, folder, fragment, "--seed", str(seed)], capture_output=True, text=True)
-    found = re.search(rf"^  {fragment} +(.+?) +[0-9.]+ of [0-9.]+\b", done.stdout, flags=re.M)
-    if not found:
-        sys.exit(f"{fragment}: no verdict in\n{done.stdout}{done.stderr}")
-    return found[1]
+        return graded(grade, folder, fragment, "--seed", str(seed))[0]["verdict"]
 
 
 def points_of_traps(grade):
@@ -128,9 +131,7 @@ def points_of_traps(grade):
     with tempfile.TemporaryDirectory() as folder:
         for file in solution.glob("*.cpp"):
             (pathlib.Path(folder) / file.name).write_text(broken(file.stem, Body("__builtin_trap();")))
-        done = subprocess.run([grade, folder, "--seed", "1", "--json", f"{folder}/record.json"], capture_output=True, text=True)
-        record = json.loads((pathlib.Path(folder) / "record.json").read_text()) if done.returncode == 0 else sys.exit(done.stderr)
-    return [(f["name"], f["points"]) for f in record["fragments"] if f["points"] > 0]
+        return [(f["name"], f["points"]) for f in graded(grade, folder, "--seed", "1") if f["points"] > 0]
 
 
 def main():

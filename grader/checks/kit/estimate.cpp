@@ -1,8 +1,10 @@
 #include "checks/kit/estimate.h"
 
-#include <cmath>
-
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
 
 #include "statistics/moments.h"
 #include "statistics/tests.h"
@@ -64,11 +66,11 @@ std::string nearest_words(const std::vector<KnownValue>& known, double value, do
         if (std::abs(value - k.value) < near && (!best || std::abs(value - k.value) < std::abs(value - best->value)))
             best = &k;
     if (!best) return {};
-    std::string words = best->words;
+    std::vector<std::string> words = {best->words};
     for (const KnownValue& k : known)
-        if (std::abs(k.value - best->value) <= near / 4 && words.find(k.words) == words.npos)
-            words += " Or: " + k.words;
-    return words;
+        if (std::abs(k.value - best->value) <= near / 4 && std::ranges::count(words, k.words) == 0)
+            words.push_back(k.words);
+    return fmt::format("{}", fmt::join(words, " Or: "));
 }
 
 std::string explained(const std::string& off, const std::string& words, const std::string& else_words) {
