@@ -1,6 +1,3 @@
-#include <array>
-#include <random>
-#include <regex>
 
 #include "diagnosis/mistakes.h"
 #include "explained.h"

@@ -1,6 +1,5 @@
 #include <filesystem>
 #include <regex>
-#include <set>
 
 #include "assignment/assignment.h"
 #include "catch.h"

@@ -7,7 +7,6 @@
 
 #include "commands/exit_code.h"
 #include "commands/words.h"
-#include "rt/files/scene_reader.h"
 #include "studies/studies.h"
 
 namespace grade {

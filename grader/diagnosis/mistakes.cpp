@@ -1,8 +1,6 @@
 #include "diagnosis/mistakes.h"
 
 #include <algorithm>
-#include <cmath>
-#include <stdexcept>
 
 #include "diagnosis/expressions.h"
 #include "diagnosis/scalars.h"

@@ -1,7 +1,5 @@
 #include "judging/fault.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "diagnosis/sanitizer.h"

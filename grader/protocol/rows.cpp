@@ -1,5 +1,8 @@
 #include "protocol/rows.h"
 
+#include <cmath>
+#include <stdexcept>
+
 namespace grade {
 
 double Integrand::operator()(double x) const {

@@ -1,10 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <concepts>
 #include <span>
-#include <stdexcept>
 #include <vector>
 
 #include "rt/answers.h"

@@ -1,7 +1,5 @@
 #include "checks/kit/figures.h"
 
-#include <fmt/format.h>
-
 #include "checks/kit/later.h"
 #include "statistics/blob.h"
 

@@ -1,7 +1,5 @@
 #include "checks/lens_ray/checks.h"
 
-#include <fmt/format.h>
-
 #include "checks/kit/render_check.h"
 #include "statistics/blob.h"
 #include "statistics/closed_forms.h"
