@@ -67,11 +67,8 @@ std::string error_section(const Record& record) {
     return fmt::format(
         "<h2>Error against run time</h2><section class=\"card\"><div class=\"plot\" tabindex=\"0\">{}</div>"
         "<p class=\"soft\">Each dot is one picture, joined with the right one of the same check; what is wrong has a "
-        "larger error, and its name "
-        "where there is room. The foot of the plot is 1e-6 and less. {}<code>grade converge</code> shows how the error "
-        "falls "
-        "with "
-        "time.</p></section>\n",
+        "larger error, and its name where there is room. The foot of the plot is 1e-6 and less. {}<code>grade "
+        "converge</code> shows how the error falls with time.</p></section>\n",
         log_log(plot),
         ratio ? fmt::format("Efficiency, 1 / (mean squared error × CPU time), is {:.2g} times the right one's in the "
                             "median of fragments that pass. ",

@@ -170,9 +170,8 @@ std::string log_log(const Plot& plot) {
     const double wide = plot_width - left - right, tall = plot_height - top - bottom;
     std::string svg = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"loglog\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" "
-        "height=\"{1:g}\" "
-        "role=\"img\" "
-        "aria-label=\"{2}: {4} against {3}\" font-family=\"sans-serif\" font-size=\"13\">\n"
+        "height=\"{1:g}\" role=\"img\" aria-label=\"{2}: {4} against {3}\" font-family=\"sans-serif\" "
+        "font-size=\"13\">\n"
         "{5}<rect class=\"paper\" width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
         plot_width, plot_height, html(plot.title), html(plot.x), html(plot.y), dark_style);
     svg += text(left, 24, "start", plot.title, "font-size=\"15\" font-weight=\"bold\"");
