@@ -80,9 +80,8 @@ std::string code_of(const std::vector<Wrapped>& forms) {
         "#pragma GCC diagnostic ignored \"-Wunused-parameter\"\n#include \"protocol/caller.h\"\n"
         "#include \"rt/fragments.h\"\n#include \"textbook/form.h\"\n\nnamespace rt {{\n"
         "namespace textbook = grade::textbook;\nnamespace any {{\n{}}}\n{}}}\n\nnamespace grade::textbook "
-        "{{\n\nnamespace "
-        "{{\n{}}}\n\nconst std::vector<Form>& forms() {{\n    static const std::vector<Form> all = read_forms(texts, "
-        "numbers, {{\n{}}});\n    return all;\n}}\n\n}}\n",
+        "{{\n\nnamespace {{\n{}}}\n\nconst std::vector<Form>& forms() {{\n    static const std::vector<Form> all = "
+        "read_forms(texts, numbers, {{\n{}}});\n    return all;\n}}\n\n}}\n",
         declared, defined, tables.code(), listed);
 }
 

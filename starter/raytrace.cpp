@@ -70,11 +70,6 @@ void describe_options(CLI::App& app, Options& o) {
     app.add_flag("--quiet", o.quiet, "print nothing but errors");
 }
 
-/// A mistake on the command line.
-struct UsageError : rt::InputError {
-    using rt::InputError::InputError;
-};
-
 /// The scene, with the options that take the place of its settings.
 rt::Scene read_scene(const Options& o) {
     rt::Scene scene = rt::read_scene(o.scene);
@@ -83,7 +78,7 @@ rt::Scene read_scene(const Options& o) {
     if (o.exposure) scene.exposure = *o.exposure;
     if (!o.size.empty()) scene.camera.size = {o.size[0], o.size[1]};
     if (std::int64_t(scene.camera.size.x) * scene.camera.size.y > (1 << 28))
-        throw UsageError("--size: too large; expected at most 268435456 pixels");
+        throw rt::InputError("--size: too large; expected at most 268435456 pixels");
     return scene;
 }
 
@@ -91,8 +86,8 @@ void check_inside(const std::vector<int>& part, rt::ivec2 size, const char* opti
     const bool box = part.size() == 4;
     const std::int64_t x = part[0], y = part[1], width = box ? part[2] : 1, height = box ? part[3] : 1;
     if (x < 0 || y < 0 || width < 1 || height < 1 || x + width > size.x || y + height > size.y)
-        throw UsageError(fmt::format("--{}: {} is not within the image; expected a part of 0,0 to {},{}", option,
-                                     fmt::join(part, ","), size.x - 1, size.y - 1));
+        throw rt::InputError(fmt::format("--{}: {} is not within the image; expected a part of 0,0 to {},{}", option,
+                                         fmt::join(part, ","), size.x - 1, size.y - 1));
 }
 
 rt::RenderSettings make_settings(const Options& o, const rt::Scene& scene) {
@@ -110,10 +105,10 @@ rt::RenderSettings make_settings(const Options& o, const rt::Scene& scene) {
 void check_output(const std::string& out) {
     const std::filesystem::path path(out);
     if (out.empty())
-        throw UsageError(
+        throw rt::InputError(
             "no output; expected -o NAME.exr, --preview, --tev HOST:PORT, --plan, --pixel X,Y or --export-mitsuba "
             "NAME.xml");
-    if (path.extension() != ".exr") throw UsageError(out + ": unknown kind of image; expected -o NAME.exr");
+    if (path.extension() != ".exr") throw rt::InputError(out + ": unknown kind of image; expected -o NAME.exr");
     const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
     if (access(folder.c_str(), W_OK) != 0)
         throw std::runtime_error(
@@ -135,7 +130,8 @@ rt::ShowOptions make_show_options(const Options& o, const rt::Scene& scene, cons
     if (settings.crop) show.corner = {settings.crop->x, settings.crop->y};
     if (o.tev.empty()) return show;
     show.tev = rt::tev_address(o.tev);
-    if (!show.tev) throw UsageError("--tev: " + o.tev + " is no address; expected HOST:PORT, such as localhost:14158");
+    if (!show.tev)
+        throw rt::InputError("--tev: " + o.tev + " is no address; expected HOST:PORT, such as localhost:14158");
     return show;
 }
 

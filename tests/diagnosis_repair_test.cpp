@@ -1,4 +1,3 @@
-#include <random>
 
 #include "diagnosis/repair.h"
 #include "explained.h"

@@ -7,10 +7,9 @@ using namespace grade;
 using Catch::Matchers::ContainsSubstring;
 
 TEST_CASE("what sanitizers say, in a line of the student's own file") {
-    CHECK(
-        fault_in_words("/tmp/x/phong.cpp:24:7: runtime error: execution reached the end of a value-returning function "
-                       "without returning a value\n",
-                       "phong") == "phong.cpp:24: a way through this function ends without a return");
+    CHECK(fault_in_words("/tmp/x/phong.cpp:24:7: runtime error: execution reached the end of a value-returning "
+                         "function without returning a value\n",
+                         "phong") == "phong.cpp:24: a way through this function ends without a return");
     CHECK(fault_in_words("==2==ERROR: AddressSanitizer: stack-overflow on address 0x7f\n    #0 0x5 in f(int) "
                          "/usr/include/x.h:3\n    #1 0x5 in f(int) /tmp/x/phong.cpp:4\n",
                          "phong") == "phong.cpp:4: the function calls itself without end");

@@ -23,6 +23,37 @@ TEST_CASE("arguments survive as rows") {
     CHECK_THROWS_AS((from_row<std::vector<double>>(Numbers{5, 1, 2})), std::domain_error);
 }
 
+TEST_CASE("each type has as many numbers as the table of rows.h says, and comes back from them") {
+    const auto numbers_of = []<class Value>(Tag<Value>) {
+        Numbers numbers = row(Value{});
+        for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = double(i % 2);  // a flag, a kind, a count of none
+        return row(from_row<Value>(numbers)) == numbers ? int(numbers.size()) : 0;
+    };
+    CHECK(numbers_of(Tag<rt::vec2>{}) == 2);
+    CHECK(numbers_of(Tag<rt::ivec2>{}) == 2);
+    CHECK(numbers_of(Tag<rt::vec3>{}) == 3);
+    CHECK(numbers_of(Tag<rt::Ray>{}) == 8);
+    CHECK(numbers_of(Tag<rt::Hit>{}) == 7);
+    CHECK(numbers_of(Tag<rt::Sphere>{}) == 4);
+    CHECK(numbers_of(Tag<rt::Triangle>{}) == 9);
+    CHECK(numbers_of(Tag<rt::Quad>{}) == 9);
+    CHECK(numbers_of(Tag<rt::Disc>{}) == 7);
+    CHECK(numbers_of(Tag<rt::Camera>{}) == 17);
+    CHECK(numbers_of(Tag<rt::Shutter>{}) == 2);
+    CHECK(numbers_of(Tag<rt::Extent>{}) == 4);
+    CHECK(numbers_of(Tag<rt::PointLight>{}) == 7);
+    CHECK(numbers_of(Tag<rt::Emitter>{}) == 24);
+    CHECK(numbers_of(Tag<rt::Material>{}) == 27);
+    CHECK(numbers_of(Tag<rt::LightSample>{}) == 5);
+    CHECK(numbers_of(Tag<rt::DiskSample>{}) == 3);
+    CHECK(numbers_of(Tag<rt::DirectionSample>{}) == 4);
+    CHECK(numbers_of(Tag<rt::FilmSample>{}) == 3);
+    CHECK(numbers_of(Tag<rt::Scattered>{}) == 6);
+    CHECK(numbers_of(Tag<rt::Outgoing>{}) == 9);
+    CHECK(row(Integrand{Integrand::Kind::power, {2, 3}}) == Numbers{5, 2, 2, 3});
+    CHECK(row(std::vector<StratumOf>{{0, 1, {0.5}}, {1, 2, {}}}) == Numbers{2, 0, 1, 1, 0.5, 1, 2, 0});
+}
+
 TEST_CASE("an integrand is its formula") {
     using Kind = Integrand::Kind;
     CHECK(Integrand{Kind::polynomial, {1, 2, 3}}(2) == 17);

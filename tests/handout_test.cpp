@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <regex>
-#include <set>
 
 #include "assignment/assignment.h"
 #include "catch.h"

@@ -1,7 +1,5 @@
 #include "lesson/lesson.h"
 
-#include <cmath>
-
 #include "catch.h"
 
 using namespace grade;

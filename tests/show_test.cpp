@@ -1,7 +1,5 @@
 /// What is drawn into terminals and sent to viewers.
 
-#include <cstring>
-
 #include "catch.h"
 #include "rt/show/encode.h"
 #include "rt/show/preview.h"

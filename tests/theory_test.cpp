@@ -7,7 +7,6 @@
 #include "assignment/assignment.h"
 #include "catch.h"
 #include "files/files.h"
-#include "rt/files/scene_reader.h"
 
 using namespace grade;
 

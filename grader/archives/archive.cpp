@@ -100,10 +100,6 @@ std::string what_is_wrong(const Ends& ends, const std::string& why) {
     return fmt::format("{}; expected a .zip or a .tar.gz", why.empty() ? "it is broken" : why);
 }
 
-bool is_zip_or_tar(const std::string& name) {
-    return name.ends_with(".zip") || name.ends_with(".tar") || name.ends_with(".tar.gz") || name.ends_with(".tgz");
-}
-
 /// Looks through an archive and, within bounds for all of them together, through those in it.
 class Look {
 public:
@@ -194,7 +190,7 @@ void Look::look_at(archive* in, archive_entry* entry, const std::string& name, i
     if (archive_entry_size_is_set(entry)) unpacked_ += archive_entry_size(entry);
     if (unpacked_ > most_unpacked)
         throw SubmissionError(fmt::format("{}: unpacks to more than {} MiB", shown_, most_unpacked >> 20));
-    if (!is_file || depth >= most_depth || !is_zip_or_tar(name) || name.starts_with("__MACOSX")) return;
+    if (!is_file || depth >= most_depth || !is_archive(name) || name.starts_with("__MACOSX")) return;
     const std::optional<std::string> bytes = read(in, std::size_t(most_inner));
     if (!bytes) return;
     if (!archive_entry_size_is_set(entry)) unpacked_ += std::int64_t(bytes->size());
@@ -265,7 +261,7 @@ void look_into_archives(const fs::path& folder, const std::vector<std::string>& 
     look.found = std::move(found);
     const std::vector<std::string> names = look.found.archives;
     for (const std::string& name : names)
-        if (is_zip_or_tar(name)) look.within(name, nullptr, 0);
+        if (is_archive(name)) look.within(name, nullptr, 0);
     found = std::move(look.found);
 }
 

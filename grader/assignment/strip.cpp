@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "files/files.h"
+#include "files/words.h"
 #include "rt/files/scene_reader.h"
 
 namespace grade {
@@ -21,12 +22,6 @@ std::string text_of(const fs::path& path) {
     const auto text = read_text(path);
     if (!text) throw std::runtime_error(path.string() + ": cannot be read");
     return *text;
-}
-
-std::string trimmed(std::string_view line) {
-    const auto first = line.find_first_not_of(" \t\r");
-    if (first == line.npos) return "";
-    return std::string(line.substr(first, line.find_last_not_of(" \t\r") - first + 1));
 }
 
 std::vector<fs::path> sources(const fs::path& folder) {

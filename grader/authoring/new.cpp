@@ -23,9 +23,8 @@ void require_name(const std::string& name) {
         throw rt::InputError(
             fmt::format("{}: is no name; expected small letters, digits and _, as in hit_sphere", rt::in_quotes(name)));
     if (name == "reflect" || name == "refract")
-        throw rt::InputError(name +
-                             ": glm has a function of this name, which would be called in its place; expected "
-                             "another one");
+        throw rt::InputError(
+            name + ": glm has a function of this name, which would be called in its place; expected another one");
 }
 
 void require_new(const fs::path& project, const fs::path& file) {
@@ -60,10 +59,8 @@ std::string place_for(const Assignment& assignment, const NewFragment& fragment)
     for (const Fragment& other : assignment.fragments)
         if (other.part == part) last = other.name;
     if (last.empty())
-        throw rt::InputError(
-            fmt::format("--part {}: no part with fragments has this name; expected one of "
-                        "assignment.toml",
-                        rt::in_quotes(part)));
+        throw rt::InputError(fmt::format(
+            "--part {}: no part with fragments has this name; expected one of assignment.toml", rt::in_quotes(part)));
     return last;
 }
 
@@ -158,8 +155,7 @@ Files new_fragment(const fs::path& project, const Assignment& assignment, const 
     if (!fragment.like.empty()) require_fragment(assignment, fragment.like);
     if (fragment.like.empty() && fragment.declaration.empty())
         throw rt::InputError(
-            fmt::format("{}: what does it take and return? Expected --like OTHER, or --declare "
-                        "'DiskSample {}(vec2 u)'",
+            fmt::format("{}: what does it take and return? Expected --like OTHER, or --declare 'DiskSample {}(vec2 u)'",
                         name, name));
     const fs::path solution = "solution/" + name + ".cpp", checks = "grader/checks/" + name + ".cpp",
                    blank_file = "starter/fragments/" + name + ".cpp";

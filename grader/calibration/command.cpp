@@ -13,22 +13,10 @@
 #include "report/markdown.h"
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
+#include "studies/shard.h"
 #include "studies/studies.h"
 
 namespace grade::calibration {
-
-namespace {
-
-/// "2/4": the second of four; from 0.
-std::pair<int, int> shard_of(const std::string& text) {
-    int which = 0, all = 0, length = 0;
-    if (std::sscanf(text.c_str(), "%d/%d%n", &which, &all, &length) != 2 || length != int(text.size()) || which < 1 ||
-        which > all)
-        throw rt::InputError(fmt::format("--shard {}: not a part of a whole; expected one like 2/4", text));
-    return {which - 1, all};
-}
-
-}  // namespace
 
 CLI::App* add_calibrate_command(CLI::App& app, CalibrateArguments& arguments) {
     CLI::App* trust = app.add_subcommand("calibrate", purpose_of("calibrate"));

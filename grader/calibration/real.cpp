@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <nlohmann/json.hpp>
 
 #include "diagnosis/diagnosis.h"
 #include "files/files.h"
 #include "files/stamp.h"
+#include "files/words.h"
 #include "judging/grading.h"
 #include "judging/run_check.h"
 #include "report/json.h"
@@ -16,11 +16,6 @@
 namespace grade::calibration {
 
 namespace {
-
-std::string lower(std::string text) {
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return text;
-}
 
 /// Of the record without what depends on time and load.
 std::string timeless_hash(const Record& record) { return Stamp().add(timeless_json(record)).text(); }

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "files/files.h"
+#include "files/words.h"
 #include "programs/process.h"
 #include "rt/files/scene_reader.h"
 
@@ -19,11 +20,6 @@ constexpr std::pair<const char*, Variant::Kind> folders[] = {{"wrong", Variant::
                                                              {"right", Variant::Kind::right},
                                                              {"dose", Variant::Kind::dose},
                                                              {"confined", Variant::Kind::confined}};
-
-std::string trimmed(const std::string& text) {
-    const auto first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
-    return first == text.npos ? "" : text.substr(first, last - first + 1);
-}
 
 std::vector<std::string> split(const std::string& text, char at) {
     std::vector<std::string> parts;

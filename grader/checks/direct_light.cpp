@@ -130,13 +130,12 @@ Check lamp_highlight(Generator& random) {
         return moments_of_middles(camera, [&](vec2 film) { return light_at(film, exponent); });
     };
     const Blob right = due(shininess);
-    const auto seen = [](const rt::Image& image) { return blob_moments(image, whole(image)); };
     const auto width_of = [&](double exponent) { return due(exponent).radial_square / right.radial_square; };
     return render_check(
         "highlight", {scene, 32, "sobol"},
         {of_picture({.id = "L1",
                      .what = "light of the highlight, over what must be",
-                     .number = [=](const rt::Image& i) { return seen(i).mass / right.mass; },
+                     .number = [=](const rt::Image& i) { return blob_of(i).mass / right.mass; },
                      .delta = 0.06,
                      .hint = by_ratio("the light of the highlight",
                                       {{0, "the highlight is missing"},
@@ -146,7 +145,7 @@ Check lamp_highlight(Generator& random) {
          of_picture(
              {.id = "L1",
               .what = "mean square width of the highlight, over what must be",
-              .number = [=](const rt::Image& i) { return seen(i).radial_square / right.radial_square; },
+              .number = [=](const rt::Image& i) { return blob_of(i).radial_square / right.radial_square; },
               .delta = 0.05,
               .hint = by_ratio("the mean square width of the highlight",
                                {{width_of(2 * shininess), "is the exponent 2a?"},

@@ -90,14 +90,14 @@ Check place_check(const std::string& name, const std::string& id, const std::str
                          off("from its way", across, always(thing + " has left its way: point + time x velocity"))});
 }
 
-vec2 centroid_of_light(const rt::Image& image) { return blob_moments(image, whole(image)).centroid; }
+vec2 centroid_of_light(const rt::Image& image) { return blob_of(image).centroid; }
 
 vec2 centroid_of_darkness(const rt::Image& image) {
     rt::Image darkness = image;
     double lit = 0;
     for (const rt::Color& p : image.pixels) lit = std::max(lit, p.r);
     for (rt::Color& p : darkness.pixels) p = rt::Color(lit - p.r);
-    return blob_moments(darkness, whole(darkness)).centroid;
+    return blob_of(darkness).centroid;
 }
 
 Check moving_lamp(Generator& random) {

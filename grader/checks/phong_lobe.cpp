@@ -80,9 +80,8 @@ Check any_exponent() {
                        return std::abs(s.density - right) / (right + 1e-6);
                    }),
                    .tolerance = 0.02,
-                   .says =
-                       "the density is not (n + 1)/(2 pi) cos(alpha)^n of the returned direction, for some exponent "
-                       "from 0 to 10,000"}),
+                   .says = "the density is not (n + 1)/(2 pi) cos(alpha)^n of the returned direction, for some "
+                           "exponent from 0 to 10,000"}),
          mean_of({.id = "P1",
                   .what = "(n + 1) mean of -log cos(alpha), for exponents from 0 to 10,000",
                   .number = of_call<rt::phong_lobe>([](const DirectionSample& s, double n, rt::vec2 u) {

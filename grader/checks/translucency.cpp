@@ -67,8 +67,7 @@ Check sky(Generator& random) {
                       {1 / due,
                        "does the weight have the cosine at the surface, and is it 0 where the ray does not cross?"}},
                      "expected (n + 2)/(2 pi) cos(alpha)^n x |cosine at the surface| / density, 0 where the ray does "
-                     "not "
-                     "cross");
+                     "not cross");
              })});
     };
     return render_check("sky", {scene, 8, "sobol"},

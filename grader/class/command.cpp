@@ -25,16 +25,6 @@ namespace grade::course {
 
 namespace {
 
-/// "2/4": the second of four; from 0.
-Shard shard_of(const std::string& text) {
-    if (text.empty()) return {};
-    int which = 0, all = 0, length = 0;
-    if (std::sscanf(text.c_str(), "%d/%d%n", &which, &all, &length) != 2 || length != int(text.size()) || which < 1 ||
-        which > all)
-        throw rt::InputError(fmt::format("--shard {}: not a part of a whole; expected one like 2/4", text));
-    return {which - 1, all};
-}
-
 /// That of the first call, which later ones go on with: OUT/seed.
 std::uint64_t seed_of(const ClassArguments& arguments, const fs::path& out) {
     const fs::path file = out / "seed";
@@ -81,7 +71,7 @@ int run_class(const ClassArguments& arguments, const std::string& toolchain) {
     stop_at_interrupt();
     const Toolchain chain = read_toolchain(toolchain);
     const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
-    const Shard shard = shard_of(arguments.shard);
+    const Shard shard = arguments.shard.empty() ? Shard{} : shard_of(arguments.shard);
     const fs::path folder = fs::path(arguments.submissions) / "";
     const fs::path out =
         arguments.out.empty() ? fs::path(folder.parent_path().string() + "-graded") : fs::path(arguments.out);

@@ -8,6 +8,7 @@
 
 #include "files/files.h"
 #include "rt/files/scene_reader.h"
+#include "submission/archive.h"
 
 namespace grade::course {
 
@@ -24,11 +25,6 @@ struct Item {
     Student student;
     Kind kind = Kind::folder;
 };
-
-bool is_archive(const std::string& name) {
-    return std::ranges::any_of(std::array{".zip", ".tar", ".tar.gz", ".tgz"},
-                               [&](const char* ending) { return name.ends_with(ending); });
-}
 
 /// A copy of a source is one too: "phong-1.cpp", "phong.cpp.txt".
 bool is_source(const std::string& name) { return name.find(".cpp") != name.npos || name.ends_with(".cc"); }

@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <map>
 #include <mutex>
 
 #include "files/files.h"
-#include "files/interrupt.h"
 #include "judging/grading.h"
 #include "programs/parallel.h"
 #include "report/json.h"
@@ -111,8 +109,6 @@ Outcome grade_all(const std::vector<Entry>& entries, const std::vector<Result>& 
                 write_text(record_file(out, key), to_json(record));
             const std::scoped_lock guard(lock);
             ++outcome.graded, in_a_row = 0;
-        } catch (const Interrupted&) {
-            throw;
         } catch (const std::runtime_error& error) {
             const std::scoped_lock guard(lock);
             ++in_a_row, outcome.troubles.push_back(fmt::format("{}: {}", entry->path, error.what()));

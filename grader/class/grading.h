@@ -3,13 +3,9 @@
 #include "class/command.h"
 #include "class/results.h"
 #include "programs/toolchain.h"
+#include "studies/shard.h"
 
 namespace grade::course {
-
-/// One of several parts of the work; all: the whole.
-struct Shard {
-    int which = 0, all = 1;
-};
 
 struct Outcome {
     int graded = 0, before = 0;

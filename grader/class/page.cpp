@@ -87,9 +87,8 @@ std::string by_fragment(const std::vector<Result>& results, const std::string& h
         const int wrong = s.count - s.passed - s.idle;
         text += fmt::format(
             "<tr><td>{0}</td><td class=\"number\" data-is=\"mean\">{1} of {2}</td><td><div class=\"share\" "
-            "role=\"img\" "
-            "aria-label=\"{3} "
-            "passed, {4} wrong, {5} not started\"><i class=\"ok\" style=\"width:{6:.1f}%\"></i><i class=\"no\" "
+            "role=\"img\" aria-label=\"{3} passed, {4} wrong, {5} not started\"><i class=\"ok\" "
+            "style=\"width:{6:.1f}%\"></i><i class=\"no\" "
             "style=\"width:{7:.1f}%\"></i><i class=\"idle\" style=\"width:{8:.1f}%\"></i></div></td><td "
             "class=\"number\" data-is=\"passed\">{3}</td><td class=\"number\" data-is=\"wrong\">{4}</td><td "
             "class=\"number\" data-is=\"not started\">{5}</td></tr>\n",
@@ -121,9 +120,8 @@ std::string suspicious_twins(const std::vector<Result>& results, const Links& li
     const std::vector<Twins> all = twins(results);
     if (all.empty()) return "<p>None.</p>";
     std::string text =
-        "<p class=\"soft\">Fragments that are the same but for comments, white space and names, and that "
-        "at most three submissions share. A place to look, not a verdict.</p><table "
-        "class=\"class\"><tr><th>who</th><th>"
+        "<p class=\"soft\">Fragments that are the same but for comments, white space and names, and that at most three "
+        "submissions share. A place to look, not a verdict.</p><table class=\"class\"><tr><th>who</th><th>"
         "fragments</th><th class=\"number\">tokens</th></tr>\n";
     for (std::size_t i = 0; i < std::min(all.size(), most_twins); ++i)
         text += fmt::format("<tr><td>{} and {}</td><td>{}</td><td class=\"number\" data-is=\"tokens\">{}</td></tr>\n",

@@ -78,10 +78,9 @@ CLI::App* add_call_command(CLI::App& app, CallArguments& arguments) {
     CLI::App* call =
         app.add_subcommand("call", "call a fragment with arguments that a hint shows: your answer, and the right one");
     call->add_option("FRAGMENT", arguments.fragment, "its name")->required();
-    call->add_option(
-        "ARGUMENTS", arguments.arguments,
-        "\"d = (0, 0, -1), n = (0, 0, 1)\", fields as \"camera.focus = 2\"; what is not named has its default; "
-        "without: the simplest call that was wrong in the last grading of the starter");
+    call->add_option("ARGUMENTS", arguments.arguments,
+                     "\"d = (0, 0, -1), n = (0, 0, 1)\", fields as \"camera.focus = 2\"; what is not named has its "
+                     "default; without: the simplest call that was wrong in the last grading of the starter");
     call->add_option("--of", arguments.submission, "a folder; default: starter")->type_name("SUBMISSION");
     call->add_flag("--trusted", arguments.trusted, "of code that is your own: it runs without a sandbox");
     call->add_flag("--gdb", arguments.debugger, "in the debugger, which stops where the fragment begins");

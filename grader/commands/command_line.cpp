@@ -7,7 +7,6 @@
 
 #include "commands/exit_code.h"
 #include "commands/words.h"
-#include "rt/files/scene_reader.h"
 #include "studies/studies.h"
 
 namespace grade {
@@ -22,11 +21,10 @@ int start_study(const Study& study, char** argv) {
     if (fs::exists(program, error))
         fmt::print(stderr, "{}: cannot be started; grade {} is in it\n", program, study.name);
     else
-        fmt::print(
-            stderr,
-            "grade {0} is in a program of its own, {1}, which is not built yet: ./grade {0} builds it, and so does "
-            "cmake --build --preset release --target grade_studies\n",
-            study.name, program);
+        fmt::print(stderr,
+                   "grade {0} is in a program of its own, {1}, which is not built yet: ./grade {0} builds it, and so "
+                   "does cmake --build --preset release --target grade_studies\n",
+                   study.name, program);
     return infrastructure;
 }
 

@@ -129,8 +129,6 @@ public:
         line.show(0, 1, "drawing the picture of the page");
         if (!own_scene_.empty()) try {
                 add_own_picture(record, *programs_, own_scene_, settings_.seed, settings_.time_limit);
-            } catch (const Interrupted&) {
-                throw;
             } catch (const std::runtime_error& error) {  // one picture less
                 record.own_picture_scene = own_scene_.filename().string();
                 record.own_picture_fault = error.what();

@@ -22,9 +22,8 @@ Chosen choose(const std::vector<std::string>& words, const Toolchain& chain, con
         } else if (fs::exists(word, error) || word.find_first_of("/.") != word.npos) {
             if (!chosen.submission.empty())
                 throw rt::InputError(
-                    fmt::format("{}: one submission too many, after {}; expected one, and names of "
-                                "fragments",
-                                word, chosen.submission));
+                    fmt::format("{}: one submission too many, after {}; expected one, and names of fragments", word,
+                                chosen.submission));
             chosen.submission = word;
         } else if (chain.solution_objects.contains(word)) {
             throw rt::InputError(

@@ -35,10 +35,9 @@ CLI::App* add_convert_command(CLI::App& app, ConvertArguments& arguments) {
 void run_convert(const ConvertArguments& arguments) {
     const Record record = read_record(arguments.record);
     if (!record.is_complete())
-        throw rt::InputError(
-            fmt::format("{}: this grading is not complete, it still runs or was stopped; expected one "
-                        "that ran to its end",
-                        arguments.record));
+        throw rt::InputError(fmt::format(
+            "{}: this grading is not complete, it still runs or was stopped; expected one that ran to its end",
+            arguments.record));
     const auto format = std::ranges::find(formats, arguments.format, &Format::name);
     const std::string text = format->name == "terminal" && arguments.out.empty() && isatty(STDOUT_FILENO)
                                  ? table(record, {.color = true})

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "convert/formats.h"
 #include "convert/words.h"
 #include "report/escape.h"

@@ -1,7 +1,6 @@
 #include "convert/student.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <vector>
 

@@ -12,7 +12,6 @@ namespace grade {
 
 enum class Kind { number, whole, flag, choice, vector, color, pair, whole_pair };
 std::size_t size_of(Kind kind);
-inline bool is_vector(Kind kind) { return kind == Kind::vector; }
 
 /// An argument, or a field of one: "camera.tan_half_fov"; of a result, "direction", or nothing where it is no struct.
 struct Field {

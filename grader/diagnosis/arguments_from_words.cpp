@@ -5,14 +5,11 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "files/words.h"
+
 namespace grade {
 
 namespace {
-
-std::string trimmed(const std::string& text) {
-    const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
-    return first == text.npos ? "" : text.substr(first, last - first + 1);
-}
 
 /// At commas outside of brackets.
 std::vector<std::string> split(const std::string& text) {

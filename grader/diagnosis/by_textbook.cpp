@@ -1,7 +1,5 @@
 #include "diagnosis/by_textbook.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <ranges>
 

@@ -34,10 +34,6 @@ bool is_nothing(const Row& row) {
     return std::ranges::all_of(row, [](double x) { return x == 0; });
 }
 
-}  // namespace
-
-namespace {
-
 struct Share {
     std::string colour;
     Calls calls;  // with the share in place of the answers

@@ -1,6 +1,5 @@
 #include "diagnosis/arguments.h"
 
-#include <algorithm>
 #include <map>
 #include <sstream>
 #include <stdexcept>

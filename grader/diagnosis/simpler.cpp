@@ -1,7 +1,5 @@
 #include "diagnosis/simpler.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 

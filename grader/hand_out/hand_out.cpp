@@ -9,6 +9,7 @@
 
 #include "assignment/strip.h"
 #include "files/files.h"
+#include "files/words.h"
 #include "hand_out/libraries.h"
 #include "programs/toolchain.h"
 #include "report/describe.h"
@@ -166,9 +167,7 @@ void add_machines(const fs::path& kit, const fs::path& folder) {
 std::string kind_of_machine() {
     utsname names{};
     uname(&names);
-    std::string kind = fmt::format("{}-{}", names.machine, names.sysname);
-    for (char& c : kind) c = char(std::tolower(static_cast<unsigned char>(c)));
-    return kind;
+    return lower(fmt::format("{}-{}", names.machine, names.sysname));
 }
 
 void hand_out(const fs::path& project, const Assignment& assignment, const fs::path& built_toolchain,

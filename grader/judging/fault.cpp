@@ -1,11 +1,8 @@
 #include "judging/fault.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "diagnosis/sanitizer.h"
-#include "files/interrupt.h"
 #include "judging/experiment.h"
 
 namespace grade {
@@ -86,8 +83,6 @@ std::string find_fault(const Programs& programs, const Programs::Linked& plain, 
             return fragment.name + ".cpp: a variable is read that has been given no value";
     }
     return {};
-} catch (const Interrupted&) {
-    throw;
 } catch (const std::runtime_error&) {
     return {};  // no more is known than before
 }

@@ -8,7 +8,6 @@
 
 #include "diagnosis/explain.h"
 #include "files/files.h"
-#include "files/interrupt.h"
 #include "judging/experiment.h"
 #include "textbook/source.h"
 
@@ -115,10 +114,6 @@ Rows telling_calls(const std::string& fragment, const std::vector<Check>& checks
     return calls;
 }
 
-}  // namespace
-
-namespace {
-
 /// The fragment with expressions that can be changed; none: its source cannot be read, or not compiled so.
 std::optional<Editable> editable_of(Programs& programs, const std::string& fragment, const fs::path& meshes,
                                     double& seconds) try {
@@ -133,8 +128,6 @@ std::optional<Editable> editable_of(Programs& programs, const std::string& fragm
         return runner.edited(fragment, calls, most);
     };
     return Editable{std::move(source.nodes), asking(*program, programs.sandbox(), meshes, seconds, edited)};
-} catch (const Interrupted&) {
-    throw;
 } catch (const std::exception&) {
     return std::nullopt;
 }

@@ -192,8 +192,6 @@ CheckRecord Grading::judge(const Task& task, Lane& lane, SolutionRunners& soluti
             if (is_measured(record)) lane.runner = std::move(runner);
             settings_.build.kept.keep_check(key, made_from(task.check->fragment), record);
             return record;
-        } catch (const Interrupted&) {
-            throw;
         } catch (const std::runtime_error& error) {
             if (again)
                 throw std::runtime_error(fmt::format(

@@ -4,7 +4,6 @@
 #include <sys/utsname.h>
 
 #include <ctime>
-#include <sstream>
 
 #include "files/files.h"
 #include "files/sha256.h"

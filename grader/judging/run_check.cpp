@@ -95,12 +95,11 @@ void add_solution_picture(CheckRecord& record, const std::vector<rt::Image>& sho
 std::optional<Fault> unfit(const Check& check, const Observation& first, const Observation& again,
                            Reference& reference) {
     if (!is_same(first, again))
-        return Fault{
-            Verdict::failed,
-            "gives another result when it runs again with the same arguments: a fragment keeps no state, and all its "
-            "randomness is in its arguments",
-            {},
-            Trouble::keeps_state};
+        return Fault{Verdict::failed,
+                     "gives another result when it runs again with the same arguments: a fragment keeps no state, and "
+                     "all its randomness is in its arguments",
+                     {},
+                     Trouble::keeps_state};
     if (is_render(check) && is_quantised(first.image) && !is_quantised(reference.image(0)))
         return Fault{Verdict::failed,
                      "the picture has only the levels of 8 bits: radiance is not to be rounded",

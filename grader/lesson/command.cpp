@@ -19,8 +19,7 @@ namespace {
 
 constexpr const char* lesson_words =
     "A fragment of part 1 adds up samples of a function whose integral is known. Each line is the error of its sums, "
-    "by "
-    "the way\nthe points are chosen: the steeper it falls, the fewer points a picture needs.\n\n";
+    "by the way\nthe points are chosen: the steeper it falls, the fewer points a picture needs.\n\n";
 
 /// What a page says of one integral, in Markdown.
 std::string section_of(const LessonIntegrand& integrand, const std::vector<LessonCurve>& curves,

@@ -122,8 +122,7 @@ Sandbox find_sandbox(bool trusted, const std::vector<fs::path>& needed) {
     }
     throw std::runtime_error(
         fmt::format("there is no sandbox here that student code can be run in. bubblewrap: {}. Landlock and seccomp: "
-                    "{}. Expected one "
-                    "of them; with --trusted, for code that is your own, there are limits only",
+                    "{}. Expected one of them; with --trusted, for code that is your own, there are limits only",
                     no_host, no_container));
 }
 

@@ -209,10 +209,9 @@ fs::path own_toolchain() {
                                              built.string(), program.filename().string()));
     const fs::path home = toml::parse_file(built.string())["cache"].value_or(std::string());
     if (!fs::equivalent(home, here.parent_path(), error))
-        throw std::runtime_error(
-            fmt::format("{}: was built as part of {} and has been moved or copied; expected a build of "
-                        "its own: ./grade makes it",
-                        here.parent_path().string(), home.string()));
+        throw std::runtime_error(fmt::format(
+            "{}: was built as part of {} and has been moved or copied; expected a build of its own: ./grade makes it",
+            here.parent_path().string(), home.string()));
     return built;
 }
 

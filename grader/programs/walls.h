@@ -3,7 +3,6 @@
 #include <linux/filter.h>
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
 /// What any process may ask of the kernel for itself and all that it starts: a filter of system calls, and rules for

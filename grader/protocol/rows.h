@@ -1,10 +1,8 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <concepts>
 #include <span>
-#include <stdexcept>
+#include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include "rt/answers.h"
@@ -63,6 +61,45 @@ struct StratumOf {
     std::vector<double> u;
 };
 
+// ---- the types of several numbers: a line each, with the members in the order of the table ----
+
+inline auto members(rt::vec2& v) { return std::tie(v.x, v.y); }
+inline auto members(rt::ivec2& v) { return std::tie(v.x, v.y); }
+inline auto members(rt::vec3& v) { return std::tie(v.x, v.y, v.z); }
+inline auto members(rt::Ray& x) { return std::tie(x.origin, x.direction, x.near, x.far); }
+inline auto members(rt::Hit& x) { return std::tie(x.point, x.normal, x.error); }
+inline auto members(rt::Sphere& x) { return std::tie(x.center, x.radius); }
+inline auto members(rt::Triangle& x) { return std::tie(x.a, x.b, x.c); }
+inline auto members(rt::Quad& x) { return std::tie(x.center, x.u, x.v); }
+inline auto members(rt::Disc& x) { return std::tie(x.center, x.normal, x.radius); }
+inline auto members(rt::Camera& x) {
+    return std::tie(x.eye, x.right, x.up, x.back, x.tan_half_fov, x.size, x.lens_radius, x.focus);
+}
+inline auto members(rt::Shutter& x) { return std::tie(x.open, x.close); }
+inline auto members(rt::Extent& x) { return std::tie(x.low, x.high); }
+inline auto members(rt::PointLight& x) { return std::tie(x.position, x.intensity, x.directional); }
+inline auto members(rt::Emitter& x) { return std::tie(x.kind, x.quad, x.disc, x.sphere, x.radiance); }
+inline auto members(rt::Material& x) {
+    return std::tie(x.ambient, x.albedo, x.specular, x.shininess, x.reflectance, x.transmittance, x.exponent, x.ior,
+                    x.emission, x.sampled, x.medium.extinction, x.medium.albedo, x.medium.g);
+}
+inline auto members(rt::LightSample& x) { return std::tie(x.direction, x.distance, x.density); }
+inline auto members(rt::DiskSample& x) { return std::tie(x.point, x.density); }
+inline auto members(rt::DirectionSample& x) { return std::tie(x.direction, x.density); }
+inline auto members(rt::FilmSample& x) { return std::tie(x.position, x.weight); }
+inline auto members(rt::Scattered& x) { return std::tie(x.direction, x.weight); }
+inline auto members(rt::Outgoing& x) { return std::tie(x.local, x.mirror, x.glass); }
+inline auto members(Integrand& x) { return std::tie(x.kind, x.parameters); }
+inline auto members(StratumOf& x) { return std::tie(x.low, x.high, x.u); }
+
+template <class Value>
+concept HasMembers = requires(Value x) {
+    members(x);
+};
+
+template <class Value>
+concept Enum = std::is_enum_v<Value>;
+
 // ---- writing ----
 
 using Numbers = std::vector<double>;
@@ -70,31 +107,16 @@ using Numbers = std::vector<double>;
 inline void append(Numbers& row, double x) { row.push_back(x); }
 inline void append(Numbers& row, int x) { row.push_back(x); }
 inline void append(Numbers& row, bool x) { row.push_back(x ? 1 : 0); }
-inline void append(Numbers& row, rt::Event x) { row.push_back(double(int(x))); }
-inline void append(Numbers& row, rt::vec2 v) { append(row, v.x), append(row, v.y); }
-inline void append(Numbers& row, rt::ivec2 v) { append(row, v.x), append(row, v.y); }
-inline void append(Numbers& row, rt::vec3 v) { append(row, v.x), append(row, v.y), append(row, v.z); }
+inline void append(Numbers& row, Enum auto x) { row.push_back(double(int(x))); }
 
-void append(Numbers& row, const rt::Ray& ray);
-void append(Numbers& row, const rt::Hit& hit);
-void append(Numbers& row, const rt::Sphere& sphere);
-void append(Numbers& row, const rt::Triangle& triangle);
-void append(Numbers& row, const rt::Quad& quad);
-void append(Numbers& row, const rt::Disc& disc);
-void append(Numbers& row, const rt::Camera& camera);
-void append(Numbers& row, const rt::Shutter& shutter);
-void append(Numbers& row, const rt::Extent& extent);
-void append(Numbers& row, const rt::PointLight& light);
-void append(Numbers& row, const rt::Emitter& light);
-void append(Numbers& row, const rt::Material& material);
-void append(Numbers& row, const rt::LightSample& sample);
-void append(Numbers& row, const rt::DiskSample& sample);
-void append(Numbers& row, const rt::DirectionSample& sample);
-void append(Numbers& row, const rt::FilmSample& sample);
-void append(Numbers& row, const rt::Scattered& scattered);
-void append(Numbers& row, const rt::Outgoing& outgoing);
-void append(Numbers& row, const Integrand& f);
-void append(Numbers& row, const StratumOf& stratum);
+// Declared before what writes members: argument-dependent lookup does not find it for a list of numbers or of rt's.
+template <class Value>
+void append(Numbers& row, const std::vector<Value>& list);
+
+template <HasMembers Value>
+void append(Numbers& row, Value x) {
+    std::apply([&](const auto&... member) { (append(row, member), ...); }, members(x));
+}
 
 /// A list: how many, then each.
 template <class Value>
@@ -114,12 +136,14 @@ Numbers row(const Arguments&... arguments) {
 // ---- reading ----
 
 /// Takes numbers from the front of a row. Throws std::out_of_range where the row is too short, std::domain_error where
-/// a count is no count.
+/// a count is no count, or a whole number none.
 class RowReader {
 public:
     explicit RowReader(std::span<const double> row) : rest(row) {}
 
     double number();
+    /// That an int can hold: a position in an enum, a count of pixels.
+    int whole();
     std::size_t count();
     bool at_end() const { return rest.empty(); }
 
@@ -130,33 +154,21 @@ private:
 template <class Value>
 struct Tag {};
 
-double read(RowReader& in, Tag<double>);
-int read(RowReader& in, Tag<int>);
-bool read(RowReader& in, Tag<bool>);
-rt::Event read(RowReader& in, Tag<rt::Event>);
-rt::vec2 read(RowReader& in, Tag<rt::vec2>);
-rt::ivec2 read(RowReader& in, Tag<rt::ivec2>);
-rt::vec3 read(RowReader& in, Tag<rt::vec3>);
-rt::Ray read(RowReader& in, Tag<rt::Ray>);
-rt::Hit read(RowReader& in, Tag<rt::Hit>);
-rt::Sphere read(RowReader& in, Tag<rt::Sphere>);
-rt::Triangle read(RowReader& in, Tag<rt::Triangle>);
-rt::Quad read(RowReader& in, Tag<rt::Quad>);
-rt::Disc read(RowReader& in, Tag<rt::Disc>);
-rt::Camera read(RowReader& in, Tag<rt::Camera>);
-rt::Shutter read(RowReader& in, Tag<rt::Shutter>);
-rt::Extent read(RowReader& in, Tag<rt::Extent>);
-rt::PointLight read(RowReader& in, Tag<rt::PointLight>);
-rt::Emitter read(RowReader& in, Tag<rt::Emitter>);
-rt::Material read(RowReader& in, Tag<rt::Material>);
-rt::LightSample read(RowReader& in, Tag<rt::LightSample>);
-rt::DiskSample read(RowReader& in, Tag<rt::DiskSample>);
-rt::DirectionSample read(RowReader& in, Tag<rt::DirectionSample>);
-rt::FilmSample read(RowReader& in, Tag<rt::FilmSample>);
-rt::Scattered read(RowReader& in, Tag<rt::Scattered>);
-rt::Outgoing read(RowReader& in, Tag<rt::Outgoing>);
-Integrand read(RowReader& in, Tag<Integrand>);
-StratumOf read(RowReader& in, Tag<StratumOf>);
+inline double read(RowReader& in, Tag<double>) { return in.number(); }
+inline int read(RowReader& in, Tag<int>) { return in.whole(); }
+inline bool read(RowReader& in, Tag<bool>) { return in.number() != 0; }
+
+template <Enum Value>
+Value read(RowReader& in, Tag<Value>) {
+    return Value(in.whole());
+}
+
+template <HasMembers Value>
+Value read(RowReader& in, Tag<Value>) {
+    Value x;
+    std::apply([&](auto&... member) { ((member = read(in, Tag<std::decay_t<decltype(member)>>{})), ...); }, members(x));
+    return x;
+}
 
 template <class Value>
 std::vector<Value> read(RowReader& in, Tag<std::vector<Value>>) {

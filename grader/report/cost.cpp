@@ -64,12 +64,10 @@ std::string error_section(const Record& record) {
     const auto ratio = record.efficiency_ratio();
     return fmt::format(
         "<h2>Error against run time</h2><section class=\"card\"><details class=\"costs\"><summary>A dot for each "
-        "picture: "
-        "its error, and what it took</summary><div><div class=\"plot\">{}</div>"
+        "picture: its error, and what it took</summary><div><div class=\"plot\">{}</div>"
         "<p class=\"soft\">Each dot is one picture, joined with the right one of the same check. What is wrong has a "
         "larger error, and its name where there is room; the pointer on a dot shows the others. The foot of the plot "
-        "is "
-        "1e-6 and less. {}<code>grade converge</code> shows how the error falls with "
+        "is 1e-6 and less. {}<code>grade converge</code> shows how the error falls with "
         "time.</p></div></details></section>\n",
         log_log(plot),
         ratio ? fmt::format("Efficiency, 1 / (mean squared error × CPU time), is {:.2g} times the right one's in the "

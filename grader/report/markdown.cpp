@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "files/words.h"
 #include "report/escape.h"
 
 namespace grade {
@@ -43,11 +44,6 @@ std::vector<std::string_view> cells_of(std::string_view line) {
         line.remove_prefix(std::min(end + 1, line.size()));
     }
     return cells;
-}
-
-std::string_view trimmed(std::string_view text) {
-    const auto first = std::min(text.find_first_not_of(' '), text.size());
-    return text.substr(first, text.find_last_not_of(' ') + 1 - first);
 }
 
 /// Of a table's body, which narrow pages lay out as blocks: each cell knows what its column is.

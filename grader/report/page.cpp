@@ -26,8 +26,7 @@ std::string in_a_line(const FragmentRecord& fragment) {
 std::string fragment_section(const FragmentRecord& fragment, const std::string& handout) {
     std::string text = fmt::format(
         "<section class=\"card{4}\" id=\"{0}\"><div class=\"head\"><h3>{0}</h3>{1}<span class=\"points\"><b>{2:g}</b> "
-        "of "
-        "{3:g}</span></div>\n",
+        "of {3:g}</span></div>\n",
         html(fragment.name), badge(fragment.verdict), fragment.points, fragment.max_points,
         fragment.verdict == Verdict::passed ? " is_passed" : "");
     Told told;
@@ -123,8 +122,7 @@ std::string next_step(const Record& record) {
 std::string own_picture(const Record& record) {
     if (!record.own_picture_fault.empty())
         return fmt::format(
-            "<h2>Your own picture</h2><section class=\"card\"><p class=\"hint crashed\">No picture: "
-            "{}</p></section>\n",
+            "<h2>Your own picture</h2><section class=\"card\"><p class=\"hint crashed\">No picture: {}</p></section>\n",
             html(record.own_picture_fault));
     if (record.own_picture.pixels.empty()) return {};
     const char* made_of = record.own_picture_of_some
@@ -132,8 +130,7 @@ std::string own_picture(const Record& record) {
                               : "with all of your fragments; blanks stand in for those that are missing or do "
                                 "not build";
     return fmt::format(
-        "<h2>Your own picture</h2><section class=\"card own\">{}<p class=\"soft\">{}, "
-        "{}{}.</p></section>\n",
+        "<h2>Your own picture</h2><section class=\"card own\">{}<p class=\"soft\">{}, {}{}.</p></section>\n",
         three_pictures(record.own_picture, record.own_picture_right, record.own_picture_exposure,
                        "of " + record.own_picture_scene),
         html(record.own_picture_scene), made_of,
@@ -181,8 +178,7 @@ std::string page(const Record& record, const std::string& handout) {
         "<a class=\"skip\" href=\"#overview\">to the verdicts</a><main>\n" + page_links;
     text += fmt::format(
         "<header><div><h1>{}</h1><p>{}</p>{}<p class=\"soft\">seed {}</p></div><div class=\"score\"><b>{:g}</b> "
-        "<span>of {:g}</span>"
-        "<div class=\"meter\" role=\"img\" aria-label=\"{:.0f} percent\"><i "
+        "<span>of {:g}</span><div class=\"meter\" role=\"img\" aria-label=\"{:.0f} percent\"><i "
         "style=\"width:{:.1f}%\"></i></div></div></header>\n",
         html(record.title), html(record.submission), next_step(record), record.seed, record.score(), record.max_score(),
         100 * share, 100 * share);

@@ -208,8 +208,7 @@ std::string log_log(const Plot& plot) {
     const double plot_height = top + tall + axis_room + legend_row * double(rows) + 4;
     std::string svg = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"loglog\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{6:g}\" "
-        "height=\"{7:g}\" "
-        "role=\"img\" "
+        "height=\"{7:g}\" role=\"img\" "
         "aria-label=\"{2}: {4} against {3}\" font-family=\"sans-serif\" font-size=\"13\">\n"
         "{5}<rect class=\"paper\" width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
         plot_width, plot_height, html(plot.title), html(plot.x), html(plot.y), dark_style, shown_larger * plot_width,

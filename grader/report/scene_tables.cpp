@@ -176,8 +176,7 @@ std::string scene_schema() {
     return fmt::format(
         "{{\n\"$schema\": \"http://json-schema.org/draft-07/schema#\",\n\"title\": \"A scene of Penumbra\",\n"
         "\"description\": \"Made by ./grade describe --update scenes/scene.schema.json. The handout's section Scene "
-        "files "
-        "has the whole story.\",\n{}\n}}\n",
+        "files has the whole story.\",\n{}\n}}\n",
         object_schema(rt::scene_tables().front(), "", ""));
 }
 

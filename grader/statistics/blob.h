@@ -17,6 +17,7 @@ struct Blob {
 };
 
 Blob blob_moments(const rt::Image& image, const Region& region);
+inline Blob blob_of(const rt::Image& image) { return blob_moments(image, whole(image)); }
 
 /// How the red and the green light of a spot differ in place, in units of a radius: red less green. All are 0 where
 /// what makes the colour and what makes the place do not go together.

@@ -89,10 +89,9 @@ std::string counts(const StressRecord& record) {
 std::string plots(const StressRecord& record) {
     std::string text =
         "<h2>How the errors grow</h2><section class=\"card\"><p class=\"soft\">Each dot is the greatest error at that "
-        "decade over the one that is allowed there; "
-        "triangles fail. The foot of a plot is 1e-8 and less, its head a wrong verdict or no number. In the shade, the "
-        "allowed error is what a picture "
-        "forgives; outside, what double precision can do.</p><div class=\"plots\">\n";
+        "decade over the one that is allowed there; triangles fail. The foot of a plot is 1e-8 and less, its head a "
+        "wrong verdict or no number. In the shade, the allowed error is what a picture forgives; outside, what double "
+        "precision can do.</p><div class=\"plots\">\n";
     for (const FamilyRecord& f : record.families) {
         if (!f.started) continue;
         text += fmt::format("<figure id=\"{0}\"><figcaption><b>{0}</b><br>{1} by {2}</figcaption>{3}</figure>\n",

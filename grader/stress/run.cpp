@@ -1,7 +1,5 @@
 #include "stress/run.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>

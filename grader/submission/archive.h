@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,10 @@ struct Found {
     /// Notes a file that is no fragment by its name.
     void look_at_name(const std::string& path, const std::vector<std::string>& fragments);
 };
+
+inline bool is_archive(std::string_view name) {
+    return name.ends_with(".zip") || name.ends_with(".tar") || name.ends_with(".tar.gz") || name.ends_with(".tgz");
+}
 
 /// Where fragments are expected, and in archives that lie beside them; where there is none, in all folders within; and
 /// where there is none either, in the archives in them.

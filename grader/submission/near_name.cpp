@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 
+#include "files/words.h"
 #include "rt/files/toml_table.h"
 
 namespace grade {
@@ -14,12 +15,6 @@ constexpr std::array sources{"cpp", "cc",  "cxx",  "c++", "c",    "cp",  "hpp", 
                              "h",   "txt", "text", "bak", "orig", "old", "save", "cpp~"};
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-
-std::string lower(std::string_view text) {
-    std::string small(text);
-    for (char& c : small) c = char(std::tolower(static_cast<unsigned char>(c)));
-    return small;
-}
 
 /// Letters and digits alone.
 std::string bare(std::string_view text) {

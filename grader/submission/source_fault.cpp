@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "files/words.h"
+
 namespace grade {
 
 namespace {
@@ -31,8 +33,7 @@ bool is_wide(std::string_view text) {
 SourceFault start_of(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     if (first == text.npos) return {text.npos, {}, {}};
-    std::string head(text.substr(first, 16));
-    for (char& c : head) c = char(std::tolower(static_cast<unsigned char>(c)));
+    const std::string head = lower(text.substr(first, 16));
     const auto starts = [&](const char* with) { return head.starts_with(with); };
     const char* source = "the fragment's C++ source";
     if (starts("<!doctype") || starts("<html") || starts("<?xml")) return {first, "this is a web page", source};

@@ -25,14 +25,6 @@ std::string ExpressionReader::joined(std::size_t from, std::size_t to) const {
     return all;
 }
 
-void ExpressionReader::skip_to_function() {
-    while (!is("namespace")) {
-        if (now().kind == Token::Kind::end) fail("no \"namespace rt {\"; expected one around a function");
-        ++at_;
-    }
-    at_ += 3;
-}
-
 std::string ExpressionReader::chain_at(std::size_t i, std::size_t& end) const {
     std::string chain = tokens_[i].text;
     end = i + 1;

@@ -86,9 +86,6 @@ protected:
 
     std::string joined(std::size_t from, std::size_t to) const;
 
-    /// Past "namespace rt {".
-    void skip_to_function();
-
     /// A chain of fields that stands there: "light.sphere.center"; where it ends.
     std::string chain_at(std::size_t i, std::size_t& end) const;
 

@@ -12,13 +12,15 @@ public:
         : StatementReader(file, text, fragments, first) {}
 
     Wrapped run() {
-        skip_to_function();
         Wrapped all;
         const std::size_t start = at_;
         std::size_t name = at_;
-        while (!is("(")) name = at_++;
+        while (!is("(")) {
+            if (now().kind == Token::Kind::end) fail("no function; expected one");
+            name = at_++;
+        }
         all.fragment = tokens_[name].text;
-        while (!is("{")) ++at_;
+        skip_to({"{"});
         all.head = joined(start, at_);
         count_uses();
         all.code = block();

@@ -1,7 +1,5 @@
 /// Highlights, lobes, glass: extremes.md 46 to 51, 56, 67.
 
-#include <algorithm>
-
 #include "extremes/extremes.h"
 #include "rt/fragments.h"
 

@@ -7,8 +7,6 @@
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
-#include <fstream>
-#include <sstream>
 #include <thread>
 
 #include "rt/files/scene_reader.h"

@@ -1,7 +1,5 @@
 #include "checks/kit/figures.h"
 
-#include <fmt/format.h>
-
 #include "checks/kit/later.h"
 #include "statistics/blob.h"
 
@@ -21,12 +19,11 @@ double seen_in_pixel(int x, int y, const Sight& sight) {
 
 Blob due_moments(const rt::Camera& camera, const Sight& sight) {
     const rt::Image expected = picture_of(camera.size, [&](int x, int y) { return seen_in_pixel(x, y, sight); });
-    return blob_moments(expected, whole(expected));
+    return blob_of(expected);
 }
 
 std::vector<Statistic> figure_statistics(const rt::Camera& camera, const Sight& sight, const std::string& figure) {
     const auto due = later([=] { return due_moments(camera, sight); });
-    const auto blob = [](const rt::Image& image) { return blob_moments(image, whole(image)); };
 
     const auto beside = [&](const std::string& axis, PictureNumber off) {
         return of_picture({.id = "A1",
@@ -45,13 +42,13 @@ std::vector<Statistic> figure_statistics(const rt::Camera& camera, const Sight& 
     };
     const Statistic light = of_picture({.id = "A1",
                                         .what = "light of the " + figure + ", over what must be",
-                                        .number = [=](const rt::Image& i) { return blob(i).mass / due().mass; },
+                                        .number = [=](const rt::Image& i) { return blob_of(i).mass / due().mass; },
                                         .delta = 0.03,
                                         .hint = by_ratio("the light of the " + figure, {{0, "it is not seen"}})});
-    return {beside("to the right", [=](const rt::Image& i) { return blob(i).centroid.x - due().centroid.x; }),
-            beside("downwards", [=](const rt::Image& i) { return blob(i).centroid.y - due().centroid.y; }),
-            ratio("width of the ", 0.02, [=](const rt::Image& i) { return blob(i).variance.x / due().variance.x; }),
-            ratio("height of the ", 0.02, [=](const rt::Image& i) { return blob(i).variance.y / due().variance.y; }),
+    return {beside("to the right", [=](const rt::Image& i) { return blob_of(i).centroid.x - due().centroid.x; }),
+            beside("downwards", [=](const rt::Image& i) { return blob_of(i).centroid.y - due().centroid.y; }),
+            ratio("width of the ", 0.02, [=](const rt::Image& i) { return blob_of(i).variance.x / due().variance.x; }),
+            ratio("height of the ", 0.02, [=](const rt::Image& i) { return blob_of(i).variance.y / due().variance.y; }),
             light};
 }
 

@@ -101,10 +101,6 @@ bool all_within(const Observation& seen, const RowNumber& violation, double tole
     return true;
 }
 
-}  // namespace
-
-namespace {
-
 std::function<double(const Observation&)> wrong_calls(const RowFunction& right) {
     return [right](const Observation& seen) {
         double count = 0;

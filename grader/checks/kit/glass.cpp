@@ -1,7 +1,5 @@
 #include "checks/kit/glass.h"
 
-#include <fmt/format.h>
-
 #include "checks/kit/figures.h"
 #include "statistics/closed_forms.h"
 

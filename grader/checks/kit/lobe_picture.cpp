@@ -57,7 +57,6 @@ Blob due_moments(const LobeSurface& surface, const rt::Sphere& lamp, double expo
 
 std::vector<Statistic> blurred_lamp(const LobeSurface& surface, const rt::Sphere& lamp, double n,
                                     const std::string& lobe_about) {
-    const auto moments = [](const rt::Image& image) { return blob_moments(image, whole(image)); };
     const auto due = later([=] { return due_moments(surface, lamp, n); });
     const auto width_of = [=](double wrong) {
         return due_moments(surface, lamp, wrong).radial_square / due().radial_square;
@@ -66,7 +65,7 @@ std::vector<Statistic> blurred_lamp(const LobeSurface& surface, const rt::Sphere
         return of_picture(
             {.id = "P1",
              .what = what,
-             .number = [=](const rt::Image& image) { return moments(image).centroid[axis] - due().centroid[axis]; },
+             .number = [=](const rt::Image& image) { return blob_of(image).centroid[axis] - due().centroid[axis]; },
              .truth = 0,
              .delta = 0.8,
              .hint =
@@ -79,7 +78,7 @@ std::vector<Statistic> blurred_lamp(const LobeSurface& surface, const rt::Sphere
     return {of_picture(
                 {.id = "P2",
                  .what = "light of the blurred lamp, over what must be",
-                 .number = [=](const rt::Image& image) { return moments(image).mass / due().mass; },
+                 .number = [=](const rt::Image& image) { return blob_of(image).mass / due().mass; },
                  .delta = 0.06,
                  .hint = by_ratio(
                      "the light of the blurred lamp",
@@ -92,7 +91,7 @@ std::vector<Statistic> blurred_lamp(const LobeSurface& surface, const rt::Sphere
             of_picture(
                 {.id = "P1",
                  .what = "mean square width of the blurred lamp, over what must be",
-                 .number = [=](const rt::Image& image) { return moments(image).radial_square / due().radial_square; },
+                 .number = [=](const rt::Image& image) { return blob_of(image).radial_square / due().radial_square; },
                  .delta = 0.06,
                  .hint = hint_later([=] {  // each width is a picture
                      return by_ratio("the mean square width of the blurred lamp",

@@ -71,7 +71,7 @@ rt::Image picture_of(rt::ivec2 size, Grey grey) {
 template <class Light>
 Blob moments_of_middles(const rt::Camera& camera, Light light) {
     const rt::Image image = picture_of(camera.size, [&](int x, int y) { return light(rt::vec2(x + 0.5, y + 0.5)); });
-    Blob blob = blob_moments(image, whole(image));
+    Blob blob = blob_of(image);
     blob.radial_square += 1.0 / 6;  // a pixel is the mean over its area, not its middle's value
     return blob;
 }

@@ -1,7 +1,5 @@
 #include "checks/lens_ray/checks.h"
 
-#include <fmt/format.h>
-
 #include "checks/kit/render_check.h"
 #include "statistics/blob.h"
 #include "statistics/closed_forms.h"
@@ -85,7 +83,7 @@ Check adding_up(Generator& random) {
                                    place.turned(pixel * vec3(step.x, step.y, 0)));
 
     const auto variance = [=](const rt::Image& image, vec2 axis) {
-        const Blob seen = blob_moments(image, whole(image));
+        const Blob seen = blob_of(image);
         // y of the picture runs down
         return rt::sqr(axis.x) * seen.variance.x + rt::sqr(axis.y) * seen.variance.y -
                2 * axis.x * axis.y * seen.covariance;

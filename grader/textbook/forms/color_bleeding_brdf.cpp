@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Scattered color_bleeding(vec3 n, Color albedo, vec2 u) {
     const DirectionSample sample = cosine_hemisphere(u);
     const vec3 direction = frame_about(n).to_world(sample.direction);
@@ -9,5 +5,3 @@ Scattered color_bleeding(vec3 n, Color albedo, vec2 u) {
     const Real cosine = dot(n, direction);
     return {direction, brdf * cosine / sample.density};
 }
-
-}  // namespace rt

@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Scattered color_bleeding(vec3 n, Color albedo, vec2 u) {
     const Real r = std::sqrt(u.x);
     const Real phi = 2 * pi * u.y;
@@ -9,5 +5,3 @@ Scattered color_bleeding(vec3 n, Color albedo, vec2 u) {
     const Frame frame = frame_about(n);
     return {r * std::cos(phi) * frame.x + r * std::sin(phi) * frame.y + z * n, albedo};
 }
-
-}  // namespace rt

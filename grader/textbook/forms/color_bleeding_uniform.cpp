@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Scattered color_bleeding(vec3 n, Color albedo, vec2 u) {
     const Real z = u.x;
     const Real r = safe_sqrt(1 - z * z);
@@ -9,5 +5,3 @@ Scattered color_bleeding(vec3 n, Color albedo, vec2 u) {
     const vec3 direction = frame_about(n).to_world({r * std::cos(phi), r * std::sin(phi), z});
     return {direction, 2 * z * albedo};
 }
-
-}  // namespace rt

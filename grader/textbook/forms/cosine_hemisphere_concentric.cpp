@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 DirectionSample cosine_hemisphere(vec2 u) {
     const Real x = 2 * u.x - 1;
     const Real y = 2 * u.y - 1;
@@ -15,5 +11,3 @@ DirectionSample cosine_hemisphere(vec2 u) {
     const Real z = safe_sqrt(1 - r * r);
     return {{r * std::cos(phi), r * std::sin(phi), z}, z / pi};
 }
-
-}  // namespace rt

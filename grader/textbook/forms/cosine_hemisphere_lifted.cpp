@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 DirectionSample cosine_hemisphere(vec2 u) {
     const Real r = std::sqrt(u.x);
     const Real phi = 2 * pi * u.y;
@@ -10,5 +6,3 @@ DirectionSample cosine_hemisphere(vec2 u) {
     const Real z = safe_sqrt(1 - x * x - y * y);
     return {{x, y, z}, z / pi};
 }
-
-}  // namespace rt

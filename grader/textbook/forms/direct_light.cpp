@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Color direct_light(const Material& material, Color radiance, const LightSample& light, vec3 n, vec3 to_viewer) {
     const Real cosine = dot(n, light.direction);
     if (cosine <= 0 || light.density <= 0) return Color(0);
@@ -10,5 +6,3 @@ Color direct_light(const Material& material, Color radiance, const LightSample& 
     const Color highlight = std::pow(std::max(dot(r, to_viewer), 0.0), material.shininess) * material.specular;
     return (diffuse + highlight) * radiance / light.density;
 }
-
-}  // namespace rt

@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Color direct_light(const Material& material, Color radiance, const LightSample& light, vec3 n, vec3 to_viewer) {
     if (light.density <= 0) return Color(0);
     const Real cosine = dot(n, light.direction);
@@ -12,5 +8,3 @@ Color direct_light(const Material& material, Color radiance, const LightSample& 
     return irradiance * cosine * material.albedo / pi +
            irradiance * material.specular * std::pow(along, material.shininess);
 }
-
-}  // namespace rt

@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Color direct_light(const Material& material, Color radiance, const LightSample& light, vec3 n, vec3 to_viewer) {
     const Real diffuse = std::max(dot(n, light.direction), 0.0) / pi;
     const Real along = dot(2 * dot(n, light.direction) * n - light.direction, to_viewer);
@@ -12,5 +8,3 @@ Color direct_light(const Material& material, Color radiance, const LightSample& 
     const Color second = radiance * power * material.specular / light.density;
     return first + second;
 }
-
-}  // namespace rt

@@ -1,7 +1,1 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Real free_flight(Real extinction, Real u) { return -std::log(1 - u) / extinction; }
-
-}  // namespace rt

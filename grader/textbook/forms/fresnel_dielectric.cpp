@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Real fresnel_dielectric(Real cosine, Real ior_from, Real ior_to) {
     const Real e = ior_from / ior_to;
     const Real squared = 1 - e * e * (1 - cosine * cosine);
@@ -12,5 +8,3 @@ Real fresnel_dielectric(Real cosine, Real ior_from, Real ior_to) {
     const Real p = (ior_to * cosine - ior_from * c2) / (ior_to * cosine + ior_from * c2);
     return (s * s + p * p) / 2;
 }
-
-}  // namespace rt

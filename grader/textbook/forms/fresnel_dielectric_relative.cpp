@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Real fresnel_dielectric(Real cosine, Real ior_from, Real ior_to) {
     const Real e = ior_to / ior_from;
     const Real squared = e * e - (1 - cosine * cosine);
@@ -12,5 +8,3 @@ Real fresnel_dielectric(Real cosine, Real ior_from, Real ior_to) {
     const Real p = (e * e * cosine - g) / (e * e * cosine + g);
     return (s * s + p * p) / 2;
 }
-
-}  // namespace rt

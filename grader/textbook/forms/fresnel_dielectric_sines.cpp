@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Real fresnel_dielectric(Real cosine, Real ior_from, Real ior_to) {
     const Real sin1 = safe_sqrt(1 - cosine * cosine);
     const Real sin2 = ior_from / ior_to * sin1;
@@ -12,5 +8,3 @@ Real fresnel_dielectric(Real cosine, Real ior_from, Real ior_to) {
     const Real p = (ior_from * c2 - ior_to * cosine) / (ior_from * c2 + ior_to * cosine);
     return 0.5 * (s * s + p * p);
 }
-
-}  // namespace rt

@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Scattered glossy_reflection(vec3 d, vec3 n, Real exponent, vec2 u) {
     const vec3 axis = mirror_direction(d, n);
     const DirectionSample lobe = phong_lobe(exponent, u);
@@ -10,5 +6,3 @@ Scattered glossy_reflection(vec3 d, vec3 n, Real exponent, vec2 u) {
     const Real weight = cosine > 0 ? (exponent + 2) / (exponent + 1) * cosine : 0.0;
     return {direction, Color(weight)};
 }
-
-}  // namespace rt

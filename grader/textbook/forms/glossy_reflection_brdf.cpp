@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Scattered glossy_reflection(vec3 d, vec3 n, Real exponent, vec2 u) {
     const vec3 axis = d - 2 * dot(d, n) * n;
     const DirectionSample lobe = phong_lobe(exponent, u);
@@ -11,5 +7,3 @@ Scattered glossy_reflection(vec3 d, vec3 n, Real exponent, vec2 u) {
     const Real brdf = (exponent + 2) / (2 * pi) * std::pow(lobe.direction.z, exponent);
     return {direction, Color(brdf * cosine / lobe.density)};
 }
-
-}  // namespace rt

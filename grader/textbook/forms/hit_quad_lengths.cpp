@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Real hit_quad(const Quad& quad, const Ray& ray) {
     const vec3 n = cross(quad.u, quad.v);
     const Real t = dot(quad.center - ray.origin, n) / dot(ray.direction, n);
@@ -13,5 +9,3 @@ Real hit_quad(const Quad& quad, const Ray& ray) {
     if (a < -width || a > width || b < -height || b > height) return inf;
     return t > ray.near && t < ray.far ? t : inf;
 }
-
-}  // namespace rt

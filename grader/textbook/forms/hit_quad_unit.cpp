@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Real hit_quad(const Quad& quad, const Ray& ray) {
     const vec3 n = unit(cross(quad.u, quad.v));
     const Real slope = dot(ray.direction, n);
@@ -14,5 +10,3 @@ Real hit_quad(const Quad& quad, const Ray& ray) {
     if (std::abs(a) > 1 || std::abs(b) > 1) return inf;
     return t;
 }
-
-}  // namespace rt

@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Real hit_sphere(const Sphere& sphere, const Ray& ray) {
     const vec3 f = ray.origin - sphere.center;
     const Real a = dot(ray.direction, ray.direction);
@@ -16,5 +12,3 @@ Real hit_sphere(const Sphere& sphere, const Ray& ray) {
     if (t1 > ray.near && t1 < ray.far) return t1;
     return inf;
 }
-
-}  // namespace rt

@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Real hit_sphere(const Sphere& sphere, const Ray& ray) {
     const Real speed = glm::length(ray.direction);
     const vec3 d = ray.direction / speed;
@@ -17,5 +13,3 @@ Real hit_sphere(const Sphere& sphere, const Ray& ray) {
     if (t1 > ray.near && t1 < ray.far) return t1;
     return inf;
 }
-
-}  // namespace rt

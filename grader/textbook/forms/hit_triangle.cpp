@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Real hit_triangle(const Triangle& triangle, const Ray& ray) {
     const vec3 e1 = triangle.b - triangle.a;
     const vec3 e2 = triangle.c - triangle.a;
@@ -17,5 +13,3 @@ Real hit_triangle(const Triangle& triangle, const Ray& ray) {
     const Real t = dot(e2, q) / det;
     return t > ray.near && t < ray.far ? t : inf;
 }
-
-}  // namespace rt

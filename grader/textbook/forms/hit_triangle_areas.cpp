@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Real hit_triangle(const Triangle& triangle, const Ray& ray) {
     const vec3 n = cross(triangle.b - triangle.a, triangle.c - triangle.a);
     const Real t = dot(triangle.a - ray.origin, n) / dot(ray.direction, n);
@@ -13,5 +9,3 @@ Real hit_triangle(const Triangle& triangle, const Ray& ray) {
     if (alpha < 0 || beta < 0 || gamma < 0) return inf;
     return t > ray.near && t < ray.far ? t : inf;
 }
-
-}  // namespace rt

@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Real hit_triangle(const Triangle& triangle, const Ray& ray) {
     const vec3 v0 = triangle.b - triangle.a;
     const vec3 v1 = triangle.c - triangle.a;
@@ -19,5 +15,3 @@ Real hit_triangle(const Triangle& triangle, const Ray& ray) {
     if (v < 0 || w < 0 || v + w > 1) return inf;
     return t > ray.near && t < ray.far ? t : inf;
 }
-
-}  // namespace rt

@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Real hit_triangle(const Triangle& triangle, const Ray& ray) {
     const vec3 n = cross(triangle.b - triangle.a, triangle.c - triangle.a);
     const Real slope = dot(ray.direction, n);
@@ -13,5 +9,3 @@ Real hit_triangle(const Triangle& triangle, const Ray& ray) {
     if (dot(cross(triangle.a - triangle.c, p - triangle.c), n) < 0) return inf;
     return t > ray.near && t < ray.far ? t : inf;
 }
-
-}  // namespace rt

@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Real integrate_stratified(const Function& f, std::span<const Stratum> strata) {
     Real total = 0;
     for (const Stratum& stratum : strata) {
@@ -13,5 +9,3 @@ Real integrate_stratified(const Function& f, std::span<const Stratum> strata) {
     }
     return total;
 }
-
-}  // namespace rt

@@ -1,12 +1,6 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Real integrate_uniform(const Function& f, Real a, Real b, int n) {
     const Real step = (b - a) / n;
     Real sum = 0;
     for (int i = 0; i < n; ++i) sum += f(a + (i + 0.5) * step);
     return sum * step;
 }
-
-}  // namespace rt

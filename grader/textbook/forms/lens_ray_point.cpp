@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Ray lens_ray(const Camera& camera, const Ray& pinhole, vec2 u) {
     const vec2 lens = camera.lens_radius * uniform_disk(u).point;
     const Real t = std::min(camera.focus / -dot(pinhole.direction, camera.back), 1e12);
@@ -9,5 +5,3 @@ Ray lens_ray(const Camera& camera, const Ray& pinhole, vec2 u) {
     const vec3 start = pinhole.origin + lens.x * camera.right + lens.y * camera.up;
     return {start, unit(point - start), 0, inf};
 }
-
-}  // namespace rt

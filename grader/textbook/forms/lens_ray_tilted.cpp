@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Ray lens_ray(const Camera& camera, const Ray& pinhole, vec2 u) {
     const Real r = camera.lens_radius * std::sqrt(u.x);
     const Real phi = 2 * pi * u.y;
@@ -10,5 +6,3 @@ Ray lens_ray(const Camera& camera, const Ray& pinhole, vec2 u) {
     const vec3 to_focus = pinhole.direction * (camera.focus / cosine);
     return {pinhole.origin + offset, unit(to_focus - offset), 0, inf};
 }
-
-}  // namespace rt

@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 LightSample light_sample(const Emitter& light, vec3 p, vec2 u) {
     if (light.kind == Emitter::Kind::sphere) {
         const vec3 to_center = light.sphere.center - p;
@@ -31,5 +27,3 @@ LightSample light_sample(const Emitter& light, vec3 p, vec2 u) {
     const Real density = cosine > 0 ? distance2 / (cosine * area(light)) : 0.0;
     return {direction, distance, density};
 }
-
-}  // namespace rt

@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 LightSample light_sample(const Emitter& light, vec3 p, vec2 u) {
     if (light.kind == Emitter::Kind::sphere) {
         const vec3 to_center = light.sphere.center - p;
@@ -31,5 +27,3 @@ LightSample light_sample(const Emitter& light, vec3 p, vec2 u) {
     const Real of_area = 1 / area(light);
     return {direction, distance, of_area * distance * distance / cosine};
 }
-
-}  // namespace rt

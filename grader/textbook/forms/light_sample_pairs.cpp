@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 LightSample light_sample(const Emitter& light, vec3 p, vec2 u) {
     if (light.kind == Emitter::Kind::sphere) {
         const vec3 to_center = light.sphere.center - p;
@@ -31,5 +27,3 @@ LightSample light_sample(const Emitter& light, vec3 p, vec2 u) {
     const Real density = distance * distance / (std::max(cosine, 0.0) * area(light));
     return {direction, distance, cosine > 0 ? density : 0.0};
 }
-
-}  // namespace rt

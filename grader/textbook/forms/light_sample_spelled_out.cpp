@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 LightSample light_sample(const Emitter& light, vec3 p, vec2 u) {
     vec3 point = center(light);
     vec3 n = vec3(0, 0, 1);
@@ -38,5 +34,3 @@ LightSample light_sample(const Emitter& light, vec3 p, vec2 u) {
     if (cosine <= 0) return {direction, distance, 0};
     return {direction, distance, distance * distance / (area * cosine)};
 }
-
-}  // namespace rt

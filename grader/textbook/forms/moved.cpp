@@ -1,7 +1,1 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 vec3 moved(vec3 point, vec3 velocity, Real time) { return point + time * velocity; }
-
-}  // namespace rt

@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Color phong(const Material& material, Color ambient, Color irradiance, vec3 n, vec3 to_light, vec3 to_viewer) {
     const Color glow = material.ambient * ambient;
     const Real cosine = dot(n, to_light);
@@ -10,5 +6,3 @@ Color phong(const Material& material, Color ambient, Color irradiance, vec3 n, v
     const Real highlight = std::pow(std::max(dot(r, to_viewer), 0.0), material.shininess);
     return glow + irradiance * (cosine * material.albedo / pi + highlight * material.specular);
 }
-
-}  // namespace rt

@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 DirectionSample phong_lobe(Real exponent, vec2 u) {
     const Real cosine = std::pow(u.x, 1 / (exponent + 1));
     const Real sine = std::sqrt(1 - cosine * cosine);
@@ -9,5 +5,3 @@ DirectionSample phong_lobe(Real exponent, vec2 u) {
     return {{sine * std::cos(phi), sine * std::sin(phi), cosine},
             (exponent + 1) / (2 * pi) * std::pow(cosine, exponent)};
 }
-
-}  // namespace rt

@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Color phong(const Material& material, Color ambient, Color irradiance, vec3 n, vec3 to_light, vec3 to_viewer) {
     const Real diffuse = std::max(dot(n, to_light), 0.0) / pi;
     const Real along = dot(2 * dot(n, to_light) * n - to_light, to_viewer);
@@ -10,5 +6,3 @@ Color phong(const Material& material, Color ambient, Color irradiance, vec3 n, v
     const Color glow = material.ambient * ambient;
     return glow + irradiance * diffuse * material.albedo + irradiance * power * material.specular;
 }
-
-}  // namespace rt

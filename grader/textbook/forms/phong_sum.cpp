@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Color phong(const Material& material, Color ambient, Color irradiance, vec3 n, vec3 to_light, vec3 to_viewer) {
     Color color = material.ambient * ambient;
     const Real cosine = std::max(dot(n, to_light), 0.0);
@@ -11,5 +7,3 @@ Color phong(const Material& material, Color ambient, Color irradiance, vec3 n, v
     if (cosine > 0) color += irradiance * material.specular * std::pow(along, material.shininess);
     return color;
 }
-
-}  // namespace rt

@@ -1,11 +1,5 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Color pixel_mean(std::span<const Color> radiance, std::span<const Real> weight) {
     Color sum = Color(0);
     for (std::size_t i = 0; i < radiance.size(); ++i) sum += weight[i] * radiance[i];
     return sum / Real(radiance.size());
 }
-
-}  // namespace rt

@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Color pixel_mean(std::span<const Color> radiance, std::span<const Real> weight) {
     Real red = 0;
     Real green = 0;
@@ -14,5 +10,3 @@ Color pixel_mean(std::span<const Color> radiance, std::span<const Real> weight) 
     const Real n = Real(radiance.size());
     return Color(red / n, green / n, blue / n);
 }
-
-}  // namespace rt

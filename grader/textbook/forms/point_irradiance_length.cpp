@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Color point_irradiance(const PointLight& light, vec3 p, vec3 n) {
     if (light.directional) return light.intensity * std::max(dot(n, unit(light.position)), 0.0);
     const vec3 to_light = light.position - p;
@@ -9,5 +5,3 @@ Color point_irradiance(const PointLight& light, vec3 p, vec3 n) {
     const vec3 d = to_light / distance;
     return light.intensity * std::max(dot(n, d), 0.0) / (distance * distance);
 }
-
-}  // namespace rt

@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 vec3 refracted_direction(vec3 d, vec3 n, Real ior_from, Real ior_to) {
     const Real e = ior_from / ior_to;
     const Real c = -dot(d, n);
@@ -9,5 +5,3 @@ vec3 refracted_direction(vec3 d, vec3 n, Real ior_from, Real ior_to) {
     if (squared < 0) return vec3(0);
     return e * d + (e * c - std::sqrt(squared)) * n;
 }
-
-}  // namespace rt

@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 vec3 refracted_direction(vec3 d, vec3 n, Real ior_from, Real ior_to) {
     const Real cosine = dot(d, n);
     const vec3 tangent = ior_from / ior_to * (d - cosine * n);
@@ -9,5 +5,3 @@ vec3 refracted_direction(vec3 d, vec3 n, Real ior_from, Real ior_to) {
     if (length2 > 1) return vec3(0);
     return tangent - std::sqrt(1 - length2) * n;
 }
-
-}  // namespace rt

@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 DirectionSample scatter_direction(vec3 d, Real g, vec2 u) {
     const Real squared = (1 - g * g) / (1 - g + 2 * g * u.x);
     const Real c = std::abs(g) < 1e-3 ? 2 * u.x - 1 : (1 + g * g - squared * squared) / (2 * g);
@@ -11,5 +7,3 @@ DirectionSample scatter_direction(vec3 d, Real g, vec2 u) {
     const Real below = 1 + g * g - 2 * g * c;
     return {direction, (1 - g * g) / (4 * pi * below * std::sqrt(below))};
 }
-
-}  // namespace rt

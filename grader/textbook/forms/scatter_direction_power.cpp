@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 DirectionSample scatter_direction(vec3 d, Real g, vec2 u) {
     Real c = 1 - 2 * u.x;
     if (std::abs(g) > 1e-3) {
@@ -14,5 +10,3 @@ DirectionSample scatter_direction(vec3 d, Real g, vec2 u) {
     const Real density = 1 / (4 * pi) * (1 - g * g) / std::pow(1 + g * g - 2 * g * c, 1.5);
     return {direction, density};
 }
-
-}  // namespace rt

@@ -1,7 +1,1 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Real shutter_time(const Shutter& shutter, Real u) { return (1 - u) * shutter.open + u * shutter.close; }
-
-}  // namespace rt

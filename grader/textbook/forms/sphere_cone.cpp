@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 DirectionSample sphere_cone(Real sine, vec2 u) {
     const Real cos_max = safe_sqrt(1 - sine * sine);
     const Real c = 1 - u.x * (1 - cos_max);
@@ -9,5 +5,3 @@ DirectionSample sphere_cone(Real sine, vec2 u) {
     const Real phi = 2 * pi * u.y;
     return {{s * std::cos(phi), s * std::sin(phi), c}, 1 / (2 * pi * (1 - cos_max))};
 }
-
-}  // namespace rt

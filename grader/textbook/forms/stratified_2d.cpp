@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 vec2 stratified_2d(int i, int n, vec2 u) {
     const Real columns = std::floor(std::sqrt(Real(n)));
     const Real column = std::floor(i * columns / n);
@@ -11,5 +7,3 @@ vec2 stratified_2d(int i, int n, vec2 u) {
     const Real y = (i - first + u.y) / (next - first);
     return {std::min(x, below_one), std::min(y, below_one)};
 }
-
-}  // namespace rt

@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 vec2 stratified_2d(int i, int n, vec2 u) {
     const Real columns = std::floor(std::sqrt(Real(n)));
     const Real column = std::floor(i * columns / n);
@@ -14,5 +10,3 @@ vec2 stratified_2d(int i, int n, vec2 u) {
     const Real height = 1 / count;
     return {std::min(left + u.x * width, below_one), std::min(bottom + u.y * height, below_one)};
 }
-
-}  // namespace rt

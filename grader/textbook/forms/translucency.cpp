@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Scattered translucency(vec3 d, vec3 n, Real ior_from, Real ior_to, Real exponent, vec2 u) {
     const vec3 axis = refracted_direction(d, n, ior_from, ior_to);
     if (axis == vec3(0)) return {d, Color(0)};
@@ -11,5 +7,3 @@ Scattered translucency(vec3 d, vec3 n, Real ior_from, Real ior_to, Real exponent
     const Real weight = cosine > 0 ? (exponent + 2) / (exponent + 1) * cosine : 0.0;
     return {direction, Color(weight)};
 }
-
-}  // namespace rt

@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 Scattered translucency(vec3 d, vec3 n, Real ior_from, Real ior_to, Real exponent, vec2 u) {
     const vec3 axis = refracted_direction(d, n, ior_from, ior_to);
     if (dot(axis, axis) == 0) return {d, Color(0)};
@@ -12,5 +8,3 @@ Scattered translucency(vec3 d, vec3 n, Real ior_from, Real ior_to, Real exponent
     const Real btdf = (exponent + 2) / (2 * pi) * std::pow(lobe.direction.z, exponent);
     return {direction, Color(btdf * cosine / lobe.density)};
 }
-
-}  // namespace rt

@@ -1,7 +1,3 @@
-#include "rt/fragments.h"
-
-namespace rt {
-
 DiskSample uniform_disk(vec2 u) {
     const Real x = 2 * u.x - 1;
     const Real y = 2 * u.y - 1;
@@ -14,5 +10,3 @@ DiskSample uniform_disk(vec2 u) {
     }
     return {{r * std::cos(phi), r * std::sin(phi)}, 1 / pi};
 }
-
-}  // namespace rt

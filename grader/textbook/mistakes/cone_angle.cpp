@@ -1,8 +1,4 @@
 // says: cos(u.x * theta_max) as the cosine: uniform in the angle
-#include "rt/fragments.h"
-
-namespace rt {
-
 DirectionSample sphere_cone(Real sine, vec2 u) {
     const Real cos_max = safe_sqrt(1 - sine * sine);
     const Real theta = u.x * std::asin(sine);
@@ -10,5 +6,3 @@ DirectionSample sphere_cone(Real sine, vec2 u) {
     return {{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)},
             1 / (2 * pi * (1 - cos_max))};
 }
-
-}  // namespace rt

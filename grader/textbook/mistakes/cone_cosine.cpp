@@ -1,8 +1,4 @@
 // says: u.x * cos(theta_max) as the cosine: also directions outside of the cone
-#include "rt/fragments.h"
-
-namespace rt {
-
 DirectionSample sphere_cone(Real sine, vec2 u) {
     const Real cos_max = safe_sqrt(1 - sine * sine);
     const Real c = u.x * cos_max;
@@ -10,5 +6,3 @@ DirectionSample sphere_cone(Real sine, vec2 u) {
     const Real phi = 2 * pi * u.y;
     return {{s * std::cos(phi), s * std::sin(phi), c}, 1 / (2 * pi * (1 - cos_max))};
 }
-
-}  // namespace rt

@@ -1,8 +1,4 @@
 // says: a uniform point of a disk as wide as the cone, 1 above its tip: directions that are not uniform
-#include "rt/fragments.h"
-
-namespace rt {
-
 DirectionSample sphere_cone(Real sine, vec2 u) {
     const Real cos_max = safe_sqrt(1 - sine * sine);
     const Real r = std::sqrt(u.x) * sine / cos_max;
@@ -10,5 +6,3 @@ DirectionSample sphere_cone(Real sine, vec2 u) {
     const vec3 direction = unit(vec3(r * std::cos(phi), r * std::sin(phi), 1.0));
     return {direction, 1 / (2 * pi * (1 - cos_max))};
 }
-
-}  // namespace rt

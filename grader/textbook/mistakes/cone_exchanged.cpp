@@ -1,8 +1,4 @@
 // says: sine and cosine exchanged in the direction: a ring about the axis
-#include "rt/fragments.h"
-
-namespace rt {
-
 DirectionSample sphere_cone(Real sine, vec2 u) {
     const Real cos_max = safe_sqrt(1 - sine * sine);
     const Real c = 1 - u.x * (1 - cos_max);
@@ -10,5 +6,3 @@ DirectionSample sphere_cone(Real sine, vec2 u) {
     const Real phi = 2 * pi * u.y;
     return {{c * std::cos(phi), c * std::sin(phi), s}, 1 / (2 * pi * (1 - cos_max))};
 }
-
-}  // namespace rt

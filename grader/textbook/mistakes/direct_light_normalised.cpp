@@ -1,8 +1,4 @@
 // says: a factor (shininess + 2) / (2 * pi) before the highlight
-#include "rt/fragments.h"
-
-namespace rt {
-
 Color direct_light(const Material& material, Color radiance, const LightSample& light, vec3 n, vec3 to_viewer) {
     const Real cosine = dot(n, light.direction);
     if (cosine <= 0 || light.density <= 0) return Color(0);
@@ -10,5 +6,3 @@ Color direct_light(const Material& material, Color radiance, const LightSample& 
     const Real power = (material.shininess + 2) / (2 * pi) * std::pow(along, material.shininess);
     return (cosine * material.albedo / pi + power * material.specular) * radiance / light.density;
 }
-
-}  // namespace rt

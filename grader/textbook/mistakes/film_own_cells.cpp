@@ -1,12 +1,6 @@
 // says: cells of its own with c = floor(sqrt(n)), which fill the pixel for a square n alone
-#include "rt/fragments.h"
-
-namespace rt {
-
 FilmSample film_sample(const Extent& pixel, int i, int n, vec2 u) {
     const int c = int(std::floor(std::sqrt(Real(n))));
     const vec2 cell = vec2((i % c + u.x) / c, (i / c + u.y) / c);
     return {pixel.low + cell * (pixel.high - pixel.low), 1};
 }
-
-}  // namespace rt

@@ -1,8 +1,2 @@
 // says: 1 - exp(-extinction * u), the probability of having met something, not its inverse
-#include "rt/fragments.h"
-
-namespace rt {
-
 Real free_flight(Real extinction, Real u) { return 1 - std::exp(-extinction * u); }
-
-}  // namespace rt

@@ -1,8 +1,4 @@
 // says: no squares: (abs(s) + abs(p)) / 2
-#include "rt/fragments.h"
-
-namespace rt {
-
 Real fresnel_dielectric(Real cosine, Real ior_from, Real ior_to) {
     const Real squared = 1 - ior_from / ior_to * (ior_from / ior_to) * (1 - cosine * cosine);
     if (squared < 0) return 1;
@@ -12,5 +8,3 @@ Real fresnel_dielectric(Real cosine, Real ior_from, Real ior_to) {
     const Real p = (ior_to * cosine - ior_from * c2) / (ior_to * cosine + ior_from * c2);
     return (std::abs(s) + std::abs(p)) / 2;
 }
-
-}  // namespace rt

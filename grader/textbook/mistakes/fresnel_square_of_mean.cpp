@@ -1,8 +1,4 @@
 // says: the square of the mean: ((s + p) / 2)^2
-#include "rt/fragments.h"
-
-namespace rt {
-
 Real fresnel_dielectric(Real cosine, Real ior_from, Real ior_to) {
     const Real squared = 1 - ior_from / ior_to * (ior_from / ior_to) * (1 - cosine * cosine);
     if (squared < 0) return 1;
@@ -12,5 +8,3 @@ Real fresnel_dielectric(Real cosine, Real ior_from, Real ior_to) {
     const Real p = (ior_to * cosine - ior_from * c2) / (ior_to * cosine + ior_from * c2);
     return (s + p) * (s + p) / 4;
 }
-
-}  // namespace rt

@@ -1,8 +1,4 @@
 // says: a ray on the wrong side mirrored at the surface and counted
-#include "rt/fragments.h"
-
-namespace rt {
-
 Scattered glossy_reflection(vec3 d, vec3 n, Real exponent, vec2 u) {
     const DirectionSample lobe = phong_lobe(exponent, u);
     const vec3 sampled = frame_about(mirror_direction(d, n)).to_world(lobe.direction);
@@ -10,5 +6,3 @@ Scattered glossy_reflection(vec3 d, vec3 n, Real exponent, vec2 u) {
     const vec3 direction = sampled - 2 * below * n;
     return {direction, Color((exponent + 2) / (exponent + 1) * dot(direction, n))};
 }
-
-}  // namespace rt

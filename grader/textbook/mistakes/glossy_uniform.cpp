@@ -1,8 +1,4 @@
 // says: directions uniform on the hemisphere about the axis
-#include "rt/fragments.h"
-
-namespace rt {
-
 Scattered glossy_reflection(vec3 d, vec3 n, Real exponent, vec2 u) {
     const Real z = u.x;
     const Real r = safe_sqrt(1 - z * z);
@@ -10,5 +6,3 @@ Scattered glossy_reflection(vec3 d, vec3 n, Real exponent, vec2 u) {
     const vec3 direction = frame_about(mirror_direction(d, n)).to_world({r * std::cos(phi), r * std::sin(phi), z});
     return {direction, Color((exponent + 2) / (exponent + 1) * std::max(dot(direction, n), 0.0))};
 }
-
-}  // namespace rt

@@ -1,13 +1,7 @@
 // says: sine and cosine exchanged in the direction
-#include "rt/fragments.h"
-
-namespace rt {
-
 DirectionSample cosine_hemisphere(vec2 u) {
     const Real sine = std::sqrt(u.x);
     const Real cosine = std::sqrt(1 - u.x);
     const Real phi = 2 * pi * u.y;
     return {{cosine * std::cos(phi), cosine * std::sin(phi), sine}, cosine / pi};
 }
-
-}  // namespace rt

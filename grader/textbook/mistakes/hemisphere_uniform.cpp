@@ -1,13 +1,7 @@
 // says: u.x as the cosine: directions uniform on the hemisphere
-#include "rt/fragments.h"
-
-namespace rt {
-
 DirectionSample cosine_hemisphere(vec2 u) {
     const Real z = u.x;
     const Real r = safe_sqrt(1 - z * z);
     const Real phi = 2 * pi * u.y;
     return {{r * std::cos(phi), r * std::sin(phi), z}, z / pi};
 }
-
-}  // namespace rt

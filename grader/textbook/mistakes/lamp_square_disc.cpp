@@ -1,8 +1,4 @@
 // says: of a disc, the square 2 * u - 1 in place of a point of the disk: its corners lie outside
-#include "rt/fragments.h"
-
-namespace rt {
-
 LightSample light_sample(const Emitter& light, vec3 p, vec2 u) {
     if (light.kind != Emitter::Kind::disc) return light_sample(light, p, u);
     const vec2 at = light.disc.radius * (2.0 * u - vec2(1));
@@ -13,5 +9,3 @@ LightSample light_sample(const Emitter& light, vec3 p, vec2 u) {
     const Real cosine = -dot(direction, unit(normal(light)));
     return {direction, distance, cosine > 0 ? distance * distance / (cosine * area(light)) : 0.0};
 }
-
-}  // namespace rt

@@ -1,13 +1,7 @@
 // says: the square 2 * u - 1 in place of a point of the disk: the lens has corners
-#include "rt/fragments.h"
-
-namespace rt {
-
 Ray lens_ray(const Camera& camera, const Ray& pinhole, vec2 u) {
     const vec2 lens = camera.lens_radius * (2.0 * u - vec2(1));
     const vec3 offset = lens.x * camera.right + lens.y * camera.up;
     const Real t = camera.focus / -dot(pinhole.direction, camera.back);
     return {pinhole.origin + offset, unit(pinhole.direction - offset / t), 0, inf};
 }
-
-}  // namespace rt

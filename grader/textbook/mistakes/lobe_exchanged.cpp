@@ -1,8 +1,4 @@
 // says: sine and cosine exchanged in the direction: a ring about the axis
-#include "rt/fragments.h"
-
-namespace rt {
-
 DirectionSample phong_lobe(Real exponent, vec2 u) {
     const Real cosine = std::pow(u.x, 1 / (exponent + 1));
     const Real sine = safe_sqrt(1 - cosine * cosine);
@@ -10,5 +6,3 @@ DirectionSample phong_lobe(Real exponent, vec2 u) {
     const Real density = (exponent + 1) / (2 * pi) * std::pow(cosine, exponent);
     return {{cosine * std::cos(phi), cosine * std::sin(phi), sine}, density};
 }
-
-}  // namespace rt

@@ -1,11 +1,5 @@
 // says: the last sample alone
-#include "rt/fragments.h"
-
-namespace rt {
-
 Color pixel_mean(std::span<const Color> radiance, std::span<const Real> weight) {
     const std::size_t last = radiance.size() - 1;
     return weight[last] * radiance[last] / Real(radiance.size());
 }
-
-}  // namespace rt

@@ -1,8 +1,4 @@
 // says: the mean of the radiance times the mean of the weights
-#include "rt/fragments.h"
-
-namespace rt {
-
 Color pixel_mean(std::span<const Color> radiance, std::span<const Real> weight) {
     Color sum = Color(0);
     Real weights = 0;
@@ -12,5 +8,3 @@ Color pixel_mean(std::span<const Color> radiance, std::span<const Real> weight) 
     }
     return sum * weights / (Real(radiance.size()) * Real(radiance.size()));
 }
-
-}  // namespace rt

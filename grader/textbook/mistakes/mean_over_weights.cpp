@@ -1,8 +1,4 @@
 // says: the sum of the weights in place of the number of samples
-#include "rt/fragments.h"
-
-namespace rt {
-
 Color pixel_mean(std::span<const Color> radiance, std::span<const Real> weight) {
     Color sum = Color(0);
     Real weights = 0;
@@ -12,5 +8,3 @@ Color pixel_mean(std::span<const Color> radiance, std::span<const Real> weight) 
     }
     return sum / weights;
 }
-
-}  // namespace rt

@@ -1,8 +1,4 @@
 // says: the sum of f(x[i]) over the sum of density(x[i])
-#include "rt/fragments.h"
-
-namespace rt {
-
 Real integrate_monte_carlo(const Function& f, const Function& density, std::span<const Real> x) {
     Real sum = 0;
     Real below = 0;
@@ -12,5 +8,3 @@ Real integrate_monte_carlo(const Function& f, const Function& density, std::span
     }
     return x.empty() ? 0 : sum / below;
 }
-
-}  // namespace rt

@@ -1,8 +1,4 @@
 // says: dot(n, h), with the half vector h = unit(d + c), in place of dot(r, c)
-#include "rt/fragments.h"
-
-namespace rt {
-
 Color phong(const Material& material, Color ambient, Color irradiance, vec3 n, vec3 to_light, vec3 to_viewer) {
     const Real cosine = dot(n, to_light);
     if (cosine <= 0) return material.ambient * ambient;
@@ -10,5 +6,3 @@ Color phong(const Material& material, Color ambient, Color irradiance, vec3 n, v
     const Color reflected = cosine * material.albedo / pi + std::pow(along, material.shininess) * material.specular;
     return material.ambient * ambient + irradiance * reflected;
 }
-
-}  // namespace rt

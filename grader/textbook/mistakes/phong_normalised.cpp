@@ -1,8 +1,4 @@
 // says: a factor (shininess + 2) / (2 * pi) before the highlight
-#include "rt/fragments.h"
-
-namespace rt {
-
 Color phong(const Material& material, Color ambient, Color irradiance, vec3 n, vec3 to_light, vec3 to_viewer) {
     const Real cosine = dot(n, to_light);
     if (cosine <= 0) return material.ambient * ambient;
@@ -10,5 +6,3 @@ Color phong(const Material& material, Color ambient, Color irradiance, vec3 n, v
     const Real power = (material.shininess + 2) / (2 * pi) * std::pow(along, material.shininess);
     return material.ambient * ambient + irradiance * (cosine * material.albedo / pi + power * material.specular);
 }
-
-}  // namespace rt

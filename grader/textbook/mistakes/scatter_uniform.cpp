@@ -1,8 +1,4 @@
 // says: directions uniform on the sphere, whatever g is, and the density that these would have with g
-#include "rt/fragments.h"
-
-namespace rt {
-
 DirectionSample scatter_direction(vec3 d, Real g, vec2 u) {
     const Real c = 1 - 2 * u.x;
     const Real s = safe_sqrt(1 - c * c);
@@ -11,5 +7,3 @@ DirectionSample scatter_direction(vec3 d, Real g, vec2 u) {
     const vec3 direction = frame_about(d).to_world({s * std::cos(phi), s * std::sin(phi), c});
     return {direction, (1 - g * g) / (4 * pi * std::pow(below, 1.5))};
 }
-
-}  // namespace rt

@@ -1,8 +1,4 @@
 // says: the point of the ray that is nearest to the centre: half of the way through the sphere is not taken off
-#include "rt/fragments.h"
-
-namespace rt {
-
 Real hit_sphere(const Sphere& sphere, const Ray& ray) {
     const vec3 to_center = sphere.center - ray.origin;
     const Real t = dot(to_center, ray.direction) / dot(ray.direction, ray.direction);
@@ -10,5 +6,3 @@ Real hit_sphere(const Sphere& sphere, const Ray& ray) {
     if (dot(beside, beside) > sphere.radius * sphere.radius) return inf;
     return t > ray.near && t < ray.far ? t : inf;
 }
-
-}  // namespace rt

@@ -1,8 +1,4 @@
 // says: columns of one width, though they hold different numbers of cells
-#include "rt/fragments.h"
-
-namespace rt {
-
 vec2 stratified_2d(int i, int n, vec2 u) {
     const Real columns = std::floor(std::sqrt(Real(n)));
     const Real column = std::floor(i * columns / n);
@@ -10,5 +6,3 @@ vec2 stratified_2d(int i, int n, vec2 u) {
     const Real next = std::ceil((column + 1) * n / columns);
     return {std::min((column + u.x) / columns, below_one), std::min((i - first + u.y) / (next - first), below_one)};
 }
-
-}  // namespace rt

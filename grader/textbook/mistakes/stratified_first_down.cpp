@@ -1,8 +1,4 @@
 // says: the first cell of a column rounded down: floor(column * n / columns) in place of ceil(column * n / columns)
-#include "rt/fragments.h"
-
-namespace rt {
-
 vec2 stratified_2d(int i, int n, vec2 u) {
     const Real columns = std::floor(std::sqrt(Real(n)));
     const Real column = std::floor(i * columns / n);
@@ -12,5 +8,3 @@ vec2 stratified_2d(int i, int n, vec2 u) {
     const Real y = (i - first + u.y) / (next - first);
     return {std::min(x, below_one), std::min(y, below_one)};
 }
-
-}  // namespace rt

@@ -1,8 +1,4 @@
 // says: a sum that is not set back to 0 for each stratum
-#include "rt/fragments.h"
-
-namespace rt {
-
 Real integrate_stratified(const Function& f, std::span<const Stratum> strata) {
     Real total = 0;
     Real sum = 0;
@@ -14,5 +10,3 @@ Real integrate_stratified(const Function& f, std::span<const Stratum> strata) {
     }
     return total;
 }
-
-}  // namespace rt

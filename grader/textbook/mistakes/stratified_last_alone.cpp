@@ -1,8 +1,4 @@
 // says: the last u of each stratum alone
-#include "rt/fragments.h"
-
-namespace rt {
-
 Real integrate_stratified(const Function& f, std::span<const Stratum> strata) {
     Real total = 0;
     for (const Stratum& stratum : strata) {
@@ -12,5 +8,3 @@ Real integrate_stratified(const Function& f, std::span<const Stratum> strata) {
     }
     return total;
 }
-
-}  // namespace rt

@@ -1,8 +1,4 @@
 // says: the mean of the strata's means times the whole width
-#include "rt/fragments.h"
-
-namespace rt {
-
 Real integrate_stratified(const Function& f, std::span<const Stratum> strata) {
     Real width = 0;
     Real means = 0;
@@ -17,5 +13,3 @@ Real integrate_stratified(const Function& f, std::span<const Stratum> strata) {
     }
     return filled == 0 ? 0 : means * width / Real(filled);
 }
-
-}  // namespace rt

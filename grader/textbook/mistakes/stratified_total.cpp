@@ -1,8 +1,4 @@
 // says: the mean of all values times the whole width: strata with many numbers count too much
-#include "rt/fragments.h"
-
-namespace rt {
-
 Real integrate_stratified(const Function& f, std::span<const Stratum> strata) {
     Real width = 0;
     Real sum = 0;
@@ -14,5 +10,3 @@ Real integrate_stratified(const Function& f, std::span<const Stratum> strata) {
     }
     return count == 0 ? 0 : sum * width / Real(count);
 }
-
-}  // namespace rt

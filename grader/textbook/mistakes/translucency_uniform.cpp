@@ -1,8 +1,4 @@
 // says: directions uniform on the hemisphere about the axis
-#include "rt/fragments.h"
-
-namespace rt {
-
 Scattered translucency(vec3 d, vec3 n, Real ior_from, Real ior_to, Real exponent, vec2 u) {
     const vec3 axis = refracted_direction(d, n, ior_from, ior_to);
     if (axis == vec3(0)) return {d, Color(0)};
@@ -12,5 +8,3 @@ Scattered translucency(vec3 d, vec3 n, Real ior_from, Real ior_to, Real exponent
     const vec3 direction = frame_about(axis).to_world({r * std::cos(phi), r * std::sin(phi), z});
     return {direction, Color((exponent + 2) / (exponent + 1) * std::max(-dot(direction, n), 0.0))};
 }
-
-}  // namespace rt

@@ -40,10 +40,9 @@ MitsubaPaths mitsuba_paths(const Scene& scene, std::vector<std::string>& unsaid)
         // Camera, bounces + 1 surfaces, lamp; where no shadow rays are sent, the last bounce ray must find the lamp.
         paths.max_depth = scene.bounces + (searched ? 2 : 1);
     } else if (scene.bounces == 0) {
-        unsaid.emplace_back(specular
-                                ? "diffuse surfaces beside mirrors, glass or lobes, with bounces = 0: Mitsuba limits "
-                                  "both together; expected so many bounces that the rest is negligible"
-                                : "lamps with and without sampled = false, with bounces = 0; expected one kind");
+        unsaid.emplace_back(specular ? "diffuse surfaces beside mirrors, glass or lobes, with bounces = 0: Mitsuba "
+                                       "limits both together; expected so many bounces that the rest is negligible"
+                                     : "lamps with and without sampled = false, with bounces = 0; expected one kind");
     } else {
         paths.comment = fmt::format(
             "Paths have no limit here; Penumbra ends them after {} diffuse bounces, {} mirrors, glass "

@@ -96,8 +96,7 @@ inline constexpr Key<Scene> render[] = {
      "mirrors, glass and lobes on one path; above 24 each ray goes on as one, mirrored or refracted, never as both"},
     {"sampler", choice, &Scene::sampler, any, "`\"orthogonal\"`",
      "the pattern of the samples. `stratified`: each dimension by itself; `sobol`: Owen-scrambled Sobol' points, pair "
-     "by "
-     "pair; `orthogonal`: even between any two dimensions; where `samples` is no power of four up to 256, `sobol`; "
+     "by pair; `orthogonal`: even between any two dimensions; where `samples` is no power of four up to 256, `sobol`; "
      "`blue_noise`: as `sobol`, but the errors of neighbours cancel, so that few samples look like fine grain"},
     {"multiple_importance", flag, &Scene::multiple_importance, any, "the plan decides",
      "lamps are sampled for glossy lobes too, and both ways to find them are weighed: less noise. The framework "

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <mutex>
 
 #include "rt/passes/schedule.h"
 #include "rt/path.h"

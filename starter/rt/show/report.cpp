@@ -87,8 +87,7 @@ std::string report_bad_sample(const std::string& scene, ivec2 film, const Render
                                         : ": the mean is no finite number, though every sample is";
     return fmt::format(
         "{}: pixel {},{}{}; expected a finite number\n"
-        "To see how it came about: raytrace {} --pixel {},{} --seed {} --samples {} --sampler {} "
-        "--size {}x{}{}\n",
+        "To see how it came about: raytrace {} --pixel {},{} --seed {} --samples {} --sampler {} --size {}x{}{}\n",
         scene, x, y, what, scene, x, y, bad.slice.seed, bad.slice.first + bad.slice.count, name_of(bad.slice.sampler),
         film.x, film.y, sampling_of(settings).passes ? " --time-limit 1" : "");
 }
