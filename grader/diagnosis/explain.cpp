@@ -8,6 +8,7 @@
 #include "diagnosis/by_textbook.h"
 #include "diagnosis/calls_made.h"
 #include "diagnosis/own_numbers.h"
+#include "diagnosis/precision.h"
 #include "diagnosis/right_otherwise.h"
 #include "diagnosis/rule.h"
 #include "diagnosis/shares.h"
@@ -135,7 +136,8 @@ public:
     }
 
     Finding run(const std::function<std::optional<Editable>()>& source) {
-        if (are_near(all_)) finding_.how = small_offsets(all_);
+        if (are_near(all_)) finding_.how = in_single_precision(all_);
+        if (are_near(all_) && finding_.how.empty()) finding_.how = small_offsets(all_);
         if (wrong_ == 0) return finding_;
         if (!look_for_relation(source)) return {};
         const bool is_nothing = !relation_ || relation_->explains == Relation::Explains::nothing;
@@ -186,6 +188,7 @@ private:
     void tell_how() {
         constexpr double most = 0.9;
         const bool is_nothing = !relation_ || relation_->explains == Relation::Explains::nothing;
+        if (finding_.how.empty() && !is_exact(relation_)) finding_.how = in_single_precision(all_);
         const bool is_mostly_known = is_exact(relation_) || (!is_nothing && relation_->share >= most);
         // of a sample, that numbers are not used says more than how it is spread
         if (finding_.how.empty() && sampled_ && not_numbers_ == 0 && !is_mostly_known && !broken_)

@@ -8,12 +8,15 @@ namespace grade {
 /// A ray towards a point, from either side, and an interval that holds the point, or ends before it, or starts behind
 /// it.
 inline rt::Ray ray_towards(Generator& random, rt::vec3 target, rt::vec3 normal, double size, bool clipped) {
-    const double grazing = std::acos(log_between(random, 2e-3, 0.1));
-    const double angle = chance(random, 0.12) ? grazing : angle_from_axis(random, 1.3);
+    // one extreme at a time, so that each seed asks for the same
+    enum Extreme { size_alone, grazing, far, any_speed };
+    const int which = size < 0.01 || size > 10 ? size_alone : whole_between(random, 0, 7);
+    const double angle = which == grazing ? std::acos(log_between(random, 2e-3, 0.1)) : angle_from_axis(random, 1.3);
     const rt::vec3 d = tilted(random, (chance(random, 0.5) ? 1.0 : -1.0) * normal, angle);
-    const double away = chance(random, 0.75) ? between(random, 0.5, 20) : range_between(random, 20, 1000);
+    const double away = which == far ? range_between(random, 20, 1000) : between(random, 0.5, 20);
     const double distance = size * away * (chance(random, 0.85) ? 1 : -1);
-    const double speed = chance(random, 0.3) ? 1 : range_between(random, 1e-3, 1e3);
+    const double usual = chance(random, 0.3) ? 1 : log_between(random, 0.3, 10);
+    const double speed = which == any_speed ? range_between(random, 1e-3, 1e3) : usual;
     rt::Ray ray{target - distance * d, speed * d, 0, rt::inf};
     if (clipped && chance(random, 0.6)) ray.near = std::abs(distance) / speed * between(random, 0.2, 1.8);
     if (clipped && chance(random, 0.6)) ray.far = ray.near + std::abs(distance) / speed * between(random, 0.2, 1.8);

@@ -1,0 +1,32 @@
+#include "diagnosis/precision.h"
+
+namespace grade {
+
+namespace {
+
+bool is_float(double x) { return double(float(x)) == x; }
+
+/// Whether a number has few digits, as 0, 1/2 or 12 have: any precision holds it.
+bool is_short(double x) {
+    int exponent = 0;
+    const double mantissa = std::ldexp(std::frexp(x, &exponent), 12);
+    return mantissa == std::round(mantissa);
+}
+
+}  // namespace
+
+std::string in_single_precision(const Calls& calls) {
+    int floats = 0, longer = 0;
+    for (std::size_t k = 0; k < calls.size(); ++k)
+        for (std::size_t i = 0; i < std::min(calls.mine[k].size(), calls.right[k].size()); ++i) {
+            const double mine = calls.mine[k][i], right = calls.right[k][i];
+            if (!std::isfinite(mine) || mine == right || is_short(mine)) continue;
+            if (!is_float(mine)) return {};
+            ++floats, longer += !is_float(right);
+        }
+    constexpr int enough = 8;
+    if (floats < enough || 2 * longer < floats) return {};
+    return "every number of the answers has the 7 digits of single precision: is `float` used? `Real` is double";
+}
+
+}  // namespace grade
