@@ -43,7 +43,7 @@ Row fine_quad(Generator& random) {
     const Quad q = any_quad_of(random, size);
     const double x = 1 + hair(random), y = between(random, -0.97, 0.97);
     const vec3 target = chance(random, 0.5) ? q.center + x * q.u + y * q.v : q.center + y * q.u + x * q.v;
-    return row(q, ray_towards(random, target, normal_of_quad(q), size, false));
+    return row(q, ray_from_afar(random, target, normal_of_quad(q), size));
 }
 
 Row small_quad(Generator& random) {

@@ -65,7 +65,7 @@ Row fine_triangle(Generator& random) {
     std::array<double, 3> share{hair(random), between(random, 0.2, 0.8), 0};
     share[2] = 1 - share[0] - share[1];
     std::rotate(share.begin(), share.begin() + whole_between(random, 0, 2), share.end());
-    return row(t, ray_towards(random, on_triangle(t, share), normal_of_triangle(t), size, false));
+    return row(t, ray_from_afar(random, on_triangle(t, share), normal_of_triangle(t), size));
 }
 
 Row small_triangle(Generator& random) {

@@ -34,6 +34,12 @@ inline double scene_size(Generator& random) {
 /// origin, does not know the side. Each seed has enough of them.
 inline double hair(Generator& random) { return (chance(random, 0.5) ? 1 : -1) * log_between(random, 1e-6, 1e-5); }
 
+/// A ray to such a point, from so far away that single precision does not know the side either by the way that is left.
+inline rt::Ray ray_from_afar(Generator& random, rt::vec3 target, rt::vec3 normal, double size) {
+    const rt::vec3 d = tilted(random, normal, between(random, 0, 1.2));
+    return {target - between(random, 20, 1000) * size * d, d, 0, rt::inf};
+}
+
 /// A ray that starts within a few sizes of its target.
 inline rt::Ray near_ray(Generator& random, rt::vec3 target, rt::vec3 normal, double size) {
     const rt::vec3 d = tilted(random, (chance(random, 0.5) ? 1.0 : -1.0) * normal, between(random, 0, 1.3));
