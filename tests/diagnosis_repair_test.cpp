@@ -2,6 +2,7 @@
 #include "diagnosis/repair.h"
 #include "explained.h"
 #include "textbook/edits.h"
+#include "textbook/operators.h"
 #include "textbook/source.h"
 
 using namespace grade;
@@ -41,6 +42,26 @@ TEST_CASE("a student's source: what it holds, and in which line") {
     CHECK(std::ranges::count(more.nodes, "x * 9", &textbook::Node::text) == 0);
     CHECK_THAT(more.text, ContainsSubstring("case 1:"));
     CHECK_THAT(more.text, ContainsSubstring("for (const Real w : {1.0, 2.0})"));
+}
+
+TEST_CASE("a student's source: variables that get other values are not what they were") {
+    const auto source =
+        textbook::editable(function("    Real k = 2 * x, m = k + 1;\n    k *= u.x;\n    vec2 v = u;\n    v[0] = k;\n"
+                                    "    for (int i = 0; i < 3; ++i) v.y += m;\n    return k + m * x;\n"));
+    CHECK(source.varying == std::set<std::string>{"k", "v"});
+    CHECK(node(source, "2 * x").varies);  // it is called k
+    CHECK(node(source, "k + 1").varies);
+    CHECK_FALSE(node(source, "m * x").varies);
+}
+
+TEST_CASE("another operator in place of one has the brackets that it needs") {
+    const auto source =
+        textbook::editable(function("    const bool a = x > 1, b = x > 2, c = x > 3;\n"
+                                    "    return a || b || c ? 1 - u.x * u.x * (1 - x) : 0;\n"));
+    CHECK(node(source, "a || b || c").alternatives.front() == "(a || b) && c");
+    CHECK(textbook::loosest("a * (b + c)") == textbook::loosest("a * b"));
+    CHECK(textbook::loosest("a * -b + f(c, d)") == textbook::loosest("a - b"));
+    CHECK(textbook::loosest("(a + b)") == textbook::loosest("a"));
 }
 
 TEST_CASE("a student's source that is not read") {
@@ -116,7 +137,7 @@ struct Flight {
             {"s * log(left)", "log", "log = s * log(left)", "", {}, {}, 4},
             {"pow(extinction, p)", "down", "down = pow(extinction, p)", "", {}, {}, 5},
             {"log / down", "log / down", "return log / down", "", {2, 3}, {"log * down"}, 6}};
-        return {nodes, [flight = *this](const Rows& rows) {
+        return {nodes, {}, [flight = *this](const Rows& rows) {
                     Rows all;
                     for (const Row& row : rows) {
                         const auto call = textbook::edited_call_of(row);
@@ -180,8 +201,8 @@ TEST_CASE("a program that gives no answers, or too few, is no repair") {
     all.result = all.signature.of_result(all.right.front());
     all.told = {true, true};
     const auto nodes = Flight{}.editable().nodes;
-    CHECK_FALSE(repair_of(all, {nodes, [](const Rows&) { return Rows(); }}, false));
-    CHECK_FALSE(repair_of(all, {nodes, [](const Rows& rows) { return Rows(rows.size()); }}, false));
-    CHECK_FALSE(repair_of(all, {nodes, [](const Rows& rows) { return Rows(rows.size(), Row(50, 1e9)); }}, false));
+    CHECK_FALSE(repair_of(all, {nodes, {}, [](const Rows&) { return Rows(); }}, false));
+    CHECK_FALSE(repair_of(all, {nodes, {}, [](const Rows& rows) { return Rows(rows.size()); }}, false));
+    CHECK_FALSE(repair_of(all, {nodes, {}, [](const Rows& rows) { return Rows(rows.size(), Row(50, 1e9)); }}, false));
     CHECK_FALSE(repair_of({}, Flight{}.editable(), false));
 }

@@ -204,11 +204,12 @@ Check edge_noise(Generator& random) {
 }  // namespace
 
 Checks check_stratified_2d(Generator& random) {
-    const int side = whole_between(random, 3, 5);
+    const int side = whole_between(random, 3, 5), large = whole_between(random, 9, 12);
+    const int some = whole_between(random, 26, 35), many = whole_between(random, 500, 700);
     const SamplesOfASquare samples{[](vec2, int i, int n, vec2 u) { return row(i, n, u); },
                                    of_result<vec2>([](vec2 p) { return SamplesOfASquare::Sample{p}; })};
-    return {cells("grid_of_cells", {side * side, 100}),
-            cells("any_number_of_cells", {7, 11, 12, 13, 30, 600}),
+    return {cells("grid_of_cells", {side * side, large * large}),
+            cells("any_number_of_cells", {7, 11, 12, 13, some, many}),
             cells("two_cells", {2}),
             cells("three_cells", {3}),
             cells("five_cells", {5}, rt::below_one),

@@ -6,6 +6,7 @@
 #include "diagnosis/expressions.h"
 #include "diagnosis/scalars.h"
 #include "textbook/functions.h"
+#include "textbook/operators.h"
 
 namespace grade {
 
@@ -25,11 +26,21 @@ std::string other_number(const textbook::Node& node, const Mistake& mistake) {
     return number_in_words(scalar_functions[mistake.made.function].value(std::strtod(node.text.c_str(), nullptr)));
 }
 
+/// Another operator binds less than what is written: within a larger expression it needs brackets.
+std::string in_its_place(const textbook::Node& node, const std::string& alternative) {
+    const bool is_whole = node.context == node.text || node.context.ends_with("= " + node.text) ||
+                          node.context.ends_with("return " + node.text) ||
+                          node.context.ends_with("(" + node.text + ")");
+    const bool is_looser = textbook::loosest(alternative) < textbook::loosest(node.text);
+    return is_looser && !is_whole ? "(" + alternative + ")" : alternative;
+}
+
 }  // namespace
 
 std::string changed_in_words(const Expressions& all, const Mistake& mistake) {
     const textbook::Node& node = all.node(mistake.made.nodes.front());
-    if (mistake.made.alternative != 0) return mistake.made.nodes.size() > 1 ? called(mistake.pattern) : mistake.pattern;
+    if (mistake.made.alternative != 0)
+        return mistake.made.nodes.size() > 1 ? called(mistake.pattern) : in_its_place(node, mistake.pattern);
     if (!mistake.other.empty()) return filled(mistake.pattern, node.name, mistake.other);
     return is_number(node.text) ? other_number(node, mistake) : filled(mistake.pattern, node.name);
 }
@@ -78,7 +89,8 @@ private:
     /// What can be taken in place of others.
     void see(const Layout& layout, const std::vector<bool>& told) {
         for (std::size_t i = 0; i < seen_.size(); ++i)
-            if (seen_[i] != Value::Kind::none && seen_[i] != Value::Kind::flag && !is_literal(nodes_[i].text))
+            if (seen_[i] != Value::Kind::none && seen_[i] != Value::Kind::flag && !is_literal(nodes_[i].text) &&
+                !nodes_[i].varies)
                 others_.push_back({nodes_[i].name, seen_[i], int(i)});
         for (const Scalar& s : scalars_of(layout, told))
             others_.push_back({s.name, s.whole ? Value::Kind::whole : Value::Kind::number, -1, s.at(layout)});

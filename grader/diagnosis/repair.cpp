@@ -73,7 +73,14 @@ private:
     /// false: the program does not tell.
     bool see() {
         arguments_ = calls_.layouts.front(), told_ = calls_.told;
-        quantities_ = quantities_of(arguments_, told_);
+        bool any_varies = false;
+        for (std::size_t i = 0; i < arguments_.parts.size(); ++i) {
+            const std::string& name = arguments_.parts[i].name;
+            const bool varies = source_.varying.contains(name.substr(0, name.find('.')));
+            any_varies = any_varies || varies;
+            if (varies) told_[i] = false;
+        }
+        if (!any_varies) quantities_ = quantities_of(arguments_, told_);
         for (std::size_t i = 0; i < quantities_.size(); ++i) {
             arguments_.parts.push_back({quantities_[i].words, Kind::number, calls_.rows.front().size() + i});
             told_.push_back(quantities_[i].kind != Quantity::Kind::number);

@@ -10,7 +10,8 @@ namespace grade {
 /// A fragment whose expressions can be changed while it runs.
 struct Editable {
     std::vector<textbook::Node> nodes;
-    Ask ask;  // answers to calls as textbook::row_of makes them
+    std::set<std::string> varying;  // arguments among them that get other values: what was passed is not what is there
+    Ask ask;                        // answers to calls as textbook::row_of makes them
 };
 
 /// A change of one expression, or of two, after which the fragment gives the right answers.

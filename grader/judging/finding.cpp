@@ -127,7 +127,8 @@ std::optional<Editable> editable_of(Programs& programs, const std::string& fragm
     const auto edited = [fragment, most](Runner& runner, const Rows& calls) {
         return runner.edited(fragment, calls, most);
     };
-    return Editable{std::move(source.nodes), asking(*program, programs.sandbox(), meshes, seconds, edited)};
+    return Editable{std::move(source.nodes), std::move(source.varying),
+                    asking(*program, programs.sandbox(), meshes, seconds, edited)};
 } catch (const std::exception&) {
     return std::nullopt;
 }

@@ -90,8 +90,11 @@ Expression ExpressionReader::joined_by(const Expression& left, const std::string
     all.line = left.line;
     all.text = fmt::format("{} {} {}", left.text, sign, right.text);
     std::vector<std::string> alternatives;
-    for (const std::string& other : as.others)
-        alternatives.push_back(fmt::format("{} {} {}", left.text, other, right.text));
+    for (const std::string& other : as.others) {
+        const bool is_looser = loosest(left.text) < operators().at(other).level;
+        alternatives.push_back(
+            fmt::format(fmt::runtime(is_looser ? "({}) {} {}" : "{} {} {}"), left.text, other, right.text));
+    }
     if (sign == "*") alternatives.push_back(fmt::format("dot({}, {})", left.text, right.text));
     if (sign == "-" || sign == "/") alternatives.push_back(fmt::format("{} {} {}", right.text, sign, left.text));
     const bool is_after = as.level == 6 && !right.sides.empty();

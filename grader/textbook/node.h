@@ -12,6 +12,7 @@ struct Node {
     std::vector<int> parts{};                 // the nodes that it is made of
     std::vector<std::string> alternatives{};  // other operators and functions in its place, in the order of the code
     int line = 0;                             // where it begins in its file
+    bool varies = false;                      // a variable in it gets other values: what it was is not what it is
 };
 
 }  // namespace grade::textbook

@@ -1,6 +1,9 @@
 #include "textbook/operators.h"
 
+#include <algorithm>
 #include <set>
+
+#include "textbook/tokens.h"
 
 namespace grade::textbook {
 
@@ -24,6 +27,19 @@ const std::map<std::string, Operator>& operators() {
         {"%", {6, "textbook::Rest, textbook::Quotient", {"/"}}},
     };
     return all;
+}
+
+int loosest(const std::string& expression) {
+    const std::vector<Token> tokens = tokens_of(expression);
+    int level = 100, depth = 0;
+    for (std::size_t i = 1; i < tokens.size(); ++i) {
+        const std::string& before = tokens[i - 1].text;
+        depth += (before == "(" || before == "[" || before == "{") - (before == ")" || before == "]" || before == "}");
+        const bool is_behind_value = tokens[i - 1].kind != Token::Kind::sign || before == ")" || before == "]";
+        const auto found = operators().find(tokens[i].text);
+        if (depth == 0 && is_behind_value && found != operators().end()) level = std::min(level, found->second.level);
+    }
+    return level;
 }
 
 const std::vector<std::string>& functions_for(const std::string& name) {

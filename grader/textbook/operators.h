@@ -16,6 +16,9 @@ struct Operator {
 /// Those of which the right side may not be computed have no function object.
 const std::map<std::string, Operator>& operators();
 
+/// The level of the operator that is applied last in an expression; a large one where there is none.
+int loosest(const std::string& expression);
+
 /// The function object of a sign.
 std::string function_of(const std::string& sign);
 

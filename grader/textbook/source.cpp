@@ -35,6 +35,10 @@ public:
         all.text += text_.substr(copied);
         if (all.text.size() > most_written) throw TooLong();
         all.nodes = std::move(nodes_);
+        all.varying = varying();
+        for (Node& node : all.nodes)
+            for (const Token& token : tokens_of(node.name == node.text ? node.text : node.name + ", " + node.text))
+                node.varies = node.varies || all.varying.contains(token.text);
         if (all.nodes.empty()) fail("no expression; expected some");
         return all;
     }
@@ -58,6 +62,21 @@ private:
             }
             if (is_defined && changes) changing_.insert(tokens_[i].text);
         }
+    }
+
+    /// Names behind which, or behind an element or a part of which, an assignment stands that is no declaration.
+    std::set<std::string> varying() const {
+        std::set<std::string> all;
+        for (std::size_t i = 1; i + 1 < tokens_.size(); ++i) {
+            const std::string& before = tokens_[i - 1].text;
+            const bool is_first = before == ";" || before == "{" || before == "}" || before == ")" || before == "else";
+            if (tokens_[i].kind != Token::Kind::name || !is_first) continue;
+            std::size_t end = i + 1;
+            while (end + 2 < tokens_.size() && (tokens_[end].text == "[" || tokens_[end].text == "."))
+                end = tokens_[end].text == "[" ? closing(end) + 1 : end + 2;
+            if (is_assigned(tokens_[end].text)) all.insert(tokens_[i].text);
+        }
+        return all;
     }
 
     /// The bracket that closes this one; what stands before the end where there is none.

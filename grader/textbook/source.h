@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@ namespace grade::textbook {
 struct EditableSource {
     std::string text;  // to compile in its place
     std::vector<Node> nodes;
+    std::set<std::string> varying;  // variables, and arguments, that get other values
 };
 
 /// Whether the source has macros or conditions of its own, or whatever else but #include and #pragma.

@@ -2,13 +2,9 @@
 
 namespace grade::textbook {
 
-namespace {
-
 bool is_assigned(const std::string& sign) {
     return sign == "=" || sign == "+=" || sign == "-=" || sign == "*=" || sign == "/=";
 }
-
-}  // namespace
 
 std::string StatementReader::block() {
     expect("{");

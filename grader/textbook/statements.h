@@ -5,6 +5,9 @@
 namespace grade::textbook {
 
 /// Reads statements: declarations, if, for, while, return and assignments.
+/// Whether a sign gives what stands before it another value.
+bool is_assigned(const std::string& sign);
+
 class StatementReader : protected ExpressionReader {
 protected:
     using ExpressionReader::ExpressionReader;

@@ -56,8 +56,10 @@ void make(const Mistake& mistake, Value::Kind kind, double* x) {
             *x = 1 - *x;
             return;
         case Made::number: {
-            const double value = scalar_functions[f].value(*x);
-            if (kind != Value::Kind::whole || value == std::floor(value)) *x = value;
+            *x = scalar_functions[f].value(*x);
+            // as code does, but for 1 / 0, which no code survives
+            if (kind == Value::Kind::whole && !std::isfinite(*x)) throw std::runtime_error("no whole number");
+            if (kind == Value::Kind::whole) *x = std::trunc(*x);
             return;
         }
         case Made::pair:
