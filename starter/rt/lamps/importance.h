@@ -4,7 +4,7 @@
 #include "rt/world.h"
 
 /// Multiple importance sampling of lamps that glossy lobes reflect: points of the lamp and rays of the lobe both find
-/// them, and each is weighed by its density against the other's.
+/// them, and each is weighed by its density against the other's. Nobody needs this file for the assignment.
 ///
 /// Source: Veach and Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering", SIGGRAPH 1995.
 namespace rt {

@@ -4,7 +4,7 @@
 #include "rt/elementary.h"
 
 /// Sampling quads by the solid angle that they fill, in place of their area: no noise from distance and angle at the
-/// lamp.
+/// lamp. Nobody needs this file for the assignment.
 ///
 /// Source: Ureña, Fajardo, King, "An Area-Preserving Parametrization for Spherical Rectangles", EGSR 2013.
 namespace rt {

@@ -5,7 +5,8 @@
 #include "rt/sampler.h"
 
 /// Which closed shapes a ray is in, all in one number: the regions' numbers side by side, the innermost in the lowest
-/// bits. 0: in none. Regions have numbers from 1 on; of two, the one with the greater number is further in.
+/// bits. 0: in none. Regions have numbers from 1 on; of two, the one with the greater number is further in. Nobody
+/// needs this file for the assignment.
 ///
 /// A set, not a count: who enters a region twice leaves it once, so that no rounding at a boundary is remembered.
 namespace rt {

@@ -6,7 +6,8 @@
 #include "rt/math.h"
 #include "rt/sampler.h"
 
-/// Passes over a picture until a limit is reached: how many samples a pixel each takes, and which.
+/// Passes over a picture until a limit is reached: how many samples a pixel each takes, and which. Nobody needs this
+/// file for the assignment.
 namespace rt {
 
 /// The samples of each pixel that one pass adds.

@@ -8,7 +8,8 @@
 
 namespace rt {
 
-/// What there is of a picture while it is made, for who looks on a few times a second.
+/// What there is of a picture while it is made, for who looks on a few times a second. Nobody needs this file for the
+/// assignment.
 class Watch {
 public:
     explicit Watch(const RenderSettings& settings, int width, int height);

@@ -5,7 +5,7 @@
 namespace rt {
 
 /// A line on the standard error: how far the picture is, and the seconds that are left. stopping: its end has been
-/// asked for.
+/// asked for. Nobody needs this file for the assignment.
 void show_bar(Real done, Real seconds_left, bool stopping);
 
 /// Takes the line away.

@@ -6,7 +6,8 @@
 namespace rt {
 
 /// A picture in the terminal, drawn again in its place whenever there is more of it. The cursor is on the line below
-/// it, and seen, whenever no frame is being written: whatever ends the program leaves the terminal as it was.
+/// it, and seen, whenever no frame is being written: whatever ends the program leaves the terminal as it was. Nobody
+/// needs this file for the assignment.
 class Preview {
 public:
     /// descriptor  of the terminal

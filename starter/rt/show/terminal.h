@@ -3,7 +3,7 @@
 #include <chrono>
 #include <string_view>
 
-/// What the terminal is like in which the program runs.
+/// What the terminal is like in which the program runs. Nobody needs this file for the assignment.
 namespace rt {
 
 /// How a terminal draws pictures: with pixels, if it can.

@@ -3,7 +3,7 @@
 #include "rt/batch.h"
 #include "rt/tree/bvh.h"
 
-/// Pairs of a ray and a shape that may meet.
+/// Pairs of a ray and a shape that may meet. Nobody needs this file for the assignment.
 namespace rt {
 
 /// Some of the pairs, number by number in short lists, so that a loop that calls a fragment for each becomes vectors.

@@ -8,7 +8,7 @@
 namespace rt {
 
 /// What the rays of a batch have in common: boxes about their origins and directions, and where they begin. A shape
-/// that no such ray can meet need not be tried.
+/// that no such ray can meet need not be tried. Nobody needs this file for the assignment.
 ///
 /// Source: Boulos, Wald, Shirley, "Geometric and Arithmetic Culling Methods for Entire Ray Packets", University of
 /// Utah, UUCS-06-10, 2006.

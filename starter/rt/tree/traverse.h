@@ -7,7 +7,8 @@
 #include "rt/tree/floats.h"
 #include "rt/tree/meetings.h"
 
-/// Rays of a batch on their way through the tree, all at once, one node after the other.
+/// Rays of a batch on their way through the tree, all at once, one node after the other. Nobody needs this file for the
+/// assignment.
 ///
 /// A step has no branches: rays go different ways, so a processor would guess most of them wrong, and while one ray
 /// waits for its node the others go on. Items whose boxes are met are put in one list for all rays, so that the tests
