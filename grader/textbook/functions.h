@@ -20,7 +20,7 @@ inline constexpr Function scalar_functions[] = {
     {"-{}", 1, [](double x) { return -x; }},
     {"2 * {}", 1.1, [](double x) { return 2 * x; }},
     {"{} / 2", 1.1, [](double x) { return x / 2; }},
-    {"{0} * {0}", 1.2, [](double x) { return x * x; }, ": is a square root missing?"},
+    {"{0} * {0}", 1.2, [](double x) { return x * x; }, ": is a square root missing, or does it count twice?"},
     {"sqrt({})", 1.2, [](double x) { return std::sqrt(x); }, ": is a square missing, or a root too many?"},
     {"1 / {}", 1.2, [](double x) { return 1 / x; }},
     {"1 - {}", 1.2, [](double x) { return 1 - x; }},
