@@ -86,8 +86,9 @@ private:
     /// Those of expressions and those of arguments, the simplest first.
     std::vector<Mistake> mistakes_and(const std::vector<Change>& changes) {
         std::vector<Mistake> all = asked_.mistakes_of(calls_);
+        const auto count = std::ptrdiff_t(all.size());
         for (const Change& change : changes) all.push_back({"", "", change.cost, {}, "", &change});
-        std::ranges::stable_sort(all, {}, &Mistake::cost);
+        std::ranges::inplace_merge(all, all.begin() + count, {}, &Mistake::cost);  // both are in order
         return all;
     }
 

@@ -70,8 +70,7 @@ public:
             if (seen_[i] == Value::Kind::pair) add_pair(i);
             if (seen_[i] == Value::Kind::vector) add_vector(i);
         }
-        std::ranges::stable_sort(all_, {}, &Mistake::cost);
-        return std::move(all_);
+        return by_cost();
     }
 
 private:
@@ -133,6 +132,17 @@ private:
         everywhere_ = is_argument(text) ? std::vector<int>() : first_of(node, [&](std::size_t i) {
             return text == nodes_[i].text && seen_[i] == seen_[node];
         });
+    }
+
+    /// There may be many: each moves once.
+    std::vector<Mistake> by_cost() {
+        std::vector<std::pair<double, std::size_t>> order;
+        for (std::size_t i = 0; i < all_.size(); ++i) order.emplace_back(all_[i].cost, i);
+        std::ranges::sort(order);
+        std::vector<Mistake> sorted;
+        sorted.reserve(all_.size());
+        for (const auto& [cost, i] : order) sorted.push_back(std::move(all_[i]));
+        return sorted;
     }
 
     void add_alternatives(std::size_t i) {
