@@ -107,7 +107,7 @@ TEST_CASE("a sign that is wrong in all of a sample is told of all, not of its de
         return answers("scatter_direction")(turned);
     };
     CHECK(found("scatter_direction", scattered, other_way).how ==
-          "the answers are exactly what the right fragment answers with `-g` in place of `g`");
+          "the fragment answers exactly as if it had `-g` in place of `g`");
 }
 
 TEST_CASE("an offset that is small beside the answer is told") {
@@ -158,7 +158,7 @@ TEST_CASE("formulas are told as a person writes them") {
         return all;
     };
     CHECK(found("free_flight", flights, mean).how ==
-          "the answers are exactly what the right fragment answers with `1` in place of `-log(1 - u)`, in `-log(1 - u) "
+          "the fragment answers exactly as if it had `1` in place of `-log(1 - u)`, in `-log(1 - u) "
           "/ extinction`");
 }
 

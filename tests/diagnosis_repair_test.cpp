@@ -54,6 +54,20 @@ TEST_CASE("a student's source: variables that get other values are not what they
     CHECK_FALSE(node(source, "m * x").varies);
 }
 
+TEST_CASE("a student's source: break and continue may be taken for each other, where both may stand") {
+    const auto source = textbook::editable(
+        function("    Real sum = 0;\n    for (int i = 0; i < 4; ++i) {\n        if (i == 2) break;\n"
+                 "        switch (i) {\n            case 1: sum += u.y; break;\n            default: sum += u.x;\n"
+                 "        }\n        do {\n            if (sum > x) continue;\n            sum += x;\n"
+                 "        } while (sum < 1);\n    }\n    return sum;\n"));
+    const auto& jump = node(source, "break");
+    CHECK(jump.alternatives == std::vector<std::string>{"continue"});
+    CHECK(jump.line == 8);
+    CHECK(jump.context == "if (i == 2) break");
+    CHECK(std::ranges::count(source.nodes, "break", &textbook::Node::text) == 1);  // not that of the switch
+    CHECK(node(source, "continue").alternatives == std::vector<std::string>{"break"});
+}
+
 TEST_CASE("another operator in place of one has the brackets that it needs") {
     const auto source =
         textbook::editable(function("    const bool a = x > 1, b = x > 2, c = x > 3;\n"

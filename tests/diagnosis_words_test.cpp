@@ -84,7 +84,7 @@ TEST_CASE("the largest number in place of inf is told as any other wrong answer"
 TEST_CASE("a relation's words are made of its fields") {
     Relation found{"`x * x` in place of `x`", Relation::Kind::change};
     found.usually = ": is a square root missing?", found.line = 7;
-    const std::string change = "the answers are exactly what the right fragment answers with `x * x` in place of `x`";
+    const std::string change = "the fragment answers exactly as if it had `x * x` in place of `x`";
     CHECK(found.is_change());
     CHECK(found.all_words() == change + ": is a square root missing? See line 7");
     found.usually.clear();

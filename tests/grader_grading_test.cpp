@@ -210,7 +210,7 @@ TEST_CASE("a wrong fragment fails with the hint of its statistic") {
     const FragmentRecord fragment = graded_mirror(mirror("return d - dot(d, n) * n;"));
     CHECK(fragment.verdict == Verdict::failed);
     CHECK(
-        first_message(fragment).starts_with("the answers are exactly what the right fragment answers with `along` "
+        first_message(fragment).starts_with("the fragment answers exactly as if it had `along` "
                                             "in place of `2 * along` everywhere: see line 6\n"));
     CHECK_THAT(first_message(fragment), Catch::Matchers::ContainsSubstring("\nFor d = "));
     CHECK(fragment.points == 0);

@@ -156,8 +156,10 @@ private:
 
     void add_flag(std::size_t i) {
         everywhere_.clear();
-        add(i, {"true", "", 1.08, {{}, 0, Made::yes}});
-        add(i, {"false", "", 1.08, {{}, 0, Made::no}});
+        if (textbook::is_jump(nodes_[i].text)) return;  // its alternative is added
+        // that one value in it is another is no simpler where the condition holds always, or never
+        add(i, {"true", "", 0.97, {{}, 0, Made::yes}});
+        add(i, {"false", "", 0.97, {{}, 0, Made::no}});
         add(i, {"!({0})", "", 1.15, {{}, 0, Made::opposite}});
     }
 

@@ -11,7 +11,7 @@ namespace grade {
 
 std::string Relation::words() const {
     const bool of_change = kind == Kind::change || kind == Kind::named_mistake;
-    return calls + (of_change ? "the answers are exactly what the right fragment answers with " : "") + said +
+    return calls + (of_change ? "the fragment answers exactly as if it had " : "") + said +
            (!others_remain      ? ""
             : in_others.empty() ? "; in the others something else is wrong"
                                 : "; in the others, " + in_others);

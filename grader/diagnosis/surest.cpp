@@ -136,8 +136,7 @@ std::optional<Relation> relation_of_parts(const Calls& calls, const Ask& ask_rig
         ++explained;
         are_changes = are_changes && found->is_change();
         if (found->is_change())
-            found->said =
-                fmt::format("{} is exactly what the right fragment answers with {}", name_of(part), found->said),
+            found->said = fmt::format("{} is exactly as if the fragment had {}", name_of(part), found->said),
             found->kind = Relation::Kind::sentence;
         if (all) {
             found->said = all->words() + "; " + found->words(), found->calls.clear();

@@ -68,9 +68,9 @@ struct CheckRecord {
 
 /// What calls of a fragment show, whichever it is; empty where they show nothing.
 struct Finding {
-    std::string how;        // "the answers are exactly what the right fragment answers with `u.x` in place of `u.y`"
-    std::string where;      // "31 of 96 calls are wrong, those where `dot(n, to_light) < 0`"
-    std::string arguments;  // of the simplest call that goes wrong: "camera.size = (2, 2), film = (0, 0)"
+    std::string how;            // "the fragment answers exactly as if it had `u.x` in place of `u.y`"
+    std::string where;          // "31 of 96 calls are wrong, those where `dot(n, to_light) < 0`"
+    std::string arguments;      // of the simplest call that goes wrong: "camera.size = (2, 2), film = (0, 0)"
     std::string answer, right;  // right: empty where there is more than one
     bool sampled = false;       // other random numbers give answers that are as good
     std::string code;           // the same call in C++; empty: it is too long

@@ -126,6 +126,7 @@ inline constexpr VectorFunction vector_functions[] = {
     {"{0} with x negated", 1.6, [](vec3 v) { return vec3(-v.x, v.y, v.z); }},
     {"{0} with y negated", 1.6, [](vec3 v) { return vec3(v.x, -v.y, v.z); }},
     {"{0} with z negated", 1.6, [](vec3 v) { return vec3(v.x, v.y, -v.z); }},
+    {"(|{0}|, |{0}|, |{0}|)", 1.7, [](vec3 v) { return vec3(glm::length(v)); }},
     {"(|x|, |y|, |z|) of {0}", 1.8, [](vec3 v) { return glm::abs(v); }},
 };
 

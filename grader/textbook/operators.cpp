@@ -62,6 +62,8 @@ const std::vector<std::string>& functions_for(const std::string& name) {
     return found == all.end() ? none : found->second;
 }
 
+bool is_jump(const std::string& statement) { return statement == "break" || statement == "continue"; }
+
 std::string short_name(const std::string& name) {
     if (name == "safe_sqrt") return "sqrt";
     return name.starts_with("std::") || name.starts_with("glm::") ? name.substr(5) : name;

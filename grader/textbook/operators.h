@@ -25,6 +25,9 @@ std::string function_of(const std::string& sign);
 /// What is written in place of a function.
 const std::vector<std::string>& functions_for(const std::string& name);
 
+/// "break" or "continue"
+bool is_jump(const std::string& statement);
+
 /// "sqrt" of "std::sqrt"
 std::string short_name(const std::string& name);
 

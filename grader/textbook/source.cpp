@@ -166,19 +166,20 @@ private:
     std::string with_body() {
         const std::size_t start = at_;
         if (take("do")) {
-            std::string all = "do " + statement();
+            std::string all = "do " + body();
             const std::size_t end = at_;
             expect("while");
             at_ = closing(at_) + 1;
             expect(";");
             return all + raw(end, at_) + "\n";
         }
-        const bool is_if = is("if");
+        const bool is_if = is("if"), is_switch = is("switch");
         ++at_;
         take("constexpr");
         if (!is("(")) fail("no condition; expected one");
         at_ = closing(at_) + 1;
         std::string all = raw(start, at_) + " ";
+        const Inside loop(*this, is_if ? in_loop_ : !is_switch);
         all += statement();
         if (is_if && take("else")) all += "else " + statement();
         return all;
@@ -204,8 +205,10 @@ private:
         if (is("(")) at_ = closing(at_) + 1;
         skip_to({"{"});
         const std::string head = raw(start, at_);
+        const Inside lambda(*this, false);
         Expression all;
-        all.text = "a function", all.inner = all.code = head + block();
+        all.text = "a function";
+        all.inner = all.code = head + block();
         return all;
     }
 

@@ -23,6 +23,7 @@ std::string StatementReader::statement() {
     if (take("if")) {
         const std::string condition = in_brackets();
         if (is("return")) where_ = fmt::format("if ({}) return ", condition_);
+        if (is("break") || is("continue")) where_ = fmt::format("if ({}) ", condition_);
         std::string all = "if (" + condition + ") " + statement();
         where_.clear();
         if (take("else")) all += "else " + statement();
@@ -30,14 +31,11 @@ std::string StatementReader::statement() {
     }
     if (take("while")) {
         const std::string condition = in_brackets();
-        return "while (" + condition + ") " + statement();
+        return "while (" + condition + ") " + body();
     }
     if (take("for")) return loop();
-    for (const char* word : {"continue", "break"})
-        if (take(word)) {
-            expect(";");
-            return std::string(word) + ";\n";
-        }
+    if (is("break")) return jump("break", "continue");
+    if (is("continue")) return jump("continue", "break");
     if (take("return")) {
         const Expression of = is("{") ? braced() : expression();
         expect(";");
@@ -66,7 +64,7 @@ std::string StatementReader::loop() {
     if (take(":")) {
         const Expression range = expression();
         expect(")");
-        return "for (" + head + " : " + range.inner + ") " + statement();
+        return "for (" + head + " : " + range.inner + ") " + body();
     }
     expect("=");
     const std::size_t since = nodes_.size();
@@ -79,7 +77,26 @@ std::string StatementReader::loop() {
     skip_to({")"});
     const std::string last = joined(step, at_);
     expect(")");
-    return fmt::format("for ({} = {}; {}; {}) ", head, from.code, while_true.code, last) + statement();
+    return fmt::format("for ({} = {}; {}; {}) ", head, from.code, while_true.code, last) + body();
+}
+
+std::string StatementReader::body() {
+    const Inside loop(*this, true);
+    return statement();
+}
+
+/// Where the other one is chosen, that.
+std::string StatementReader::jump(const std::string& word, const std::string& other) {
+    const int line = now().line;
+    expect(word);
+    expect(";");
+    if (!in_loop_) return word + ";\n";
+    const std::size_t since = nodes_.size();
+    const int node = add(word, {}, {other});
+    nodes_.back().line = line;
+    set_context(since, where_ + word);
+    return fmt::format("{{\nif (textbook::at({0}, true) && textbook::chosen({0}) == 1) {1};\n{2};\n}}\n", node, other,
+                       word);
 }
 
 bool StatementReader::is_declaration() const {
@@ -126,7 +143,8 @@ std::string StatementReader::assignment() {
     std::size_t end = at_;
     int depth = 0;
     for (; depth > 0 || (tokens_[end].text != ";" && !is_assigned(tokens_[end].text)); ++end) {
-        if (tokens_[end].kind == Token::Kind::end) fail("no statement that is known; expected an assignment");
+        const bool is_other = tokens_[end].text == "{" || tokens_[end].kind == Token::Kind::end;
+        if (is_other) fail("no statement that is known; expected an assignment");
         depth += (tokens_[end].text == "(") - (tokens_[end].text == ")");
     }
     if (!is_assigned(tokens_[end].text)) {
