@@ -42,9 +42,12 @@ std::string Asked::words_of(const Mistake& mistake, bool with_context) const {
     if (mistake.of_arguments) return mistake.of_arguments->words;
     const Expressions all{form_.nodes, form_.first};
     const textbook::Node& node = all.node(mistake.made.nodes.front());
-    const std::string words = in_place(changed_in_words(all, mistake), written_in_words(all, mistake));
-    if (mistake.made.nodes.size() > 1) return words + " everywhere";
-    return !with_context || node.context == node.text ? words : fmt::format("{}, in `{}`", words, node.context);
+    const bool is_everywhere = mistake.made.nodes.size() > 1;
+    const bool has_context = !is_everywhere && with_context && node.context != node.text;
+    const std::string words = in_place(changed_in_words(all, mistake), written_in_words(all, mistake),
+                                       has_context ? which_in_words(all, mistake) : "");
+    if (is_everywhere) return words + " everywhere";
+    return has_context ? fmt::format("{}, in `{}`", words, node.context) : words;
 }
 
 std::optional<Calls> with_answers_of(Asked& asked, Calls calls) {

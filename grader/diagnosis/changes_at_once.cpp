@@ -28,11 +28,15 @@ void Changes::add_joint() {
                 });
             all_.back().replaced = names;
         }
-        if (group.size() == 3)
-            add(fmt::format("the axes of the world in place of {}", names), 1.2, [group](Row& row, const Layout& l) {
-                for (std::size_t k = 0; k < 3; ++k) put(row, l.parts[group[k]].at, vec3(k == 0, k == 1, k == 2));
+        if (group.size() < 3) continue;
+        const auto add_axes = [&](std::size_t count, const std::string& words, double cost) {
+            add(words, cost, [group, count](Row& row, const Layout& l) {
+                for (std::size_t k = 0; k < count; ++k) put(row, l.parts[group[k]].at, vec3(k == 0, k == 1, k == 2));
                 return true;
             });
+        };
+        add_axes(3, fmt::format("the axes of the world in place of {}", names), 1.2);
+        add_axes(2, fmt::format("the world's x and y in place of `{}` and `{}`", name(group[0]), name(group[1])), 1.25);
     }
 }
 

@@ -142,6 +142,7 @@ public:
         if (!look_for_relation(source)) return {};
         const bool is_nothing = !relation_ || relation_->explains == Relation::Explains::nothing;
         if (is_nothing) broken_ = broken_bound(all_, right_);
+        if (is_rare(broken_) && sampled_ && spread_of(all_, all_, mine_, right_)) broken_.reset();
         tell_how();
         // Another parametrisation is wrong in no call. Where many answers are the solution's, the random numbers are
         // used as the solution does, but perhaps not in calls of one kind.
@@ -182,6 +183,12 @@ private:
             finding_.by_repair = relation_->by_repair;
         }
         return true;
+    }
+
+    /// Whether it is broken in few calls: as what is wrong elsewhere as well may have it.
+    bool is_rare(const std::optional<Broken>& broken) const {
+        constexpr std::size_t rare = 20;
+        return broken && rare * broken->calls.size() < all_.size();
     }
 
     /// How wrong answers come about, where they are not nearly right.

@@ -19,9 +19,9 @@ std::string filled(std::string_view words, const Names&... names) {
     return simplified(fmt::format(fmt::runtime(words), (is_argument ? names : bracketed(names))...));
 }
 
-/// "`2 * x` in place of `x`"
-inline std::string in_place(const std::string& expression, const std::string& name) {
-    return fmt::format("`{}` in place of `{}`", expression, name);
+/// "`2 * x` in place of `x`", or "of the second `x`"
+inline std::string in_place(const std::string& expression, const std::string& name, const std::string& which = "") {
+    return fmt::format("`{}` in place of {}`{}`", expression, which, name);
 }
 
 }  // namespace grade

@@ -51,6 +51,19 @@ std::string written_in_words(const Expressions& all, const Mistake& mistake) {
     return mistake.made.nodes.size() > 1 ? called(node.text) : node.text;
 }
 
+std::string which_in_words(const Expressions& all, const Mistake& mistake) {
+    static constexpr const char* ordinals[] = {"the first ", "the second ", "the third ", "the fourth "};
+    const textbook::Node& node = all.node(mistake.made.nodes.front());
+    std::size_t alike = 0, before = 0;
+    for (const textbook::Node& other : all.nodes)
+        if (other.text == node.text && other.name == node.name && other.context == node.context &&
+            other.line == node.line) {
+            if (&other < &node) ++before;
+            ++alike;
+        }
+    return alike > 1 && before < std::size(ordinals) ? ordinals[before] : "";
+}
+
 namespace {
 
 /// Makes the list.

@@ -195,9 +195,10 @@ private:
 
     std::string words_of(const Mistake& change) const {
         const textbook::Node& node = all_.node(change.made.nodes.front());
-        const std::string words =
-            in_place(shown(changed_in_words(all_, change)), shown(written_in_words(all_, change)));
-        if (change.made.nodes.size() > 1) return words + " everywhere";
+        const bool is_everywhere = change.made.nodes.size() > 1;
+        const std::string words = in_place(shown(changed_in_words(all_, change)), shown(written_in_words(all_, change)),
+                                           is_everywhere ? "" : which_in_words(all_, change));
+        if (is_everywhere) return words + " everywhere";
         const std::string where = fmt::format("{} in line {}", words, node.line);
         return node.context == node.text || node.context.size() > longest
                    ? where
