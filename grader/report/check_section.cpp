@@ -99,9 +99,11 @@ std::string statistics(const CheckRecord& check, Told& told) {
         text +=
             "<p class=\"soft\">Chi squared per degree of freedom is 1 where all is spread as chance spreads it, and "
             "more where it is not.</p>\n";
-    for (const StatisticRecord& s : check.statistics)
-        if (!s.hint.empty() && told.insert(s.hint).second)
+    for (const StatisticRecord& s : check.statistics) {
+        const bool is_in_row = s.value && s.truth && s.hint == in_numbers(s);
+        if (!s.hint.empty() && !is_in_row && told.insert(s.hint).second)
             text += fmt::format("<p class=\"hint {}\">{}</p>\n", name(s.verdict), html_with_code(s.hint));
+    }
     return text;
 }
 
