@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <ranges>
+#include <span>
 
 #include "diagnosis/asked.h"
 #include "diagnosis/calls_made.h"
@@ -52,11 +53,12 @@ public:
         std::optional<Relation> most;
         const std::vector<Change> changes =
             or_of_arguments ? changes_of(calls_.layouts.front(), calls_.told) : std::vector<Change>();
-        for (const Mistake& mistake : mistakes_and(changes)) {
-            if (mistake.cost > dearest) break;
+        const std::vector<Mistake> all = mistakes_and(changes);
+        for (std::size_t i = 0; i < all.size() && all[i].cost <= dearest; ++i) {
+            const Mistake& mistake = all[i];
             if (!may_explain(mistake)) continue;
             const double share = share_of(mistake);
-            if (share == 1) return relation(mistake, 1);
+            if (share == 1) return or_another(relation(mistake, 1), std::span(all).subspan(i));
             if (share >= least_share && mistake.cost <= dearest_of_some && (!most || most->share < share))
                 most = relation(mistake, share);
         }
@@ -90,6 +92,19 @@ private:
         for (const Change& change : changes) all.push_back({"", "", change.cost, {}, "", &change});
         std::ranges::inplace_merge(all, all.begin() + count, {}, &Mistake::cost);  // both are in order
         return all;
+    }
+
+    /// Of operators and functions that nothing tells apart, the first two are told: they stand in different places.
+    Relation or_another(Relation found, std::span<const Mistake> mistakes) {
+        const auto is_alternative = [](const Mistake& m) { return m.made.alternative != 0; };
+        const Mistake& first = mistakes.front();
+        for (const Mistake& other : mistakes.subspan(1)) {
+            if (!is_alternative(first) || other.cost > first.cost) break;
+            if (!is_alternative(other) || !may_explain(other) || share_of(other) < 1) continue;
+            found.said += ", or " + asked_.words_of(other);
+            break;
+        }
+        return found;
     }
 
     bool explains(std::size_t k, const Mistake& first, const Mistake* second = nullptr) {

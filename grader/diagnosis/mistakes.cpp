@@ -57,7 +57,7 @@ std::string which_in_words(const Expressions& all, const Mistake& mistake) {
     std::size_t alike = 0, before = 0;
     for (const textbook::Node& other : all.nodes)
         if (other.text == node.text && other.name == node.name && other.context == node.context &&
-            other.line == node.line) {
+            other.line == node.line && other.function == node.function) {
             if (&other < &node) ++before;
             ++alike;
         }
@@ -78,6 +78,7 @@ public:
         for (std::size_t i = 0; i < seen_.size(); ++i) {
             if (seen_[i] == Value::Kind::none) continue;
             add_alternatives(i);
+            if (!nodes_[i].function.empty()) continue;  // its value is that of the call's own node
             if (seen_[i] == Value::Kind::flag) add_flag(i);
             if (is_number(seen_[i])) add_number(i);
             if (seen_[i] == Value::Kind::pair) add_pair(i);
@@ -102,7 +103,7 @@ private:
     void see(const Layout& layout, const std::vector<bool>& told) {
         for (std::size_t i = 0; i < seen_.size(); ++i)
             if (seen_[i] != Value::Kind::none && seen_[i] != Value::Kind::flag && !is_literal(nodes_[i].text) &&
-                !nodes_[i].varies)
+                !nodes_[i].varies && nodes_[i].function.empty())
                 others_.push_back({nodes_[i].name, seen_[i], int(i)});
         for (const Scalar& s : scalars_of(layout, told))
             others_.push_back({s.name, s.whole ? Value::Kind::whole : Value::Kind::number, -1, s.at(layout)});
@@ -163,8 +164,10 @@ private:
         everywhere_ = node.function.empty()
                           ? std::vector<int>()
                           : first_of(i, [&](std::size_t k) { return nodes_[k].function == node.function; });
+        // vectors that are exchanged are more likely than a sign elsewhere that does the same
+        const double cost = node.function.ends_with("cross") ? 0.95 : 1.1;
         for (std::size_t k = 0; k < node.alternatives.size(); ++k)
-            add(i, {node.alternatives[k], "", 1.1, {{}, int(k) + 1}});
+            add(i, {node.alternatives[k], "", cost, {{}, int(k) + 1}});
     }
 
     void add_flag(std::size_t i) {

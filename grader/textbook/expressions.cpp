@@ -207,9 +207,12 @@ void ExpressionReader::call(Expression& function, const std::string& name, const
         alternatives.push_back(short_name(other) + "(" + list(all, &Expression::text) + ")");
         codes.push_back(fmt::format("{}({})", other, code));
     }
-    if ((name == "std::pow" || name == "std::atan2") && all.size() == 2) {
+    const bool is_cross = name.ends_with("cross"), has_order = name == "std::pow" || name == "std::atan2" || is_cross;
+    if (has_order && all.size() == 2) {
         alternatives.push_back(fmt::format("{}({}, {})", short_name(name), all[1].text, all[0].text));
         codes.push_back(fmt::format("{}({}, {})", name, all[1].code, all[0].code));
+    }
+    if (has_order && !is_cross && all.size() == 2) {
         alternatives.push_back(fmt::format("{} * {}", all[0].text, all[1].text));
         codes.push_back(fmt::format("({}) * ({})", all[0].code, all[1].code));
     }
@@ -220,7 +223,7 @@ void ExpressionReader::call(Expression& function, const std::string& name, const
     std::string choice = function.inner;
     for (std::size_t i = codes.size(); i-- > 0;)
         choice = fmt::format("(textbook::chosen({}) == {} ? {} : {})", node, i + 1, codes[i], choice);
-    function.inner = choice;
+    function.inner = fmt::format("textbook::at({}, {})", node, choice);  // that it is called is seen
 }
 
 Expression ExpressionReader::primary() {

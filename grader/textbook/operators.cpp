@@ -42,24 +42,23 @@ int loosest(const std::string& expression) {
     return level;
 }
 
-const std::vector<std::string>& functions_for(const std::string& name) {
+std::vector<std::string> functions_for(const std::string& name) {
     static const std::map<std::string, std::vector<std::string>> all{
-        {"std::sin", {"std::cos", "std::tan"}},
-        {"std::cos", {"std::sin"}},
-        {"std::tan", {"std::sin", "std::atan"}},
-        {"std::min", {"std::max"}},
-        {"std::max", {"std::min"}},
-        {"std::floor", {"std::ceil", "std::round"}},
-        {"std::ceil", {"std::floor"}},
-        {"std::acos", {"std::asin", "std::cos"}},
-        {"std::asin", {"std::acos", "std::sin"}},
-        {"std::log", {"std::exp", "std::log2", "std::log10"}},
-        {"std::exp", {"std::log"}},
-        {"dot", {}},
+        {"sin", {"cos", "tan"}},   {"cos", {"sin"}},
+        {"tan", {"sin", "atan"}},  {"min", {"max"}},
+        {"max", {"min"}},          {"floor", {"ceil", "round"}},
+        {"ceil", {"floor"}},       {"acos", {"asin", "cos"}},
+        {"asin", {"acos", "sin"}}, {"log", {"exp", "log2", "log10"}},
+        {"exp", {"log"}},
     };
-    static const std::vector<std::string> none;
-    const auto found = all.find(name);
-    return found == all.end() ? none : found->second;
+    constexpr std::string_view standard = "std::";
+    const bool is_standard = name.starts_with(standard);
+    const auto found = all.find(is_standard ? name.substr(standard.size()) : name);
+    if (found == all.end()) return {};
+    std::vector<std::string> others = found->second;
+    if (is_standard)
+        for (std::string& other : others) other.insert(0, standard);
+    return others;
 }
 
 bool is_jump(const std::string& statement) { return statement == "break" || statement == "continue"; }

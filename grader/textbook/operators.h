@@ -22,8 +22,8 @@ int loosest(const std::string& expression);
 /// The function object of a sign.
 std::string function_of(const std::string& sign);
 
-/// What is written in place of a function.
-const std::vector<std::string>& functions_for(const std::string& name);
+/// What is written in place of a function, qualified as it is.
+std::vector<std::string> functions_for(const std::string& name);
 
 /// "break" or "continue"
 bool is_jump(const std::string& statement);
