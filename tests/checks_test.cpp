@@ -16,6 +16,22 @@
 
 using namespace grade;
 
+TEST_CASE("random points that reach the ends of the square have the mean of uniform ones") {
+    Generator random(7);
+    constexpr int count = 200'000;
+    rt::vec2 sum(0);
+    int at_low_end = 0, at_high_end = 0;
+    for (int k = 0; k < count; ++k) {
+        const rt::vec2 u = square_with_ends(random);
+        sum += u, at_low_end += u.x == 0, at_high_end += u.x == 1 - 0x1p-53;
+    }
+    constexpr double five_deviations = 5 * 0.31 / 447;
+    CHECK(std::abs(sum.x / count - 0.5) < five_deviations);
+    CHECK(std::abs(sum.y / count - 0.5) < five_deviations);
+    CHECK(at_low_end > count / 200);
+    CHECK(at_high_end > count / 200);
+}
+
 TEST_CASE("every fragment of the assignment has checks, in its order, and no other has") {
     std::vector<std::string> checked;
     for (const Check& check : all_checks(1))

@@ -12,17 +12,12 @@ using Points = std::vector<double>;
 
 constexpr int random_levels = 5;
 
-/// f = height exp(-rate x), drawn from a density proportional to exp(-other x) on x > 0: each term of the sum is known,
-///
-///     height / other exp((other - rate) x)
-///
-/// so the estimate is; with other = rate there is no error at all. power is that of the density.
+/// The mean of f(x_i) Q(x_i)^power. With f = height exp(-rate x), drawn from a density proportional to exp(-rate x) on
+/// x > 0, each term of power -1 is height / rate: there is no error at all.
 auto estimate_with(double power) {
     return [=](const Integrand& f, const Integrand& q, const Points& x) {
         double sum = 0;
-        for (const double xi : x)
-            sum += f.parameters[0] * std::pow(q.parameters[0], power) *
-                   std::exp(-(f.parameters[1] + power * q.parameters[1]) * xi);
+        for (const double xi : x) sum += f(xi) * std::pow(q(xi), power);
         return x.empty() ? 0.0 : sum / double(x.size());
     };
 }
@@ -82,6 +77,11 @@ Statistic given_estimate() {
                       {"the sum is not divided by the number of points",
                        [](double right, const Integrand&, const Integrand&, const Points& x) {
                            return right * double(x.size());
+                       }},
+                      {"points where f is 0 are not counted; expected the mean over all N points",
+                       [](double right, const Integrand& f, const Integrand&, const Points& x) {
+                           const auto found = std::ranges::count_if(x, [&](double xi) { return f(xi) != 0; });
+                           return found == 0 ? right : right * double(x.size()) / double(found);
                        }}}});
 }
 
@@ -93,7 +93,10 @@ Checks check_integrate_monte_carlo(Generator& random) {
         for (int k = 0; k < 48; ++k) {
             const double rate = between(draw, 0.5, 2), other = k % 2 ? rate : between(draw, 0.5, 2) * rate;
             const double height = (k % 3 == 1 ? -1 : 1) * between(draw, 1, 3);
-            const Integrand f{Kind::exponential, {height, rate}}, q{Kind::exponential, {other, other}};
+            const Integrand q{Kind::exponential, {other, other}};
+            // where f is 0, a point counts as any other
+            const Integrand f = k % 6 == 5 ? Integrand{Kind::step, {0.7 / rate, 0, height}}
+                                           : Integrand{Kind::exponential, {height, rate}};
             rows.push_back(row(f, q, drawn(draw, k == 0 ? 0 : whole_between(draw, 2, 40), other)));
         }
         return rows;

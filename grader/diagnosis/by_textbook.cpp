@@ -231,7 +231,8 @@ std::optional<Relation> relation_of_textbook(const Calls& calls, bool sampled, b
             if (base.cost > 0 && (!sampled || best)) break;
             const Calls all = base.cost > 0 ? with_numbers(own, base, asked) : own;
             Textbook textbook(all, asked, left);
-            right_otherwise = right_otherwise || (sampled && textbook.wrong() == 0);
+            const bool is_of_all = own.size() == calls.size();  // else what is left out may be wrong
+            right_otherwise = right_otherwise || (sampled && is_of_all && textbook.wrong() == 0);
             if (textbook.wrong() < enough || right_otherwise || !textbook.tells()) continue;
             if (base.cost > 0 && !textbook.has_right_part()) continue;
             auto found = textbook.one();

@@ -86,6 +86,12 @@ void Changes::add_scalar(const Scalar& s) {
                 std::swap(row[s.at(l)], row[other.at(l)]);
                 return true;
             });
+        if (!s.whole && s.owner() != "u")
+            add(fmt::format("`{0}` and `{1}` exchanged where `{0} > {1}`", s.name, other.name), 1.4,
+                [s, other](Row& row, const Layout& l) {
+                    if (row[s.at(l)] > row[other.at(l)]) std::swap(row[s.at(l)], row[other.at(l)]);
+                    return true;
+                });
     }
 }
 

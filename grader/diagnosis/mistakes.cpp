@@ -110,6 +110,7 @@ private:
         for (std::size_t i = 0; i < layout.parts.size(); ++i) {
             const Field& part = layout.parts[i];
             const bool is_pair = part.kind == Kind::pair;
+            has_colors_ = has_colors_ || part.kind == Kind::color;
             if (told[i] && (is_pair || part.kind == Kind::vector || part.kind == Kind::color))
                 others_.push_back({part.name, is_pair ? Value::Kind::pair : Value::Kind::vector, -1, part.at});
         }
@@ -250,12 +251,14 @@ private:
 
     void add_vector(std::size_t i) {
         set_everywhere(i);
-        add_functions(i, vector_functions, 0, Made::vector), add_functions(i, color_functions, 0, Made::color);
+        add_functions(i, vector_functions, 0, Made::vector);
+        const bool is_color = has_colors_ && !nodes_[i].text.starts_with("vec3(");
+        if (is_color) add_functions(i, color_functions, 0, Made::color);
         for (const OtherValue& other : others_) {
             if (other.name == nodes_[i].name) continue;
             if (other.kind == Value::Kind::vector) {
                 add_functions_of_two(i, other, of_two_vectors, Made::vector_with);
-                add_functions_of_two(i, other, of_two_colors, Made::color_with);
+                if (is_color) add_functions_of_two(i, other, of_two_colors, Made::color_with);
             } else if (other.kind == Value::Kind::number) {
                 add_functions_of_two(i, other, vector_scales, Made::scaled_with);
             }
@@ -267,6 +270,7 @@ private:
     std::vector<Value::Kind> seen_;
     std::vector<OtherValue> others_;
     std::vector<int> everywhere_;
+    bool has_colors_ = false;
     std::vector<Mistake> all_;
 };
 

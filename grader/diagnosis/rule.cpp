@@ -38,8 +38,9 @@ std::vector<Taken> jumps(double from, double to, int rounds, const With& with, c
     std::vector<Taken> all;
     for (std::size_t i = 1; i < sums.size() && all.size() <= most; ++i) {
         if (!(std::abs(sums[i] - sums[i - 1]) > 1e-9)) continue;
+        const double at = (edges[i] + edges[i - 1]) / 2;
         if (rounds == 0)
-            all.push_back({sums[i] - sums[i - 1], rounded((edges[i] + edges[i - 1]) / 2, 3)});
+            all.push_back({sums[i] - sums[i - 1], std::abs(at) < 1e-3 ? 0 : rounded(at, 3)});
         else
             for (const Taken& term : jumps(edges[i - 1], edges[i], rounds - 1, with, ask)) all.push_back(term);
     }

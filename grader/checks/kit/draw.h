@@ -75,10 +75,10 @@ inline double angle_from_axis(Generator& random, double most) {
     return chance(random, 0.12) ? 0 : between(random, 0, most);
 }
 
-/// A point on the rim of the unit square: a coordinate of 0, or the largest number below 1.
+/// A point on the rim of the unit square: a coordinate of 0, or next to it, or the largest number below 1.
 inline rt::vec2 end_of_square(Generator& random) {
-    constexpr double ends[] = {0, 0x1p-53, 1 - 0x1p-53};
-    const auto end = [&] { return ends[whole_between(random, 0, 2)]; };
+    // either end as often as the other: means stay those of uniform points
+    const auto end = [&] { return chance(random, 0.5) ? 1 - 0x1p-53 : chance(random, 0.5) ? 0 : 0x1p-53; };
     const double x = end(), y = chance(random, 0.02) ? end() : between(random, 0, 1);
     return chance(random, 0.5) ? rt::vec2(x, y) : rt::vec2(y, x);
 }

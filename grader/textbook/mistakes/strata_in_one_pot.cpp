@@ -1,0 +1,12 @@
+// says: the mean over all points of all strata, times the whole width; expected each stratum's own mean and width
+Real integrate_stratified(const Function& f, std::span<const Stratum> strata) {
+    Real sum = 0, width = 0, count = 0;
+    for (const Stratum& s : strata) {
+        width += s.high - s.low;
+        for (const Real u : s.u) {
+            sum += f(s.low + u * (s.high - s.low));
+            count += 1;
+        }
+    }
+    return count == 0 ? 0 : width * sum / count;
+}
