@@ -53,7 +53,8 @@ std::string Asked::words_of(const Mistake& mistake, bool with_context) const {
 std::optional<Calls> with_answers_of(Asked& asked, Calls calls) {
     for (std::size_t k = 0; k < calls.size(); ++k) {
         Row answer = asked.answer(calls.rows[k], calls.layouts[k]);
-        if (answer.size() != calls.right[k].size()) return std::nullopt;
+        // a book's formula may be no number where the solution is one
+        if (answer.size() != calls.right[k].size() || is_nan(answer, calls.right[k])) return std::nullopt;
         calls.right[k] = std::move(answer);
     }
     return calls;

@@ -2,6 +2,7 @@
 Real integrate_stratified(const Function& f, std::span<const Stratum> strata) {
     Real sum = 0, width = 0, count = 0;
     for (const Stratum& s : strata) {
+        if (s.u.empty()) continue;
         width += s.high - s.low;
         for (const Real u : s.u) {
             sum += f(s.low + u * (s.high - s.low));
