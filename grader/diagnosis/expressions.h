@@ -15,8 +15,8 @@ std::string simplified(const std::string& text);
 
 template <class... Names>
 std::string filled(std::string_view words, const Names&... names) {
-    const bool is_argument = words.ends_with("({})");
-    return simplified(fmt::format(fmt::runtime(words), (is_argument ? names : bracketed(names))...));
+    const bool is_alone = words.ends_with("({})") || words == "{1}";
+    return simplified(fmt::format(fmt::runtime(words), (is_alone ? names : bracketed(names))...));
 }
 
 /// "`2 * x` in place of `x`", or "of the second `x`"

@@ -252,7 +252,8 @@ private:
     void add_vector(std::size_t i) {
         set_everywhere(i);
         add_functions(i, vector_functions, 0, Made::vector);
-        const bool is_color = has_colors_ && !nodes_[i].text.starts_with("vec3(");
+        const std::string_view text = nodes_[i].text;
+        const bool is_color = text.starts_with("Color(") || (has_colors_ && !text.starts_with("vec3("));
         if (is_color) add_functions(i, color_functions, 0, Made::color);
         for (const OtherValue& other : others_) {
             if (other.name == nodes_[i].name) continue;

@@ -78,8 +78,8 @@ inline constexpr Function pair_functions[] = {
     {"2 * {}", 1.7, [](double x) { return 2 * x; }},
     {"{0} * {0}", 1.8, [](double x) { return x * x; }},
     {"sqrt({})", 1.8, [](double x) { return std::sqrt(x); }},
-    {"floor({})", 1.5, [](double x) { return std::floor(x); }},
-    {"floor({}) + 0.5", 1.5, [](double x) { return std::floor(x) + 0.5; }},
+    {"floor({})", 1.6, [](double x) { return std::floor(x); }},
+    {"floor({}) + 0.5", 1.6, [](double x) { return std::floor(x) + 0.5; }},
     {"(0.5, 0.5)", 1.5, [](double) { return 0.5; }},
     {"(0, 0)", 1.5, [](double) { return 0.0; }},
 };
