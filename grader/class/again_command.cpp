@@ -1,12 +1,10 @@
-#include "class/again_command.h"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 
 #include "class/compare.h"
 #include "class/results.h"
@@ -20,25 +18,22 @@
 #include "report/json.h"
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
+#include "studies/commands.h"
 #include "studies/studies.h"
 
 namespace grade::course {
 
 namespace {
 
-CLI::App* add_again_command(CLI::App& app, const char* name, AgainArguments& arguments) {
-    CLI::App* command = app.add_subcommand(name, purpose_of(name));
-    command->add_option("RECORD", arguments.record, "as grade --json FILE writes it")->required();
-    command->add_option("SUBMISSION", arguments.submission, "a folder, a .zip or a .tar.gz")->required();
-    command->add_flag("--trusted", arguments.trusted, "no sandbox: for code that is your own");
-    return command;
-}
+struct AgainArguments {
+    std::string record, submission, out;
+    bool trusted = false;
+};
 
 /// Grades with the seed, the selection and the limits of a record.
-Record grade_as(const Record& before, const AgainArguments& arguments, const std::string& toolchain,
-                const std::string& command) {
+Record grade_as(const Record& before, const AgainArguments& arguments, const Context& context) {
     stop_at_interrupt();
-    const Toolchain chain = read_toolchain(toolchain);
+    const Toolchain chain = read_toolchain(context.toolchain);
     const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
     const auto names = assignment.names();
     for (const std::string& name : before.selection)
@@ -51,7 +46,7 @@ Record grade_as(const Record& before, const AgainArguments& arguments, const std
     GradingSettings settings;
     settings.only = {before.selection.begin(), before.selection.end()};
     settings.seed = before.seed, settings.time_limit = before.limits.time;
-    settings.provenance = find_provenance(chain), settings.command = command;
+    settings.provenance = find_provenance(chain), settings.command = context.command;
     settings.build.trusted = arguments.trusted;
     ProgressLine line;
     settings.progress = [&](int done, int all, const std::string& doing) { line.show(done, all, doing); };
@@ -111,20 +106,8 @@ bool compare_classes(const std::vector<Result>& before, const std::vector<Result
     return rise + fall > 0;
 }
 
-}  // namespace
-
-CLI::App* add_replay_command(CLI::App& app, AgainArguments& arguments) {
-    CLI::App* command = add_again_command(app, "replay", arguments);
-    command->add_option("-o,--out", arguments.out, "the new record; default: RECORD with .replay before its ending")
-        ->type_name("FILE");
-    return command;
-}
-
-CLI::App* add_verify_command(CLI::App& app, AgainArguments& arguments) {
-    return add_again_command(app, "verify", arguments);
-}
-
-int run_replay(const AgainArguments& arguments, const std::string& toolchain, const std::string& command) {
+/// With the record's seed, selection and limits, into a new record. Returns the exit code.
+int run_replay(const AgainArguments& arguments, const Context& context) {
     const Record before = read_record(arguments.record);
     fs::path out = arguments.out;
     if (out.empty()) {
@@ -135,7 +118,7 @@ int run_replay(const AgainArguments& arguments, const std::string& toolchain, co
     if (fs::exists(out, error))
         throw rt::InputError(
             fmt::format("{}: is there already; expected a new file: no record is overwritten", out.string()));
-    const Record after = grade_as(before, arguments, toolchain, command);
+    const Record after = grade_as(before, arguments, context);
     write_text(out, to_json(after));
     fmt::print("{}\n", table(after, {.color = bool(isatty(STDOUT_FILENO))}));
     tell_differences(before, after);
@@ -143,12 +126,14 @@ int run_replay(const AgainArguments& arguments, const std::string& toolchain, co
     return 0;
 }
 
-int run_verify(const AgainArguments& arguments, const std::string& toolchain, const std::string& command) {
+/// Returns the exit code: 0 where points and verdicts are the record's, else 1. Throws rt::InputError for texts that
+/// the record is not of.
+int run_verify(const AgainArguments& arguments, const Context& context) {
     const Record before = read_record(arguments.record);
     if (!before.is_complete())
         throw rt::InputError(
             fmt::format("{}: this grading is not complete; expected one that ran to its end", arguments.record));
-    const Record after = grade_as(before, arguments, toolchain, command);
+    const Record after = grade_as(before, arguments, context);
     if (before.sha256 != after.sha256)
         throw rt::InputError(fmt::format("{}: holds other texts than {} is of; expected what was graded",
                                          arguments.submission, arguments.record));
@@ -162,15 +147,21 @@ int run_verify(const AgainArguments& arguments, const std::string& toolchain, co
     return 1;
 }
 
-CLI::App* add_compare_command(CLI::App& app, CompareArguments& arguments) {
-    CLI::App* command = app.add_subcommand("compare", purpose_of("compare"));
-    command->add_option("BEFORE", arguments.before, "a record, or what grade class has written")->required();
-    command->add_option("AFTER", arguments.after, "likewise")->required();
-    command->add_option("--better", arguments.better, "write the better of both for each student, of classes")
-        ->type_name("CSV");
+/// What both have.
+CLI::App* add_again_command(CLI::App& app, const char* name, AgainArguments& arguments) {
+    CLI::App* command = app.add_subcommand(name, purpose_of(name));
+    command->add_option("RECORD", arguments.record, "as grade --json FILE writes it")->required();
+    command->add_option("SUBMISSION", arguments.submission, "a folder, a .zip or a .tar.gz")->required();
+    command->add_flag("--trusted", arguments.trusted, "no sandbox: for code that is your own");
     return command;
 }
 
+struct CompareArguments {
+    std::string before, after, better;
+};
+
+/// Whose points rise or fall between two records or two graded classes, and why. Returns the exit code: 0 where none
+/// do, else 1.
 int run_compare(const CompareArguments& arguments) {
     std::error_code error;
     const bool classes = fs::is_directory(arguments.before, error);
@@ -188,6 +179,32 @@ int run_compare(const CompareArguments& arguments) {
     const auto changes = changes_between(before, after);
     fmt::print("{}, was {}\n{}", score_in_words(after), score_in_words(before), lines_of(changes));
     return changes.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+Command replay_command(CLI::App& app) {
+    const auto arguments = std::make_shared<AgainArguments>();
+    CLI::App* command = add_again_command(app, "replay", *arguments);
+    command->add_option("-o,--out", arguments->out, "the new record; default: RECORD with .replay before its ending")
+        ->type_name("FILE");
+    return {command, [arguments](const Context& context) { return run_replay(*arguments, context); }};
+}
+
+Command verify_command(CLI::App& app) {
+    const auto arguments = std::make_shared<AgainArguments>();
+    CLI::App* command = add_again_command(app, "verify", *arguments);
+    return {command, [arguments](const Context& context) { return run_verify(*arguments, context); }};
+}
+
+Command compare_command(CLI::App& app) {
+    const auto arguments = std::make_shared<CompareArguments>();
+    CLI::App* command = app.add_subcommand("compare", purpose_of("compare"));
+    command->add_option("BEFORE", arguments->before, "a record, or what grade class has written")->required();
+    command->add_option("AFTER", arguments->after, "likewise")->required();
+    command->add_option("--better", arguments->better, "write the better of both for each student, of classes")
+        ->type_name("CSV");
+    return {command, [arguments](const Context&) { return run_compare(*arguments); }, false};
 }
 
 }  // namespace grade::course
