@@ -24,7 +24,7 @@ int run_audit(const AuditArguments& arguments, const Context& context) {
     const Toolchain chain = read_toolchain(context.toolchain);
     if (chain.is_kit)
         throw rt::InputError("a kit has no sources of the grader; expected the project that it comes from");
-    const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
+    const Assignment assignment = assignment_of(chain);
     const auto known = all_fragments(chain, assignment);
     for (const std::string& name : arguments.fragments)
         if (std::ranges::count(known, name) == 0) {

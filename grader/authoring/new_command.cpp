@@ -67,8 +67,7 @@ int run_new(const NewArguments& arguments, const Context& context) {
         throw rt::InputError("a kit has no sources of the grader; expected the project that it comes from");
     const fs::path& project = chain.source;
     const auto files = [&] {
-        if (arguments.kinds[0]->parsed())
-            return new_fragment(project, read_assignment((project / "assignment.toml").string()), arguments.fragment);
+        if (arguments.kinds[0]->parsed()) return new_fragment(project, assignment_of(chain), arguments.fragment);
         if (arguments.kinds[1]->parsed()) return new_scene(project, arguments.scene, arguments.scene_like);
         if (arguments.kinds[2]->parsed()) return new_check(project, arguments.check, arguments.check_of);
         return new_variant(project, arguments.variant);

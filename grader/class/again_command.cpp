@@ -34,7 +34,7 @@ struct AgainArguments {
 Record grade_as(const Record& before, const AgainArguments& arguments, const Context& context) {
     stop_at_interrupt();
     const Toolchain chain = read_toolchain(context.toolchain);
-    const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
+    const Assignment assignment = assignment_of(chain);
     const auto names = assignment.names();
     for (const std::string& name : before.selection)
         if (std::ranges::count(names, name) == 0)

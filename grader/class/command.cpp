@@ -58,7 +58,7 @@ int code_of(const std::vector<Result>& results) {
 int run_class(const ClassArguments& arguments, const Context& context) {
     stop_at_interrupt();
     const Toolchain chain = read_toolchain(context.toolchain);
-    const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
+    const Assignment assignment = assignment_of(chain);
     Way way = arguments.way;
     if (!arguments.shard.empty()) way.shard = shard_of(arguments.shard);
     const fs::path folder = fs::path(arguments.submissions) / "";

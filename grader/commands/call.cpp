@@ -82,7 +82,7 @@ std::string words_of(const CallArguments& arguments, bool own, const Toolchain& 
 /// answer is another.
 int run_call(const CallArguments& arguments, const Context& context) {
     Toolchain chain = read_toolchain(context.toolchain);
-    const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
+    const Assignment assignment = assignment_of(chain);
     const Chosen chosen = choose(arguments.submission.empty() ? std::vector{arguments.fragment}
                                                               : std::vector{arguments.submission, arguments.fragment},
                                  chain, assignment);

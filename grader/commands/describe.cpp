@@ -24,10 +24,10 @@ struct DescribeArguments {
 /// Tables of points, of checks, and of the keys of scenes. Returns the exit code.
 int run_describe(const DescribeArguments& arguments, const Context& context) {
     const auto& [handout, students] = arguments;
-    const fs::path source = read_toolchain(context.toolchain).source;
-    const Assignment assignment = read_assignment((source / "assignment.toml").string());
+    const Toolchain chain = read_toolchain(context.toolchain);
+    const Assignment assignment = assignment_of(chain);
     if (!students.empty()) {
-        const std::string own = (source / "handout.md").string();
+        const std::string own = (chain.source / "handout.md").string();
         write_text(students, handed_out(read_text(own).value_or(""), assignment, own));
         return graded;
     }

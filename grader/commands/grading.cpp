@@ -60,7 +60,7 @@ public:
     Session(const GradeArguments& arguments, const Context& context)
         : arguments_(arguments),
           chain_(read_toolchain(context.toolchain)),
-          assignment_(read_assignment((chain_.source / "assignment.toml").string())),
+          assignment_(assignment_of(chain_)),
           chosen_(choose(arguments.words, chain_, assignment_)),
           command_(context.command),
           settings_(arguments.settings) {

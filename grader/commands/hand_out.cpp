@@ -30,7 +30,7 @@ int run_hand_out(const HandOutArguments& arguments, const Context& context) {
     if (chain.is_kit)
         throw rt::InputError(
             "a kit is handed out by the project that it comes from: it has no sources of the solution");
-    const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
+    const Assignment assignment = assignment_of(chain);
     hand_out(chain.source, assignment, fs::path(context.toolchain).parent_path() / "kit.toml", arguments.folder,
              {arguments.others.begin(), arguments.others.end()}, arguments.installed ? For::everybody : For::students);
     fmt::print("{}\n", arguments.folder);

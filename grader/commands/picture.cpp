@@ -92,7 +92,7 @@ fs::path program_of(Programs& programs, const PictureArguments& arguments, const
 int run_picture(const PictureArguments& arguments, const Context& context) {
     stop_at_interrupt();
     const Toolchain chain = read_toolchain(context.toolchain);
-    const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
+    const Assignment assignment = assignment_of(chain);
     check_names(arguments.mine, chain, assignment);
     const std::vector<std::string> names = assignment.names();
     const bool is_warp = std::ranges::count(names, arguments.scene) > 0;

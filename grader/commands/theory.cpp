@@ -31,12 +31,12 @@ int write_new(const std::string& file, const std::string& name) {
 /// Checks a submission's theory.toml, or with a name writes a new one. Returns the exit code: 0; 1 where an answer is
 /// wrong or missing.
 int run_theory(const TheoryArguments& arguments, const Context& context) {
-    const fs::path source = read_toolchain(context.toolchain).source;
-    const Assignment assignment = read_assignment((source / "assignment.toml").string());
+    const Toolchain chain = read_toolchain(context.toolchain);
+    const Assignment assignment = assignment_of(chain);
     if (!assignment.theory_points)
-        throw rt::InputError((source / "assignment.toml").string() +
+        throw rt::InputError((chain.source / "assignment.toml").string() +
                              ":1:1: has no theory part; expected [theory] with points = a number");
-    const fs::path folder = arguments.submission.empty() ? source / "starter" : fs::path(arguments.submission);
+    const fs::path folder = arguments.submission.empty() ? chain.source / "starter" : fs::path(arguments.submission);
     const std::string file = (folder / "theory.toml").string();
     if (!arguments.name.empty()) return write_new(file, arguments.name);
     const std::optional<std::string> text = read_text(file);

@@ -122,7 +122,7 @@ void write_reports(const ConvergenceRecord& record, const ConvergeArguments& arg
 /// Error against run time. Returns the exit code: 0; 1 with --require where the submission is biased or breaks down.
 int run_converge(const ConvergeArguments& arguments, const Context& context) {
     const Toolchain chain = read_toolchain(context.toolchain);
-    const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
+    const Assignment assignment = assignment_of(chain);
     check_amounts(arguments.amounts);
     for (const std::string& file : {arguments.json, arguments.csv})
         if (const fs::path folder = fs::path(file).parent_path(); !folder.empty() && !fs::is_directory(folder))

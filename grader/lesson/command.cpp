@@ -44,7 +44,7 @@ std::string section_of(const LessonIntegrand& integrand, const std::vector<Lesso
 int run_lesson(const LessonArguments& arguments, const Context& context) {
     constexpr double time_limit = 5;  // CPU seconds of one answer
     const Toolchain chain = read_toolchain(context.toolchain);
-    const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
+    const Assignment assignment = assignment_of(chain);
     const std::string path = arguments.submission.empty() ? (chain.source / "starter").string() : arguments.submission;
     const Submission submission = read_submission(path, assignment.names());
     const std::set<std::string> fragments{"integrate_uniform", "integrate_monte_carlo", "integrate_stratified"};

@@ -48,7 +48,7 @@ void print_list() {
 int run_stress(const StressArguments& arguments, const Context& context) {
     if (arguments.list) return print_list(), 0;
     const Toolchain chain = read_toolchain(context.toolchain);
-    const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
+    const Assignment assignment = assignment_of(chain);
     check(arguments);
     const std::string path = arguments.submission.empty() ? (chain.source / "starter").string() : arguments.submission;
     const Submission submission = read_submission(path, assignment.names());
