@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
-#include <random>
 #include <set>
 
 #include "class/entries.h"
@@ -13,6 +12,7 @@
 #include "class/results.h"
 #include "files/files.h"
 #include "files/interrupt.h"
+#include "judging/grading.h"
 #include "judging/provenance.h"
 #include "programs/toolchain.h"
 #include "report/folder.h"
@@ -40,8 +40,7 @@ std::uint64_t seed_of(const ClassArguments& arguments, const fs::path& out) {
             throw rt::InputError(
                 "--shard needs --seed N: parts that are graded with seeds of their own are not one class");
     }
-    std::random_device device;
-    const std::uint64_t seed = arguments.seed ? *arguments.seed : device() % 1'000'000 + 1;
+    const std::uint64_t seed = arguments.seed ? *arguments.seed : fresh_seed();
     write_text(file, fmt::format("{}\n", seed));
     return seed;
 }

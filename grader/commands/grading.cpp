@@ -6,7 +6,6 @@
 #include <CLI/CLI.hpp>
 #include <future>
 #include <memory>
-#include <random>
 
 #include "commands/last_run.h"
 #include "commands/watch.h"
@@ -48,11 +47,6 @@ std::string from_here(const fs::path& folder) {
 
 /// Of every grading of what its user edits: what has not changed comes out as it did.
 constexpr std::uint64_t own_seed = 1;
-
-std::uint64_t fresh_seed() {
-    std::random_device device;
-    return device() % 1'000'000 + 1;
-}
 
 /// All that a grading needs, and what is done with it.
 class Session {

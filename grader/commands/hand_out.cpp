@@ -4,12 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <random>
 
 #include "commands/commands.h"
 #include "commands/run.h"
 #include "commands/words.h"
 #include "hand_out/gradescope.h"
+#include "judging/grading.h"
 #include "rt/files/scene_reader.h"
 
 namespace grade {
@@ -37,8 +37,7 @@ int run_hand_out(const HandOutArguments& arguments, const Context& context) {
     if (!fs::exists(fs::path(arguments.folder) / "handout.html"))
         fmt::print("without a page of the handout, which pandoc makes: students read handout.md\n");
     if (!arguments.gradescope.empty()) {
-        std::random_device device;
-        write_gradescope(chain.source, arguments.folder, arguments.seed ? *arguments.seed : device() % 1'000'000 + 1,
+        write_gradescope(chain.source, arguments.folder, arguments.seed ? *arguments.seed : fresh_seed(),
                          arguments.gradescope);
         fmt::print("{}\n", arguments.gradescope);
     }
