@@ -10,6 +10,7 @@
 #include "commands/last_run.h"
 #include "commands/watch.h"
 #include "commands/words.h"
+#include "files/files.h"
 #include "files/interrupt.h"
 #include "judging/grading.h"
 #include "judging/own_picture.h"

@@ -8,6 +8,7 @@
 #include "commands/commands.h"
 #include "commands/run.h"
 #include "commands/words.h"
+#include "files/files.h"
 #include "hand_out/gradescope.h"
 #include "judging/grading.h"
 #include "rt/files/scene_reader.h"

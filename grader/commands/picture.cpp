@@ -9,6 +9,7 @@
 
 #include "commands/warp.h"
 #include "commands/words.h"
+#include "files/files.h"
 #include "files/interrupt.h"
 #include "judging/own_picture.h"
 #include "programs/cache.h"

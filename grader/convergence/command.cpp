@@ -124,9 +124,8 @@ int run_converge(const ConvergeArguments& arguments, const Context& context) {
     const Toolchain chain = read_toolchain(context.toolchain);
     const Assignment assignment = assignment_of(chain);
     check_amounts(arguments.amounts);
-    for (const std::string& file : {arguments.json, arguments.csv})
-        if (const fs::path folder = fs::path(file).parent_path(); !folder.empty() && !fs::is_directory(folder))
-            throw rt::InputError(fmt::format("{}: there is no folder {}", file, folder.string()));
+    require_folder_of(arguments.json, "--json");
+    require_folder_of(arguments.csv, "--csv");
     const auto scenes = scenes_of(arguments.words, chain.source);
     const Submission submission = read_submission(submission_of(arguments.words, chain.source), assignment.names());
 

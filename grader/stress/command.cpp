@@ -33,9 +33,7 @@ void check(const StressArguments& arguments) {
             throw rt::InputError(fmt::format(
                 "--only {}: no family and no fragment of a family has this name; expected one that --list prints",
                 name));
-    const fs::path folder = fs::path(arguments.json).parent_path();
-    if (!folder.empty() && !fs::is_directory(folder))
-        throw rt::InputError(fmt::format("--json {}: there is no folder {}", arguments.json, folder.string()));
+    require_folder_of(arguments.json, "--json");
 }
 
 void print_list() {
