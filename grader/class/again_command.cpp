@@ -60,18 +60,23 @@ void tell_differences(const Record& before, const Record& after) {
     for (const std::string& line : made_differently(before, after)) fmt::print("{}\n", line);
 }
 
+/// The row of the same student in another list; null: there is none.
+const Result* of_student(const std::vector<Result>& list, const Result& result) {
+    const auto found = std::ranges::find(list, result.student.key(), [](const Result& r) { return r.student.key(); });
+    return found == list.end() ? nullptr : &*found;
+}
+
 /// The better of both, by student: those of `after`, and of `before` whom it lacks.
 std::vector<TableRow> better_of(const std::vector<Result>& before, const std::vector<Result>& after) {
     std::vector<TableRow> rows;
     const auto row = [](const Result& r) { return TableRow{r.student, r.record ? &*r.record : nullptr, r.fault}; };
     for (const Result& b : after) {
-        const auto a = std::ranges::find(before, b.student.key(), [](const Result& r) { return r.student.key(); });
-        const bool keep = a != before.end() && a->record && (!b.record || a->record->score() > b.record->score());
+        const Result* a = of_student(before, b);
+        const bool keep = a && a->record && (!b.record || a->record->score() > b.record->score());
         rows.push_back(row(keep ? *a : b));
     }
     for (const Result& a : before)
-        if (std::ranges::find(after, a.student.key(), [](const Result& r) { return r.student.key(); }) == after.end())
-            rows.push_back(row(a));
+        if (!of_student(after, a)) rows.push_back(row(a));
     return rows;
 }
 
@@ -83,8 +88,8 @@ std::string score_or_none(const std::optional<Record>& record) {
 bool compare_classes(const std::vector<Result>& before, const std::vector<Result>& after) {
     int rise = 0, fall = 0, same = 0;
     for (const Result& b : after) {
-        const auto a = std::ranges::find(before, b.student.key(), [](const Result& r) { return r.student.key(); });
-        if (a == before.end()) {
+        const Result* a = of_student(before, b);
+        if (!a) {
             fmt::print("{}: new, {}\n", b.student.name, score_or_none(b.record));
             continue;
         }
@@ -96,8 +101,7 @@ bool compare_classes(const std::vector<Result>& before, const std::vector<Result
                    gained, lines_of(changes));
     }
     for (const Result& a : before)
-        if (std::ranges::find(after, a.student.key(), [](const Result& r) { return r.student.key(); }) == after.end())
-            fmt::print("{}: gone, was {}\n", a.student.name, score_or_none(a.record));
+        if (!of_student(after, a)) fmt::print("{}: gone, was {}\n", a.student.name, score_or_none(a.record));
     const auto graded = [](const Result& r) { return r.record.has_value(); };
     const auto a = std::ranges::find_if(before, graded), b = std::ranges::find_if(after, graded);
     if (a != before.end() && b != after.end())
