@@ -39,6 +39,7 @@ Command study_command(CLI::App& app, const Study& study, char** argv) {
 int run_command_line(int argc, char** argv) {
     CLI::App app("Grades a submission: renders with its fragments, and measures what comes out", "grade");
     app.set_version_flag("--version", fmt::format("grade {}", PENUMBRA_VERSION));
+    app.require_subcommand(0, 1);  // what follows are its arguments, also where a folder has the name of a command
     std::vector<Command> commands{picture_command(app), call_command(app), theory_command(app)};
     for (const Study& study : studies) commands.push_back(study_command(app, study, argv));
     commands.push_back(hand_out_command(app));
