@@ -26,6 +26,8 @@ expect 2 "holds no fragment" "$grade" "$work/empty"
 expect 2 "mooved: no fragment has this name, and there is no such folder; expected moved?" "$grade" solution mooved
 expect 2 "one submission too many" "$grade" solution tests/example
 expect 2 "--jobs" "$grade" solution --jobs none
+# a submission may have the name of a command
+expect 2 "compare: no fragment has this name, and there is no such folder" "$grade" picture scenes/gallery/gloss.toml compare
 expect 2 "there is no folder" "$grade" solution --json "$work/none/a.json"
 expect 2 "none.toml" "$grade" solution moved --html "$work/page" --picture "$work/none.toml"
 expect 3 "the grader failed" "$grade" solution moved --toolchain "$work/none.toml"

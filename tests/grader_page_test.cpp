@@ -84,6 +84,21 @@ TEST_CASE("a drawing tells what is right from what is not yet wrong") {
     CHECK(right_within(statistic) == 0.04);
 }
 
+TEST_CASE("a page says what a chi squared is where one was measured, whatever the words for it are") {
+    StatisticRecord spread = failing("D2", ""), other = failing("D2", "");
+    spread.what = "chi-squared of equal areas", spread.chi_squared = true;
+    other.what = "chi squared is in the words alone";
+    const auto page_with = [](const StatisticRecord& statistic) {
+        Record record;
+        record.parts = {{"one", "Part one"}};
+        record.fragments = {fragment_with(Verdict::failed, "", {statistic})};
+        record.fragments[0].part = "one";
+        return page(record);
+    };
+    CHECK(page_with(spread).find("Chi squared per degree of freedom is 1") != std::string::npos);
+    CHECK(page_with(other).find("Chi squared per degree of freedom is 1") == std::string::npos);
+}
+
 TEST_CASE("a page says each thing once, and of what did not run that it did not") {
     Record record;
     record.parts = {{"one", "Part one"}};

@@ -197,7 +197,7 @@ TEST_CASE("a record that is read again says the same, and where to read about it
     no_number.checks[0].trouble = Trouble::not_a_number;
     no_number.finding.how = "some are nan; it is too large", no_number.finding.of_numbers = "it is too large";
     StatisticRecord sure = failing("L3", "it is squared: 4; expected 2");
-    sure.without_numbers = "it is squared", sure.worth = StatisticRecord::Worth::cause;
+    sure.without_numbers = "it is squared", sure.worth = StatisticRecord::Worth::cause, sure.chi_squared = true;
     FragmentRecord squared = fragment_with(Verdict::failed, "", {sure});
     squared.finding.how = "another";
     FragmentRecord blank = fragment_with(Verdict::not_started, "", {});
@@ -211,4 +211,5 @@ TEST_CASE("a record that is read again says the same, and where to read about it
         CHECK(second.section == first.section);
         CHECK(again.fragments[i].message == record.fragments[i].message);
     }
+    CHECK(again.fragments[1].checks[0].statistics[0].chi_squared);
 }

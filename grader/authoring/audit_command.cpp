@@ -1,30 +1,30 @@
-#include "authoring/audit_command.h"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <memory>
 
 #include "authoring/audit.h"
 #include "programs/toolchain.h"
 #include "rt/files/scene_reader.h"
 #include "rt/files/toml_table.h"
+#include "studies/commands.h"
 #include "studies/studies.h"
 
 namespace grade::authoring {
 
-CLI::App* add_audit_command(CLI::App& app, AuditArguments& arguments) {
-    CLI::App* command = app.add_subcommand("audit", purpose_of("audit"));
-    command->add_option("FRAGMENT", arguments.fragments, "default: all of the assignment");
-    command->fallthrough();
-    return command;
-}
+namespace {
 
-int run_audit(const AuditArguments& arguments, const std::string& toolchain) {
-    const Toolchain chain = read_toolchain(toolchain);
+struct AuditArguments {
+    std::vector<std::string> fragments;
+};
+
+/// What fragments lack to be handed out. Returns the exit code: 0; 1 where something lacks.
+int run_audit(const AuditArguments& arguments, const Context& context) {
+    const Toolchain chain = read_toolchain(context.toolchain);
     if (chain.is_kit)
         throw rt::InputError("a kit has no sources of the grader; expected the project that it comes from");
-    const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
+    const Assignment assignment = assignment_of(chain);
     const auto known = all_fragments(chain, assignment);
     for (const std::string& name : arguments.fragments)
         if (std::ranges::count(known, name) == 0) {
@@ -50,6 +50,16 @@ int run_audit(const AuditArguments& arguments, const std::string& toolchain) {
         "build/release/grader/grade{}\n",
         lacks == 0 ? "nothing lacks" : fmt::format("{} thing{} lacking", lacks, lacks == 1 ? "" : "s"), names, names);
     return lacks > 0 ? 1 : 0;
+}
+
+}  // namespace
+
+Command audit_command(CLI::App& app) {
+    const auto arguments = std::make_shared<AuditArguments>();
+    CLI::App* command = app.add_subcommand("audit", purpose_of("audit"));
+    command->add_option("FRAGMENT", arguments->fragments, "default: all of the assignment");
+    command->fallthrough();
+    return {command, [arguments](const Context& context) { return run_audit(*arguments, context); }};
 }
 
 }  // namespace grade::authoring

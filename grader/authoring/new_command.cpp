@@ -1,17 +1,25 @@
-#include "authoring/new_command.h"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <memory>
 
+#include "authoring/new.h"
 #include "files/files.h"
 #include "programs/toolchain.h"
 #include "rt/files/scene_reader.h"
+#include "studies/commands.h"
 #include "studies/studies.h"
 
 namespace grade::authoring {
 
 namespace {
+
+struct NewArguments {
+    NewFragment fragment;
+    NewVariant variant;
+    std::string scene, scene_like, check, check_of;
+    std::vector<CLI::App*> kinds;  // fragment, scene, check, mistake
+};
 
 CLI::App* add_fragment(CLI::App& app, NewFragment& fragment) {
     CLI::App* command = app.add_subcommand("fragment", "its declaration, points, solution, blank, checks and section");
@@ -52,31 +60,14 @@ void tell_next(const NewArguments& arguments) {
         fmt::print("Next: ./grade calibrate --fast {} grades it\n", arguments.variant.name);
 }
 
-}  // namespace
-
-CLI::App* add_new_command(CLI::App& app, NewArguments& arguments) {
-    CLI::App* command = app.add_subcommand("new", purpose_of("new"));
-    command->require_subcommand(1);
-    CLI::App* scene = command->add_subcommand("scene", "a file in scenes/");
-    scene->add_option("NAME", arguments.scene, "of the file, without .toml")->required();
-    scene->add_option("--like", arguments.scene_like, "what it begins as")->type_name("OTHER");
-    CLI::App* check = command->add_subcommand("check", "one more in the file of a fragment");
-    check->add_option("NAME", arguments.check, "as reports call it")->required();
-    check->add_option("--of", arguments.check_of, "whose points it decides")->required()->type_name("FRAGMENT");
-    arguments.kinds = {add_fragment(*command, arguments.fragment), scene, check,
-                       add_mistake(*command, arguments.variant)};
-    command->fallthrough();
-    return command;
-}
-
-void run_new(const NewArguments& arguments, const std::string& toolchain) {
-    const Toolchain chain = read_toolchain(toolchain);
+/// The files of a new part of the assignment, where FILL IN says what is to be written.
+int run_new(const NewArguments& arguments, const Context& context) {
+    const Toolchain chain = read_toolchain(context.toolchain);
     if (chain.is_kit)
         throw rt::InputError("a kit has no sources of the grader; expected the project that it comes from");
     const fs::path& project = chain.source;
     const auto files = [&] {
-        if (arguments.kinds[0]->parsed())
-            return new_fragment(project, read_assignment((project / "assignment.toml").string()), arguments.fragment);
+        if (arguments.kinds[0]->parsed()) return new_fragment(project, assignment_of(chain), arguments.fragment);
         if (arguments.kinds[1]->parsed()) return new_scene(project, arguments.scene, arguments.scene_like);
         if (arguments.kinds[2]->parsed()) return new_check(project, arguments.check, arguments.check_of);
         return new_variant(project, arguments.variant);
@@ -87,6 +78,25 @@ void run_new(const NewArguments& arguments, const std::string& toolchain) {
         fmt::print("{} {}\n", is_new ? "made   " : "changed", file.string());
     }
     tell_next(arguments);
+    return 0;
+}
+
+}  // namespace
+
+Command new_command(CLI::App& app) {
+    const auto arguments = std::make_shared<NewArguments>();
+    CLI::App* command = app.add_subcommand("new", purpose_of("new"));
+    command->require_subcommand(1);
+    CLI::App* scene = command->add_subcommand("scene", "a file in scenes/");
+    scene->add_option("NAME", arguments->scene, "of the file, without .toml")->required();
+    scene->add_option("--like", arguments->scene_like, "what it begins as")->type_name("OTHER");
+    CLI::App* check = command->add_subcommand("check", "one more in the file of a fragment");
+    check->add_option("NAME", arguments->check, "as reports call it")->required();
+    check->add_option("--of", arguments->check_of, "whose points it decides")->required()->type_name("FRAGMENT");
+    arguments->kinds = {add_fragment(*command, arguments->fragment), scene, check,
+                        add_mistake(*command, arguments->variant)};
+    command->fallthrough();
+    return {command, [arguments](const Context& context) { return run_new(*arguments, context); }};
 }
 
 }  // namespace grade::authoring

@@ -45,7 +45,7 @@ std::vector<Variant> chosen(std::vector<Variant> all, const std::vector<std::str
 Workshop::Workshop(const fs::path& toolchain, const fs::path& results, Amount amount,
                    const std::vector<std::string>& words)
     : chain_(read_toolchain(toolchain)),
-      assignment_(read_assignment((chain_.source / "assignment.toml").string())),
+      assignment_(assignment_of(chain_)),
       sandbox_(find_sandbox(true)),
       amount_(amount),
       results_(results),

@@ -1,12 +1,10 @@
-#include "class/again_command.h"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 
 #include "class/compare.h"
 #include "class/results.h"
@@ -20,26 +18,23 @@
 #include "report/json.h"
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
+#include "studies/commands.h"
 #include "studies/studies.h"
 
 namespace grade::course {
 
 namespace {
 
-CLI::App* add_again_command(CLI::App& app, const char* name, AgainArguments& arguments) {
-    CLI::App* command = app.add_subcommand(name, purpose_of(name));
-    command->add_option("RECORD", arguments.record, "as grade --json FILE writes it")->required();
-    command->add_option("SUBMISSION", arguments.submission, "a folder, a .zip or a .tar.gz")->required();
-    command->add_flag("--trusted", arguments.trusted, "no sandbox: for code that is your own");
-    return command;
-}
+struct AgainArguments {
+    std::string record, submission, out;
+    bool trusted = false;
+};
 
 /// Grades with the seed, the selection and the limits of a record.
-Record grade_as(const Record& before, const AgainArguments& arguments, const std::string& toolchain,
-                const std::string& command) {
+Record grade_as(const Record& before, const AgainArguments& arguments, const Context& context) {
     stop_at_interrupt();
-    const Toolchain chain = read_toolchain(toolchain);
-    const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
+    const Toolchain chain = read_toolchain(context.toolchain);
+    const Assignment assignment = assignment_of(chain);
     const auto names = assignment.names();
     for (const std::string& name : before.selection)
         if (std::ranges::count(names, name) == 0)
@@ -51,7 +46,7 @@ Record grade_as(const Record& before, const AgainArguments& arguments, const std
     GradingSettings settings;
     settings.only = {before.selection.begin(), before.selection.end()};
     settings.seed = before.seed, settings.time_limit = before.limits.time;
-    settings.provenance = find_provenance(chain), settings.command = command;
+    settings.provenance = find_provenance(chain), settings.command = context.command;
     settings.build.trusted = arguments.trusted;
     ProgressLine line;
     settings.progress = [&](int done, int all, const std::string& doing) { line.show(done, all, doing); };
@@ -65,18 +60,23 @@ void tell_differences(const Record& before, const Record& after) {
     for (const std::string& line : made_differently(before, after)) fmt::print("{}\n", line);
 }
 
+/// The row of the same student in another list; null: there is none.
+const Result* of_student(const std::vector<Result>& list, const Result& result) {
+    const auto found = std::ranges::find(list, result.student.key(), [](const Result& r) { return r.student.key(); });
+    return found == list.end() ? nullptr : &*found;
+}
+
 /// The better of both, by student: those of `after`, and of `before` whom it lacks.
 std::vector<TableRow> better_of(const std::vector<Result>& before, const std::vector<Result>& after) {
     std::vector<TableRow> rows;
     const auto row = [](const Result& r) { return TableRow{r.student, r.record ? &*r.record : nullptr, r.fault}; };
     for (const Result& b : after) {
-        const auto a = std::ranges::find(before, b.student.key(), [](const Result& r) { return r.student.key(); });
-        const bool keep = a != before.end() && a->record && (!b.record || a->record->score() > b.record->score());
+        const Result* a = of_student(before, b);
+        const bool keep = a && a->record && (!b.record || a->record->score() > b.record->score());
         rows.push_back(row(keep ? *a : b));
     }
     for (const Result& a : before)
-        if (std::ranges::find(after, a.student.key(), [](const Result& r) { return r.student.key(); }) == after.end())
-            rows.push_back(row(a));
+        if (!of_student(after, a)) rows.push_back(row(a));
     return rows;
 }
 
@@ -88,8 +88,8 @@ std::string score_or_none(const std::optional<Record>& record) {
 bool compare_classes(const std::vector<Result>& before, const std::vector<Result>& after) {
     int rise = 0, fall = 0, same = 0;
     for (const Result& b : after) {
-        const auto a = std::ranges::find(before, b.student.key(), [](const Result& r) { return r.student.key(); });
-        if (a == before.end()) {
+        const Result* a = of_student(before, b);
+        if (!a) {
             fmt::print("{}: new, {}\n", b.student.name, score_or_none(b.record));
             continue;
         }
@@ -101,8 +101,7 @@ bool compare_classes(const std::vector<Result>& before, const std::vector<Result
                    gained, lines_of(changes));
     }
     for (const Result& a : before)
-        if (std::ranges::find(after, a.student.key(), [](const Result& r) { return r.student.key(); }) == after.end())
-            fmt::print("{}: gone, was {}\n", a.student.name, score_or_none(a.record));
+        if (!of_student(after, a)) fmt::print("{}: gone, was {}\n", a.student.name, score_or_none(a.record));
     const auto graded = [](const Result& r) { return r.record.has_value(); };
     const auto a = std::ranges::find_if(before, graded), b = std::ranges::find_if(after, graded);
     if (a != before.end() && b != after.end())
@@ -111,20 +110,8 @@ bool compare_classes(const std::vector<Result>& before, const std::vector<Result
     return rise + fall > 0;
 }
 
-}  // namespace
-
-CLI::App* add_replay_command(CLI::App& app, AgainArguments& arguments) {
-    CLI::App* command = add_again_command(app, "replay", arguments);
-    command->add_option("-o,--out", arguments.out, "the new record; default: RECORD with .replay before its ending")
-        ->type_name("FILE");
-    return command;
-}
-
-CLI::App* add_verify_command(CLI::App& app, AgainArguments& arguments) {
-    return add_again_command(app, "verify", arguments);
-}
-
-int run_replay(const AgainArguments& arguments, const std::string& toolchain, const std::string& command) {
+/// With the record's seed, selection and limits, into a new record. Returns the exit code.
+int run_replay(const AgainArguments& arguments, const Context& context) {
     const Record before = read_record(arguments.record);
     fs::path out = arguments.out;
     if (out.empty()) {
@@ -135,7 +122,7 @@ int run_replay(const AgainArguments& arguments, const std::string& toolchain, co
     if (fs::exists(out, error))
         throw rt::InputError(
             fmt::format("{}: is there already; expected a new file: no record is overwritten", out.string()));
-    const Record after = grade_as(before, arguments, toolchain, command);
+    const Record after = grade_as(before, arguments, context);
     write_text(out, to_json(after));
     fmt::print("{}\n", table(after, {.color = bool(isatty(STDOUT_FILENO))}));
     tell_differences(before, after);
@@ -143,12 +130,14 @@ int run_replay(const AgainArguments& arguments, const std::string& toolchain, co
     return 0;
 }
 
-int run_verify(const AgainArguments& arguments, const std::string& toolchain, const std::string& command) {
+/// Returns the exit code: 0 where points and verdicts are the record's, else 1. Throws rt::InputError for texts that
+/// the record is not of.
+int run_verify(const AgainArguments& arguments, const Context& context) {
     const Record before = read_record(arguments.record);
     if (!before.is_complete())
         throw rt::InputError(
             fmt::format("{}: this grading is not complete; expected one that ran to its end", arguments.record));
-    const Record after = grade_as(before, arguments, toolchain, command);
+    const Record after = grade_as(before, arguments, context);
     if (before.sha256 != after.sha256)
         throw rt::InputError(fmt::format("{}: holds other texts than {} is of; expected what was graded",
                                          arguments.submission, arguments.record));
@@ -162,15 +151,21 @@ int run_verify(const AgainArguments& arguments, const std::string& toolchain, co
     return 1;
 }
 
-CLI::App* add_compare_command(CLI::App& app, CompareArguments& arguments) {
-    CLI::App* command = app.add_subcommand("compare", purpose_of("compare"));
-    command->add_option("BEFORE", arguments.before, "a record, or what grade class has written")->required();
-    command->add_option("AFTER", arguments.after, "likewise")->required();
-    command->add_option("--better", arguments.better, "write the better of both for each student, of classes")
-        ->type_name("CSV");
+/// What both have.
+CLI::App* add_again_command(CLI::App& app, const char* name, AgainArguments& arguments) {
+    CLI::App* command = app.add_subcommand(name, purpose_of(name));
+    command->add_option("RECORD", arguments.record, "as grade --json FILE writes it")->required();
+    command->add_option("SUBMISSION", arguments.submission, "a folder, a .zip or a .tar.gz")->required();
+    command->add_flag("--trusted", arguments.trusted, "no sandbox: for code that is your own");
     return command;
 }
 
+struct CompareArguments {
+    std::string before, after, better;
+};
+
+/// Whose points rise or fall between two records or two graded classes, and why. Returns the exit code: 0 where none
+/// do, else 1.
 int run_compare(const CompareArguments& arguments) {
     std::error_code error;
     const bool classes = fs::is_directory(arguments.before, error);
@@ -188,6 +183,32 @@ int run_compare(const CompareArguments& arguments) {
     const auto changes = changes_between(before, after);
     fmt::print("{}, was {}\n{}", score_in_words(after), score_in_words(before), lines_of(changes));
     return changes.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+Command replay_command(CLI::App& app) {
+    const auto arguments = std::make_shared<AgainArguments>();
+    CLI::App* command = add_again_command(app, "replay", *arguments);
+    command->add_option("-o,--out", arguments->out, "the new record; default: RECORD with .replay before its ending")
+        ->type_name("FILE");
+    return {command, [arguments](const Context& context) { return run_replay(*arguments, context); }};
+}
+
+Command verify_command(CLI::App& app) {
+    const auto arguments = std::make_shared<AgainArguments>();
+    CLI::App* command = add_again_command(app, "verify", *arguments);
+    return {command, [arguments](const Context& context) { return run_verify(*arguments, context); }};
+}
+
+Command compare_command(CLI::App& app) {
+    const auto arguments = std::make_shared<CompareArguments>();
+    CLI::App* command = app.add_subcommand("compare", purpose_of("compare"));
+    command->add_option("BEFORE", arguments->before, "a record, or what grade class has written")->required();
+    command->add_option("AFTER", arguments->after, "likewise")->required();
+    command->add_option("--better", arguments->better, "write the better of both for each student, of classes")
+        ->type_name("CSV");
+    return {command, [arguments](const Context&) { return run_compare(*arguments); }, false};
 }
 
 }  // namespace grade::course

@@ -1,12 +1,9 @@
-#include "class/command.h"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <cstdio>
-#include <random>
+#include <memory>
 #include <set>
 
 #include "class/entries.h"
@@ -15,15 +12,24 @@
 #include "class/results.h"
 #include "files/files.h"
 #include "files/interrupt.h"
+#include "judging/grading.h"
 #include "judging/provenance.h"
 #include "programs/toolchain.h"
 #include "report/folder.h"
 #include "rt/files/scene_reader.h"
+#include "studies/commands.h"
 #include "studies/studies.h"
 
 namespace grade::course {
 
 namespace {
+
+struct ClassArguments {
+    std::string submissions, out, shard;
+    std::optional<std::uint64_t> seed;
+    double time_limit = 5;
+    Way way;
+};
 
 /// That of the first call, which later ones go on with: OUT/seed.
 std::uint64_t seed_of(const ClassArguments& arguments, const fs::path& out) {
@@ -34,8 +40,7 @@ std::uint64_t seed_of(const ClassArguments& arguments, const fs::path& out) {
             throw rt::InputError(
                 "--shard needs --seed N: parts that are graded with seeds of their own are not one class");
     }
-    std::random_device device;
-    const std::uint64_t seed = arguments.seed ? *arguments.seed : device() % 1'000'000 + 1;
+    const std::uint64_t seed = arguments.seed ? *arguments.seed : fresh_seed();
     write_text(file, fmt::format("{}\n", seed));
     return seed;
 }
@@ -47,31 +52,14 @@ int code_of(const std::vector<Result>& results) {
     return 2;
 }
 
-}  // namespace
-
-CLI::App* add_class_command(CLI::App& app, ClassArguments& arguments) {
-    CLI::App* command = app.add_subcommand("class", purpose_of("class"));
-    command->add_option("SUBMISSIONS", arguments.submissions, "a folder of folders, archives, or files")->required();
-    command->add_option("-o,--out", arguments.out, "where records, tables and pages go; default: SUBMISSIONS-graded")
-        ->type_name("OUT");
-    command->add_option("--seed", arguments.seed, "default: that of the call before, else a fresh one")
-        ->check(CLI::NonNegativeNumber);
-    command->add_option("--jobs", arguments.jobs, "submissions at a time; default: one for each core")
-        ->check(CLI::Range(1, 1024));
-    command->add_option("--shard", arguments.shard, "grade the second of four parts: 2/4")->type_name("PART/PARTS");
-    command->add_option("--time-limit", arguments.time_limit, "CPU seconds for one answer of a fragment")
-        ->capture_default_str()
-        ->check(CLI::Range(1.0, 600.0));
-    command->add_flag("--pictures", arguments.pictures, "pages with pictures; what is graded without is graded again");
-    command->add_flag("--trusted", arguments.trusted, "no sandbox: for code that is your own");
-    return command;
-}
-
-int run_class(const ClassArguments& arguments, const std::string& toolchain) {
+/// Grades what has no record yet, then writes tables and pages. Returns the exit code: 0; 2 where no submission can be
+/// read; 3 where the machine failed for some, which the next call takes up.
+int run_class(const ClassArguments& arguments, const Context& context) {
     stop_at_interrupt();
-    const Toolchain chain = read_toolchain(toolchain);
-    const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
-    const Shard shard = arguments.shard.empty() ? Shard{} : shard_of(arguments.shard);
+    const Toolchain chain = read_toolchain(context.toolchain);
+    const Assignment assignment = assignment_of(chain);
+    Way way = arguments.way;
+    if (!arguments.shard.empty()) way.shard = shard_of(arguments.shard);
     const fs::path folder = fs::path(arguments.submissions) / "";
     const fs::path out =
         arguments.out.empty() ? fs::path(folder.parent_path().string() + "-graded") : fs::path(arguments.out);
@@ -79,7 +67,7 @@ int run_class(const ClassArguments& arguments, const std::string& toolchain) {
     fs::create_directories(out / "records");
     const Setup setup{seed_of(arguments, out), find_provenance(chain), arguments.time_limit};
     std::vector<Result> results = results_of(entries, assignment, chain, setup);
-    const Outcome outcome = grade_all(entries, results, assignment, chain, setup, shard, arguments, out);
+    const Outcome outcome = grade_all(entries, results, assignment, chain, setup, way, out);
     for (Result& result : results) result.record = find_record(out, result);
     write_class(out, results, assignment.title, handout_beside(out, chain.source));
     fmt::print("{}", class_table(results));
@@ -89,13 +77,12 @@ int run_class(const ClassArguments& arguments, const std::string& toolchain) {
     return outcome.troubles.empty() ? code_of(results) : 3;
 }
 
-CLI::App* add_merge_command(CLI::App& app, MergeArguments& arguments) {
-    CLI::App* command = app.add_subcommand("merge", purpose_of("merge"));
-    command->add_option("OUT", arguments.out, "where the whole goes")->required();
-    command->add_option("PART", arguments.parts, "what grade class --shard has written")->required();
-    return command;
-}
+struct MergeArguments {
+    std::string out;
+    std::vector<std::string> parts;
+};
 
+/// The records of all parts, and the tables and pages of the whole.
 int run_merge(const MergeArguments& arguments) {
     const fs::path out = arguments.out;
     fs::create_directories(out / "records");
@@ -123,6 +110,36 @@ int run_merge(const MergeArguments& arguments) {
     fmt::print("{}", class_table(results));
     if (missing > 0) fmt::print(stderr, "{} in no part; expected all parts\n", counted(missing));
     return missing > 0 ? 3 : code_of(results);
+}
+
+}  // namespace
+
+Command class_command(CLI::App& app) {
+    const auto arguments = std::make_shared<ClassArguments>();
+    CLI::App* command = app.add_subcommand("class", purpose_of("class"));
+    command->add_option("SUBMISSIONS", arguments->submissions, "a folder of folders, archives, or files")->required();
+    command->add_option("-o,--out", arguments->out, "where records, tables and pages go; default: SUBMISSIONS-graded")
+        ->type_name("OUT");
+    command->add_option("--seed", arguments->seed, "default: that of the call before, else a fresh one")
+        ->check(CLI::NonNegativeNumber);
+    command->add_option("--jobs", arguments->way.jobs, "submissions at a time; default: one for each core")
+        ->check(CLI::Range(1, 1024));
+    command->add_option("--shard", arguments->shard, "grade the second of four parts: 2/4")->type_name("PART/PARTS");
+    command->add_option("--time-limit", arguments->time_limit, "CPU seconds for one answer of a fragment")
+        ->capture_default_str()
+        ->check(CLI::Range(1.0, 600.0));
+    command->add_flag("--pictures", arguments->way.pictures,
+                      "pages with pictures; what is graded without is graded again");
+    command->add_flag("--trusted", arguments->way.trusted, "no sandbox: for code that is your own");
+    return {command, [arguments](const Context& context) { return run_class(*arguments, context); }};
+}
+
+Command merge_command(CLI::App& app) {
+    const auto arguments = std::make_shared<MergeArguments>();
+    CLI::App* command = app.add_subcommand("merge", purpose_of("merge"));
+    command->add_option("OUT", arguments->out, "where the whole goes")->required();
+    command->add_option("PART", arguments->parts, "what grade class --shard has written")->required();
+    return {command, [arguments](const Context&) { return run_merge(*arguments); }, false};
 }
 
 }  // namespace grade::course

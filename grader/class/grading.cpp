@@ -31,14 +31,15 @@ void sweep(const fs::path& records) {
 
 /// By record: the first entry that it is for, of those that are this shard's and not graded yet.
 std::map<std::string, const Entry*> open_ones(const std::vector<Entry>& entries, const std::vector<Result>& results,
-                                              const Shard& shard, const fs::path& out, bool pictures, int& before) {
+                                              const Way& way, const fs::path& out, int& before) {
     std::map<std::string, const Entry*> all, open;
     for (std::size_t i = 0; i < entries.size(); ++i)
         if (!results[i].key.empty()) all.try_emplace(results[i].key, &entries[i]);
     int place = 0;
     for (const auto& [key, entry] : all) {
-        if (place++ % shard.all != shard.which) continue;
-        if (find_record(out, {.path = entry->path, .key = key}) && (!pictures || fs::exists(pictures_file(out, key))))
+        if (place++ % way.shard.all != way.shard.which) continue;
+        if (find_record(out, {.path = entry->path, .key = key}) &&
+            (!way.pictures || fs::exists(pictures_file(out, key))))
             ++before;
         else
             open.emplace(key, entry);
@@ -76,11 +77,10 @@ std::vector<Result> results_of(const std::vector<Entry>& entries, const Assignme
 }
 
 Outcome grade_all(const std::vector<Entry>& entries, const std::vector<Result>& results, const Assignment& assignment,
-                  const Toolchain& chain, const Setup& setup, const Shard& shard, const ClassArguments& arguments,
-                  const fs::path& out) {
+                  const Toolchain& chain, const Setup& setup, const Way& way, const fs::path& out) {
     sweep(out / "records");
     Outcome outcome;
-    const auto open = open_ones(entries, results, shard, out, arguments.pictures, outcome.before);
+    const auto open = open_ones(entries, results, way, out, outcome.before);
     if (open.empty()) return outcome;
     const std::vector<std::pair<std::string, const Entry*>> list(open.begin(), open.end());
     const FutureChecks checks = ready(all_checks(setup.seed));
@@ -88,7 +88,7 @@ Outcome grade_all(const std::vector<Entry>& entries, const std::vector<Result>& 
     std::mutex lock;
     int in_a_row = 0;
     line.show(0, int(list.size()), counted(list.size()));
-    in_parallel(int(list.size()), arguments.jobs, [&](int i) {
+    in_parallel(int(list.size()), way.jobs, [&](int i) {
         const auto& [key, entry] = list[std::size_t(i)];
         {
             const std::scoped_lock guard(lock);
@@ -96,14 +96,14 @@ Outcome grade_all(const std::vector<Entry>& entries, const std::vector<Result>& 
         }
         GradingSettings settings;
         settings.seed = setup.seed, settings.time_limit = setup.time_limit, settings.provenance = setup.provenance;
-        settings.pictures = arguments.pictures;
-        settings.build.jobs = 1, settings.build.trusted = arguments.trusted;
+        settings.pictures = way.pictures;
+        settings.build.jobs = 1, settings.build.trusted = way.trusted;
         settings.command = fmt::format("grade SUBMISSION --seed {}", setup.seed);
         try {
             Submission submission = entry->submission;
             submission.name.clear();  // the record is one of texts, whosever they are
             Record record = grade_submission(submission, assignment, chain, checks, settings);
-            if (arguments.pictures) write_pictures(out, key, record);
+            if (way.pictures) write_pictures(out, key, record);
             // one that is there stays as it is: it lacked pictures
             if (!find_record(out, {.path = entry->path, .key = key}))
                 write_text(record_file(out, key), to_json(record));

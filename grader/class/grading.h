@@ -1,11 +1,17 @@
 #pragma once
 
-#include "class/command.h"
 #include "class/results.h"
 #include "programs/toolchain.h"
 #include "studies/shard.h"
 
 namespace grade::course {
+
+/// How one call grades.
+struct Way {
+    Shard shard;
+    int jobs = 0;  // submissions at a time; 0: one for each core
+    bool trusted = false, pictures = false;
+};
 
 struct Outcome {
     int graded = 0, before = 0;
@@ -20,7 +26,6 @@ std::vector<Result> results_of(const std::vector<Entry>& entries, const Assignme
 /// stopped, or killed, is gone on with by the next. The machine's trouble costs one submission of this call only; after
 /// three in a row there is no use in going on.
 Outcome grade_all(const std::vector<Entry>& entries, const std::vector<Result>& results, const Assignment& assignment,
-                  const Toolchain& chain, const Setup& setup, const Shard& shard, const ClassArguments& arguments,
-                  const fs::path& out);
+                  const Toolchain& chain, const Setup& setup, const Way& way, const fs::path& out);
 
 }  // namespace grade::course

@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstring>
+#include <memory>
 
 #include "commands/last_run.h"
 #include "commands/words.h"
@@ -19,6 +20,11 @@
 namespace grade {
 
 namespace {
+
+struct CallArguments {
+    std::string fragment, arguments, submission;
+    bool debugger = false, trusted = false;
+};
 
 constexpr double patience = 600;  // CPU seconds: a debugger waits
 
@@ -72,24 +78,11 @@ std::string words_of(const CallArguments& arguments, bool own, const Toolchain& 
     return cache ? last_call(*cache / last_run_file, arguments.fragment) : arguments.arguments;
 }
 
-}  // namespace
-
-CLI::App* add_call_command(CLI::App& app, CallArguments& arguments) {
-    CLI::App* call =
-        app.add_subcommand("call", "call a fragment with arguments that a hint shows: your answer, and the right one");
-    call->add_option("FRAGMENT", arguments.fragment, "its name")->required();
-    call->add_option("ARGUMENTS", arguments.arguments,
-                     "\"d = (0, 0, -1), n = (0, 0, 1)\", fields as \"camera.focus = 2\"; what is not named has its "
-                     "default; without: the simplest call that was wrong in the last grading of the starter");
-    call->add_option("--of", arguments.submission, "a folder; default: starter")->type_name("SUBMISSION");
-    call->add_flag("--trusted", arguments.trusted, "of code that is your own: it runs without a sandbox");
-    call->add_flag("--gdb", arguments.debugger, "in the debugger, which stops where the fragment begins");
-    return call;
-}
-
-int run_call(const CallArguments& arguments, const std::string& toolchain) {
-    Toolchain chain = read_toolchain(toolchain);
-    const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
+/// One call of a fragment, with the student's own prints, and what is expected. Returns the exit code: 0; 1 where the
+/// answer is another.
+int run_call(const CallArguments& arguments, const Context& context) {
+    Toolchain chain = read_toolchain(context.toolchain);
+    const Assignment assignment = assignment_of(chain);
     const Chosen chosen = choose(arguments.submission.empty() ? std::vector{arguments.fragment}
                                                               : std::vector{arguments.submission, arguments.fragment},
                                  chain, assignment);
@@ -143,6 +136,22 @@ int run_call(const CallArguments& arguments, const std::string& toolchain) {
     }
     fmt::print("answer  {}\nmust be {}\n", result_in_words(*signature, answer), result_in_words(*signature, expected));
     return is_equal(signature->of_result(expected), answer, expected) ? 0 : 1;
+}
+
+}  // namespace
+
+Command call_command(CLI::App& app) {
+    const auto arguments = std::make_shared<CallArguments>();
+    CLI::App* call =
+        app.add_subcommand("call", "call a fragment with arguments that a hint shows: your answer, and the right one");
+    call->add_option("FRAGMENT", arguments->fragment, "its name")->required();
+    call->add_option("ARGUMENTS", arguments->arguments,
+                     "\"d = (0, 0, -1), n = (0, 0, 1)\", fields as \"camera.focus = 2\"; what is not named has its "
+                     "default; without: the simplest call that was wrong in the last grading of the starter");
+    call->add_option("--of", arguments->submission, "a folder; default: starter")->type_name("SUBMISSION");
+    call->add_flag("--trusted", arguments->trusted, "of code that is your own: it runs without a sandbox");
+    call->add_flag("--gdb", arguments->debugger, "in the debugger, which stops where the fragment begins");
+    return {call, [arguments](const Context& context) { return run_call(*arguments, context); }};
 }
 
 }  // namespace grade

@@ -5,8 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "commands/exit_code.h"
-#include "commands/words.h"
+#include "commands/run.h"
+#include "files/files.h"
 #include "studies/studies.h"
 
 namespace grade {
@@ -28,48 +28,24 @@ int start_study(const Study& study, char** argv) {
     return infrastructure;
 }
 
+Command study_command(CLI::App& app, const Study& study, char** argv) {
+    CLI::App* command = app.add_subcommand(study.name, study.purpose)->prefix_command();
+    command->set_help_flag();
+    return {command, [&study, argv](const Context&) { return start_study(study, argv); }, false};
+}
+
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
     CLI::App app("Grades a submission: renders with its fragments, and measures what comes out", "grade");
-    std::string toolchain;
-    app.add_option("--toolchain", toolchain, "what the build wrote about itself")->group("");
     app.set_version_flag("--version", fmt::format("grade {}", PENUMBRA_VERSION));
-
-    GradeArguments grading;
-    add_grade_options(app, grading);
-    PictureArguments picture_arguments;
-    CLI::App* picture = add_picture_command(app, picture_arguments);
-    CallArguments call_arguments;
-    CLI::App* call = add_call_command(app, call_arguments);
-    TheoryArguments theory_arguments;
-    CLI::App* theory = add_theory_command(app, theory_arguments);
-    for (const Study& study : studies) app.add_subcommand(study.name, study.purpose)->prefix_command()->set_help_flag();
-    HandOutArguments hand_out_arguments;
-    CLI::App* starter = add_hand_out_command(app, hand_out_arguments);
-    DescribeArguments describe_arguments;
-    CLI::App* tables = add_describe_command(app, describe_arguments);
-
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : usage;
-    }
-    const std::string command = command_of(argc, argv);
-    return exit_code_of([&] {
-        for (const Study& study : studies)
-            if (app.got_subcommand(study.name)) return start_study(study, argv);
-        if (toolchain.empty()) {
-            toolchain = own_toolchain().string();
-            tell_whose_assignment(toolchain);
-        }
-        if (tables->parsed()) return run_describe(describe_arguments, toolchain);
-        if (starter->parsed()) return run_hand_out(hand_out_arguments, toolchain);
-        if (picture->parsed()) return run_picture(picture_arguments, toolchain);
-        if (call->parsed()) return run_call(call_arguments, toolchain);
-        if (theory->parsed()) return run_theory(theory_arguments, toolchain);
-        return run_grade(grading, toolchain, command);
-    });
+    app.require_subcommand(0, 1);  // what follows are its arguments, also where a folder has the name of a command
+    std::vector<Command> commands{picture_command(app), call_command(app), theory_command(app)};
+    for (const Study& study : studies) commands.push_back(study_command(app, study, argv));
+    commands.push_back(hand_out_command(app));
+    commands.push_back(describe_command(app));
+    commands.push_back(grade_command(app));  // where there is no other word
+    return run_commands(app, commands, argc, argv);
 }
 
 }  // namespace grade

@@ -6,11 +6,11 @@
 #include <CLI/CLI.hpp>
 #include <future>
 #include <memory>
-#include <random>
 
 #include "commands/last_run.h"
 #include "commands/watch.h"
 #include "commands/words.h"
+#include "files/files.h"
 #include "files/interrupt.h"
 #include "judging/grading.h"
 #include "judging/own_picture.h"
@@ -27,6 +27,15 @@ namespace grade {
 
 namespace {
 
+struct GradeArguments {
+    std::vector<std::string> words;  // a submission, and fragments
+    std::string json, html, own_scene;
+    std::optional<std::uint64_t> seed;
+    std::optional<double> required;
+    GradingSettings settings;  // those that have an option
+    bool fresh = false, watch = false;
+};
+
 /// A folder as one would type it, with a slash at its end; empty where one stands in it.
 std::string from_here(const fs::path& folder) {
     std::error_code error;
@@ -40,20 +49,15 @@ std::string from_here(const fs::path& folder) {
 /// Of every grading of what its user edits: what has not changed comes out as it did.
 constexpr std::uint64_t own_seed = 1;
 
-std::uint64_t fresh_seed() {
-    std::random_device device;
-    return device() % 1'000'000 + 1;
-}
-
 /// All that a grading needs, and what is done with it.
 class Session {
 public:
-    Session(const GradeArguments& arguments, const std::string& toolchain, const std::string& command)
+    Session(const GradeArguments& arguments, const Context& context)
         : arguments_(arguments),
-          chain_(read_toolchain(toolchain)),
-          assignment_(read_assignment((chain_.source / "assignment.toml").string())),
+          chain_(read_toolchain(context.toolchain)),
+          assignment_(assignment_of(chain_)),
           chosen_(choose(arguments.words, chain_, assignment_)),
-          command_(command),
+          command_(context.command),
           settings_(arguments.settings) {
         require_folder_of(arguments.json, "--json");
         cache_ = cache_folder(chain_);
@@ -177,39 +181,10 @@ private:
     std::unique_ptr<Programs> programs_;  // of the last grading
 };
 
-}  // namespace
-
-void add_grade_options(CLI::App& app, GradeArguments& arguments) {
-    app.add_option("WORDS", arguments.words,
-                   "a folder, a .zip or a .tar.gz, default: starter; and names of fragments, default: all")
-        ->type_name("[SUBMISSION] [FRAGMENT...]");
-    app.add_flag("--watch", arguments.watch, "grade again at each save, until Ctrl-C");
-    app.add_option("--seed", arguments.seed,
-                   "of all parameters and random numbers; default: 1 for the starter, else a fresh one")
-        ->type_name("N")
-        ->check(CLI::NonNegativeNumber);
-    app.add_option("--json", arguments.json, "write the record of the grading")->type_name("FILE");
-    app.add_option("--html", arguments.html,
-                   "write a page with all pictures into this folder; a whole starter always gets one")
-        ->type_name("DIR");
-    app.add_option("--require", arguments.required, "exit with 1 below so many points")->type_name("POINTS");
-    app.add_option("--jobs", arguments.settings.build.jobs,
-                   "how many programs run at a time; default: one for each core")
-        ->check(CLI::Range(1, 1024));
-    app.add_option("--time-limit", arguments.settings.time_limit, "CPU seconds for one answer of a fragment")
-        ->capture_default_str()
-        ->check(CLI::Range(1.0, 600.0));
-    app.add_option("--keep", arguments.settings.build.keep, "leave objects and programs in this folder")
-        ->type_name("DIR");
-    app.add_option("--picture", arguments.own_scene, "the scene of the submission's own picture on the page")
-        ->type_name("SCENE");
-    app.add_flag("--fresh", arguments.fresh, "run all checks again, also those that nothing has changed for");
-    app.add_flag("--trusted", arguments.settings.build.trusted, "the code is your own: limits, but no sandbox");
-}
-
-int run_grade(const GradeArguments& arguments, const std::string& toolchain, const std::string& command) {
+/// grade [SUBMISSION] [FRAGMENT...]. Returns the exit code: 0; 1 below what is required.
+int run_grade(const GradeArguments& arguments, const Context& context) {
     stop_at_interrupt();
-    Session session(arguments, toolchain, command);
+    Session session(arguments, context);
     if (arguments.watch) {
         watch(
             session.chosen().submission, session.reader(), session.assignment(), session.chosen().fragments,
@@ -221,6 +196,38 @@ int run_grade(const GradeArguments& arguments, const std::string& toolchain, con
     session.write_page(record);
     session.tell_next(record);
     return code;
+}
+
+}  // namespace
+
+Command grade_command(CLI::App& app) {
+    const auto arguments = std::make_shared<GradeArguments>();
+    app.add_option("WORDS", arguments->words,
+                   "a folder, a .zip or a .tar.gz, default: starter; and names of fragments, default: all")
+        ->type_name("[SUBMISSION] [FRAGMENT...]");
+    app.add_flag("--watch", arguments->watch, "grade again at each save, until Ctrl-C");
+    app.add_option("--seed", arguments->seed,
+                   "of all parameters and random numbers; default: 1 for the starter, else a fresh one")
+        ->type_name("N")
+        ->check(CLI::NonNegativeNumber);
+    app.add_option("--json", arguments->json, "write the record of the grading")->type_name("FILE");
+    app.add_option("--html", arguments->html,
+                   "write a page with all pictures into this folder; a whole starter always gets one")
+        ->type_name("DIR");
+    app.add_option("--require", arguments->required, "exit with 1 below so many points")->type_name("POINTS");
+    app.add_option("--jobs", arguments->settings.build.jobs,
+                   "how many programs run at a time; default: one for each core")
+        ->check(CLI::Range(1, 1024));
+    app.add_option("--time-limit", arguments->settings.time_limit, "CPU seconds for one answer of a fragment")
+        ->capture_default_str()
+        ->check(CLI::Range(1.0, 600.0));
+    app.add_option("--keep", arguments->settings.build.keep, "leave objects and programs in this folder")
+        ->type_name("DIR");
+    app.add_option("--picture", arguments->own_scene, "the scene of the submission's own picture on the page")
+        ->type_name("SCENE");
+    app.add_flag("--fresh", arguments->fresh, "run all checks again, also those that nothing has changed for");
+    app.add_flag("--trusted", arguments->settings.build.trusted, "the code is your own: limits, but no sandbox");
+    return {&app, [arguments](const Context& context) { return run_grade(*arguments, context); }};
 }
 
 }  // namespace grade

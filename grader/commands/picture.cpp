@@ -5,9 +5,11 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "commands/warp.h"
 #include "commands/words.h"
+#include "files/files.h"
 #include "files/interrupt.h"
 #include "judging/own_picture.h"
 #include "programs/cache.h"
@@ -18,6 +20,16 @@
 namespace grade {
 
 namespace {
+
+struct PictureArguments {
+    std::string scene, submission, with, out;
+    std::vector<std::string> mine;
+    std::vector<int> size;
+    int samples = 0;
+    std::uint64_t seed = 1;
+    double time_limit = 600;
+    bool trusted = false;
+};
 
 /// How two pictures differ, for people.
 std::string in_words(const rt::Image& mine, const rt::Image& right) {
@@ -76,48 +88,12 @@ fs::path program_of(Programs& programs, const PictureArguments& arguments, const
     return programs.own_without({});
 }
 
-}  // namespace
-
-CLI::App* add_picture_command(CLI::App& app, PictureArguments& arguments) {
-    CLI::App* picture =
-        app.add_subcommand("picture", "a scene as your fragments draw it, the right one, and the difference");
-    picture
-        ->add_option("SCENE", arguments.scene,
-                     "a scene file (TOML); or a fragment that makes points of random numbers: where they lie")
-        ->required();
-    picture->add_option("SUBMISSION", arguments.submission, "a folder, a .zip or a .tar.gz; default: starter");
-    picture
-        ->add_option("--mine", arguments.mine,
-                     "only these fragments are yours, the others the solution's; default: all yours, blanks for "
-                     "what is missing")
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->type_name("FRAGMENT");
-    picture
-        ->add_option("-o,--out", arguments.out,
-                     "all three side by side; with NAME_mine.exr, NAME_right.exr and NAME_difference.exr beside it; "
-                     "default: the scene's name, in the folder pictures")
-        ->type_name("NAME.png");
-    picture->add_option("--with", arguments.with, "arguments of that fragment: \"exponent = 20\"")
-        ->type_name("ARGUMENTS");
-    picture->add_option("--samples", arguments.samples, "samples a pixel; default: the scene's")
-        ->check(CLI::Range(1, 1 << 20));
-    picture->add_option("--size", arguments.size, "size of the film, WIDTHxHEIGHT; default: the scene's")
-        ->delimiter('x')
-        ->expected(2)
-        ->check(CLI::Range(1, 8192));
-    picture->add_option("--seed", arguments.seed, "of both pictures")->capture_default_str();
-    picture->add_option("--time-limit", arguments.time_limit, "CPU seconds for one picture")
-        ->capture_default_str()
-        ->check(CLI::Range(1.0, 600.0));
-    picture->add_flag("--trusted", arguments.trusted, "the code is your own: limits, but no sandbox");
-    return picture;
-}
-
-int run_picture(const PictureArguments& arguments, const std::string& toolchain) {
+/// A scene as the submission's fragments draw it, as the solution's do, and the difference; or points of a warp.
+/// Returns the exit code: 0; 1 where the submission's program gave no picture.
+int run_picture(const PictureArguments& arguments, const Context& context) {
     stop_at_interrupt();
-    const Toolchain chain = read_toolchain(toolchain);
-    const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
+    const Toolchain chain = read_toolchain(context.toolchain);
+    const Assignment assignment = assignment_of(chain);
     check_names(arguments.mine, chain, assignment);
     const std::vector<std::string> names = assignment.names();
     const bool is_warp = std::ranges::count(names, arguments.scene) > 0;
@@ -170,6 +146,45 @@ int run_picture(const PictureArguments& arguments, const std::string& toolchain)
     if (both.right_seconds > 0)
         fmt::print("CPU time: yours {:.3g} s, the right one {:.3g} s\n", both.mine_seconds, both.right_seconds);
     return 0;
+}
+
+}  // namespace
+
+Command picture_command(CLI::App& app) {
+    const auto arguments = std::make_shared<PictureArguments>();
+    CLI::App* picture =
+        app.add_subcommand("picture", "a scene as your fragments draw it, the right one, and the difference");
+    picture
+        ->add_option("SCENE", arguments->scene,
+                     "a scene file (TOML); or a fragment that makes points of random numbers: where they lie")
+        ->required();
+    picture->add_option("SUBMISSION", arguments->submission, "a folder, a .zip or a .tar.gz; default: starter");
+    picture
+        ->add_option("--mine", arguments->mine,
+                     "only these fragments are yours, the others the solution's; default: all yours, blanks for "
+                     "what is missing")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->type_name("FRAGMENT");
+    picture
+        ->add_option("-o,--out", arguments->out,
+                     "all three side by side; with NAME_mine.exr, NAME_right.exr and NAME_difference.exr beside it; "
+                     "default: the scene's name, in the folder pictures")
+        ->type_name("NAME.png");
+    picture->add_option("--with", arguments->with, "arguments of that fragment: \"exponent = 20\"")
+        ->type_name("ARGUMENTS");
+    picture->add_option("--samples", arguments->samples, "samples a pixel; default: the scene's")
+        ->check(CLI::Range(1, 1 << 20));
+    picture->add_option("--size", arguments->size, "size of the film, WIDTHxHEIGHT; default: the scene's")
+        ->delimiter('x')
+        ->expected(2)
+        ->check(CLI::Range(1, 8192));
+    picture->add_option("--seed", arguments->seed, "of both pictures")->capture_default_str();
+    picture->add_option("--time-limit", arguments->time_limit, "CPU seconds for one picture")
+        ->capture_default_str()
+        ->check(CLI::Range(1.0, 600.0));
+    picture->add_flag("--trusted", arguments->trusted, "the code is your own: limits, but no sandbox");
+    return {picture, [arguments](const Context& context) { return run_picture(*arguments, context); }};
 }
 
 }  // namespace grade

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <memory>
 
 #include "assignment/assignment.h"
 #include "files/files.h"
@@ -14,6 +15,10 @@ namespace grade {
 
 namespace {
 
+struct TheoryArguments {
+    std::string submission, name;
+};
+
 int write_new(const std::string& file, const std::string& name) {
     std::error_code error;
     if (fs::exists(file, error))
@@ -23,23 +28,15 @@ int write_new(const std::string& file, const std::string& name) {
     return 0;
 }
 
-}  // namespace
-
-CLI::App* add_theory_command(CLI::App& app, TheoryArguments& arguments) {
-    CLI::App* theory = app.add_subcommand("theory", "check the answers of theory.toml, in the folder of a submission");
-    theory->add_option("SUBMISSION", arguments.submission, "a folder; default: starter");
-    theory->add_option("--name", arguments.name, "write a new theory.toml, with the questions for this name")
-        ->type_name("NAME");
-    return theory;
-}
-
-int run_theory(const TheoryArguments& arguments, const std::string& toolchain) {
-    const fs::path source = read_toolchain(toolchain).source;
-    const Assignment assignment = read_assignment((source / "assignment.toml").string());
+/// Checks a submission's theory.toml, or with a name writes a new one. Returns the exit code: 0; 1 where an answer is
+/// wrong or missing.
+int run_theory(const TheoryArguments& arguments, const Context& context) {
+    const Toolchain chain = read_toolchain(context.toolchain);
+    const Assignment assignment = assignment_of(chain);
     if (!assignment.theory_points)
-        throw rt::InputError((source / "assignment.toml").string() +
+        throw rt::InputError((chain.source / "assignment.toml").string() +
                              ":1:1: has no theory part; expected [theory] with points = a number");
-    const fs::path folder = arguments.submission.empty() ? source / "starter" : fs::path(arguments.submission);
+    const fs::path folder = arguments.submission.empty() ? chain.source / "starter" : fs::path(arguments.submission);
     const std::string file = (folder / "theory.toml").string();
     if (!arguments.name.empty()) return write_new(file, arguments.name);
     const std::optional<std::string> text = read_text(file);
@@ -49,6 +46,17 @@ int run_theory(const TheoryArguments& arguments, const std::string& toolchain) {
     const Theory theory = read_theory(*text, file);
     fmt::print("{}", told(theory, *assignment.theory_points));
     return theory.right() == int(theory.answers.size()) ? 0 : 1;
+}
+
+}  // namespace
+
+Command theory_command(CLI::App& app) {
+    const auto arguments = std::make_shared<TheoryArguments>();
+    CLI::App* theory = app.add_subcommand("theory", "check the answers of theory.toml, in the folder of a submission");
+    theory->add_option("SUBMISSION", arguments->submission, "a folder; default: starter");
+    theory->add_option("--name", arguments->name, "write a new theory.toml, with the questions for this name")
+        ->type_name("NAME");
+    return {theory, [arguments](const Context& context) { return run_theory(*arguments, context); }};
 }
 
 }  // namespace grade

@@ -45,10 +45,4 @@ Chosen choose(const std::vector<std::string>& words, const Toolchain& chain, con
     return chosen;
 }
 
-void require_folder_of(const std::string& file, const char* option) {
-    const fs::path folder = fs::path(file).parent_path();
-    if (!folder.empty() && !fs::is_directory(folder))
-        throw rt::InputError(fmt::format("{} {}: there is no folder {}", option, file, folder.string()));
-}
-
 }  // namespace grade

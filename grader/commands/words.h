@@ -20,7 +20,4 @@ struct Chosen {
 /// name for a word that is neither.
 Chosen choose(const std::vector<std::string>& words, const Toolchain& chain, const Assignment& assignment);
 
-/// Throws rt::InputError for a file whose folder is not there.
-void require_folder_of(const std::string& file, const char* option);
-
 }  // namespace grade

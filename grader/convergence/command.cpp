@@ -1,12 +1,12 @@
-#include "convergence/command.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <memory>
 
+#include "convergence/measure.h"
 #include "convergence/report.h"
 #include "files/files.h"
 #include "files/stamp.h"
@@ -17,11 +17,20 @@
 #include "report/page_parts.h"
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
+#include "studies/commands.h"
 #include "studies/studies.h"
 
 namespace grade::convergence {
 
 namespace {
+
+struct ConvergeArguments {
+    std::vector<std::string> words;  // a submission, scenes
+    std::string json, csv, out, folder;
+    Amounts amounts;
+    BuildSettings build{.only_changed = true};
+    bool fresh = false, require = false;
+};
 
 /// The scenes among the words, or those of scenes/bench.
 std::vector<fs::path> scenes_of(const std::vector<std::string>& words, const fs::path& source) {
@@ -110,57 +119,13 @@ void write_reports(const ConvergenceRecord& record, const ConvergeArguments& arg
                plain_page("Error against run time", record.submission, read, html_of_markdown(text)));
 }
 
-}  // namespace
-
-CLI::App* add_converge_command(CLI::App& app, ConvergeArguments& arguments) {
-    Amounts& amounts = arguments.amounts;
-    CLI::App* converge = app.add_subcommand("converge", purpose_of("converge"));
-    converge
-        ->add_option("WORDS", arguments.words,
-                     "a folder, a .zip or a .tar.gz; scene files; default: starter, and those of scenes/bench")
-        ->type_name("[SUBMISSION] [SCENE...]");
-    converge->add_option("--samples", amounts.samples, "levels of samples a pixel")
-        ->delimiter(',')
-        ->capture_default_str()
-        ->check(CLI::Range(1, 1 << 20));
-    converge->add_option("--samplers", amounts.samplers, "patterns; times to an error need random")
-        ->delimiter(',')
-        ->capture_default_str()
-        ->check(CLI::IsMember(std::vector<std::string>(rt::sampler_names.begin(), rt::sampler_names.end())));
-    converge->add_option("--replicates", amounts.replicates, "pictures of each level")
-        ->capture_default_str()
-        ->check(CLI::Range(2, 10000));
-    converge->add_option("--side", amounts.side, "pixels of the longer side of a picture; 0: as the scene has it")
-        ->capture_default_str()
-        ->check(CLI::Range(0, 4096));
-    converge->add_option("--budget", amounts.budget, "CPU seconds for all pictures; the last levels are left out first")
-        ->capture_default_str()
-        ->check(CLI::Range(0.1, 1e9));
-    converge->add_option("--time-limit", amounts.time_limit, "CPU seconds for one picture")
-        ->capture_default_str()
-        ->check(CLI::Range(1.0, 600.0));
-    converge->add_option("--json", arguments.json, "write the record")->type_name("FILE");
-    converge->add_option("--csv", arguments.csv, "write one line for each level")->type_name("FILE");
-    converge->add_option("--out", arguments.out, "write a report with plots into this folder")->type_name("DIR");
-    converge->add_option("--folder", arguments.folder, "where results are kept, and work goes on after an interruption")
-        ->type_name("DIR");
-    converge->add_flag("--fresh", arguments.fresh, "measure anew what is kept, but for references");
-    converge
-        ->add_option("--jobs", arguments.build.jobs, "how many compilers run at a time; pictures are timed one by one")
-        ->check(CLI::Range(1, 1024));
-    converge->add_flag("--trusted", arguments.build.trusted, "the code is your own: limits, but no sandbox");
-    converge->add_flag("--require", arguments.require, "exit with 1 where a bias is shown or a picture is missing");
-    converge->fallthrough();
-    return converge;
-}
-
-int converge(const ConvergeArguments& arguments, const std::string& toolchain, const std::string& command) {
-    const Toolchain chain = read_toolchain(toolchain);
-    const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
+/// Error against run time. Returns the exit code: 0; 1 with --require where the submission is biased or breaks down.
+int run_converge(const ConvergeArguments& arguments, const Context& context) {
+    const Toolchain chain = read_toolchain(context.toolchain);
+    const Assignment assignment = assignment_of(chain);
     check_amounts(arguments.amounts);
-    for (const std::string& file : {arguments.json, arguments.csv})
-        if (const fs::path folder = fs::path(file).parent_path(); !folder.empty() && !fs::is_directory(folder))
-            throw rt::InputError(fmt::format("{}: there is no folder {}", file, folder.string()));
+    require_folder_of(arguments.json, "--json");
+    require_folder_of(arguments.csv, "--csv");
     const auto scenes = scenes_of(arguments.words, chain.source);
     const Submission submission = read_submission(submission_of(arguments.words, chain.source), assignment.names());
 
@@ -185,7 +150,7 @@ int converge(const ConvergeArguments& arguments, const std::string& toolchain, c
     record.submission = submission.name;
     record.toolchain = chain.description;
     record.version = PENUMBRA_VERSION;
-    record.command = command;
+    record.command = context.command;
     record.sandbox = bench.sandbox.description;
     const double budget = arguments.amounts.budget / double(scenes.size());
     for (const fs::path& scene : scenes) {
@@ -198,6 +163,52 @@ int converge(const ConvergeArguments& arguments, const std::string& toolchain, c
     if (!arguments.out.empty()) fmt::print("report: {}\n", (fs::path(arguments.out) / "converge.html").string());
     const bool broken = std::ranges::any_of(record.scenes, [](const SceneRecord& s) { return !s.fault.empty(); });
     return arguments.require && (broken || record.is_biased()) ? 1 : 0;
+}
+
+}  // namespace
+
+Command converge_command(CLI::App& app) {
+    const auto arguments = std::make_shared<ConvergeArguments>();
+    Amounts& amounts = arguments->amounts;
+    CLI::App* converge = app.add_subcommand("converge", purpose_of("converge"));
+    converge
+        ->add_option("WORDS", arguments->words,
+                     "a folder, a .zip or a .tar.gz; scene files; default: starter, and those of scenes/bench")
+        ->type_name("[SUBMISSION] [SCENE...]");
+    converge->add_option("--samples", amounts.samples, "levels of samples a pixel")
+        ->delimiter(',')
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1 << 20));
+    converge->add_option("--samplers", amounts.samplers, "patterns; times to an error need random")
+        ->delimiter(',')
+        ->capture_default_str()
+        ->check(CLI::IsMember(std::vector<std::string>(rt::sampler_names.begin(), rt::sampler_names.end())));
+    converge->add_option("--replicates", amounts.replicates, "pictures of each level")
+        ->capture_default_str()
+        ->check(CLI::Range(2, 10000));
+    converge->add_option("--side", amounts.side, "pixels of the longer side of a picture; 0: as the scene has it")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 4096));
+    converge->add_option("--budget", amounts.budget, "CPU seconds for all pictures; the last levels are left out first")
+        ->capture_default_str()
+        ->check(CLI::Range(0.1, 1e9));
+    converge->add_option("--time-limit", amounts.time_limit, "CPU seconds for one picture")
+        ->capture_default_str()
+        ->check(CLI::Range(1.0, 600.0));
+    converge->add_option("--json", arguments->json, "write the record")->type_name("FILE");
+    converge->add_option("--csv", arguments->csv, "write one line for each level")->type_name("FILE");
+    converge->add_option("--out", arguments->out, "write a report with plots into this folder")->type_name("DIR");
+    converge
+        ->add_option("--folder", arguments->folder, "where results are kept, and work goes on after an interruption")
+        ->type_name("DIR");
+    converge->add_flag("--fresh", arguments->fresh, "measure anew what is kept, but for references");
+    converge
+        ->add_option("--jobs", arguments->build.jobs, "how many compilers run at a time; pictures are timed one by one")
+        ->check(CLI::Range(1, 1024));
+    converge->add_flag("--trusted", arguments->build.trusted, "the code is your own: limits, but no sandbox");
+    converge->add_flag("--require", arguments->require, "exit with 1 where a bias is shown or a picture is missing");
+    converge->fallthrough();
+    return {converge, [arguments](const Context& context) { return run_converge(*arguments, context); }};
 }
 
 }  // namespace grade::convergence

@@ -1,12 +1,10 @@
-#include "convert/command.h"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 
 #include "convert/formats.h"
 #include "convert/read_record.h"
@@ -14,6 +12,7 @@
 #include "report/page.h"
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
+#include "studies/commands.h"
 #include "studies/studies.h"
 
 namespace grade {
@@ -22,17 +21,14 @@ std::string html_page(const Record& record) { return page(record, ""); }
 
 std::string terminal(const Record& record) { return table(record, {}); }
 
-CLI::App* add_convert_command(CLI::App& app, ConvertArguments& arguments) {
-    std::vector<std::string> names;
-    for (const Format& format : formats) names.emplace_back(format.name);
-    CLI::App* convert = app.add_subcommand("convert", purpose_of("convert"));
-    convert->add_option("RECORD", arguments.record, "as grade --json FILE writes it")->required();
-    convert->add_option("--to", arguments.format, "the format")->required()->check(CLI::IsMember(names));
-    convert->add_option("-o,--out", arguments.out, "where it goes; default: stdout")->type_name("FILE");
-    return convert;
-}
+namespace {
 
-void run_convert(const ConvertArguments& arguments) {
+struct ConvertArguments {
+    std::string record, format, out;
+};
+
+/// Throws rt::InputError for a record that is none or not complete.
+int run_convert(const ConvertArguments& arguments) {
     const Record record = read_record(arguments.record);
     if (!record.is_complete())
         throw rt::InputError(fmt::format(
@@ -46,6 +42,20 @@ void run_convert(const ConvertArguments& arguments) {
         fmt::print("{}", text);
     else
         write_text(arguments.out, text);
+    return 0;
+}
+
+}  // namespace
+
+Command convert_command(CLI::App& app) {
+    const auto arguments = std::make_shared<ConvertArguments>();
+    std::vector<std::string> names;
+    for (const Format& format : formats) names.emplace_back(format.name);
+    CLI::App* convert = app.add_subcommand("convert", purpose_of("convert"));
+    convert->add_option("RECORD", arguments->record, "as grade --json FILE writes it")->required();
+    convert->add_option("--to", arguments->format, "the format")->required()->check(CLI::IsMember(names));
+    convert->add_option("-o,--out", arguments->out, "where it goes; default: stdout")->type_name("FILE");
+    return {convert, [arguments](const Context&) { return run_convert(*arguments); }, false};
 }
 
 }  // namespace grade

@@ -85,6 +85,7 @@ StatisticRecord statistic_of(const Node& node) {
     s.tolerance = node.number_or_null("wrong_beyond").value_or(0);
     s.exact = node.flag("exact"), s.replicates = node.count("replicates");
     s.verdict = node.verdict(), s.hint = node.text_or_none("hint");
+    s.chi_squared = node.json.contains("chi_squared") && node.flag("chi_squared");
     return s;
 }
 

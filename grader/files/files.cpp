@@ -15,6 +15,8 @@
 #include <system_error>
 #include <vector>
 
+#include "rt/files/scene_reader.h"
+
 namespace grade {
 
 std::optional<std::string> read_text(const fs::path& path, std::uint64_t most) {
@@ -57,6 +59,12 @@ void write_text(const fs::path& path, std::string_view text) {
         text.remove_prefix(std::size_t(sent));
     }
     if (close(file) != 0 || rename(draft.c_str(), path.c_str()) != 0) fail("cannot be written");
+}
+
+void require_folder_of(const std::string& file, const char* option) {
+    const fs::path folder = fs::path(file).parent_path();
+    if (!folder.empty() && !fs::is_directory(folder))
+        throw rt::InputError(fmt::format("{} {}: there is no folder {}", option, file, folder.string()));
 }
 
 void require_room(const fs::path& folder, std::uintmax_t bytes) {

@@ -18,6 +18,9 @@ std::optional<std::string> read_text(const fs::path& path, std::uint64_t most = 
 /// the path and the cause.
 void write_text(const fs::path& path, std::string_view text);
 
+/// Throws rt::InputError for a file whose folder is not there.
+void require_folder_of(const std::string& file, const char* option);
+
 /// Throws std::runtime_error where the disk of a folder has less room than so many bytes.
 void require_room(const fs::path& folder, std::uintmax_t bytes);
 

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <future>
+#include <random>
 #include <set>
 #include <string>
 
@@ -27,6 +28,12 @@ struct GradingSettings {
     std::function<void(int done, int all, const std::string& doing)> progress;  // never called twice at a time
     std::function<void(const Record&)> partial;  // before all, and after each check; likewise
 };
+
+/// A seed that nobody knows before.
+inline std::uint64_t fresh_seed() {
+    std::random_device device;
+    return device() % 1'000'000 + 1;
+}
 
 /// Checks that may still be made: their closed forms take a while, in which fragments can be compiled.
 using FutureChecks = std::shared_future<std::vector<Check>>;

@@ -43,6 +43,7 @@ StatisticRecord record_of(const Statistic& statistic, const Judgement& judgement
     StatisticRecord record{statistic.id,    statistic.what,       judgement.value,   judgement.truth,
                            judgement.low,   judgement.high,       statistic.delta0,  statistic.delta,
                            statistic.exact, judgement.replicates, judgement.verdict, {}};
+    record.chi_squared = statistic.chi_squared;
     if (judgement.verdict == Verdict::passed) return record;
     if (judgement.verdict == Verdict::failed) tell(cause_of(statistic, first), record);
     if (!record.hint.empty()) return record;

@@ -1,8 +1,7 @@
-#include "lesson/command.h"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <memory>
 
 #include "assignment/assignment.h"
 #include "lesson/lesson.h"
@@ -11,11 +10,17 @@
 #include "report/folder.h"
 #include "report/markdown.h"
 #include "report/page_parts.h"
+#include "studies/commands.h"
 #include "studies/studies.h"
 
 namespace grade::lesson {
 
 namespace {
+
+struct LessonArguments {
+    std::string submission, out;
+    BuildSettings build{.only_changed = true};
+};
 
 constexpr const char* lesson_words =
     "A fragment of part 1 adds up samples of a function whose integral is known. Each line is the error of its sums, "
@@ -35,21 +40,11 @@ std::string section_of(const LessonIntegrand& integrand, const std::vector<Lesso
     return text + "\n";
 }
 
-}  // namespace
-
-CLI::App* add_lesson_command(CLI::App& app, LessonArguments& arguments) {
-    CLI::App* lesson = app.add_subcommand("lesson", purpose_of("lesson"));
-    lesson->add_option("SUBMISSION", arguments.submission, "a folder, a .zip or a .tar.gz; default: starter");
-    lesson->add_option("--out", arguments.out, "write the plots into this folder")->type_name("DIR");
-    lesson->add_flag("--trusted", arguments.build.trusted, "the code is your own: limits, but no sandbox");
-    lesson->fallthrough();
-    return lesson;
-}
-
-void run_lesson(const LessonArguments& arguments, const std::string& toolchain) {
+/// The errors of part 1's fragments against the number of points, as a table and as plots: the same bytes on each run.
+int run_lesson(const LessonArguments& arguments, const Context& context) {
     constexpr double time_limit = 5;  // CPU seconds of one answer
-    const Toolchain chain = read_toolchain(toolchain);
-    const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
+    const Toolchain chain = read_toolchain(context.toolchain);
+    const Assignment assignment = assignment_of(chain);
     const std::string path = arguments.submission.empty() ? (chain.source / "starter").string() : arguments.submission;
     const Submission submission = read_submission(path, assignment.names());
     const std::set<std::string> fragments{"integrate_uniform", "integrate_monte_carlo", "integrate_stratified"};
@@ -83,12 +78,25 @@ void run_lesson(const LessonArguments& arguments, const std::string& toolchain) 
         write_text(file, log_log(lesson_plot(integrand, curves)));
         fmt::print("  {}\n", file.string());
     }
-    if (sections.empty()) return;
+    if (sections.empty()) return 0;
     const std::string read = read_link("Integrals in one dimension", handout_beside(arguments.out, chain.source)) + ".";
     write_page(arguments.out, "lesson.html",
                plain_page("Integrals: how the error falls with the number of points", submission.name, read,
                           html_of_markdown(lesson_words + sections)));
     fmt::print("page: {}\n", (fs::path(arguments.out) / "lesson.html").string());
+    return 0;
+}
+
+}  // namespace
+
+Command lesson_command(CLI::App& app) {
+    const auto arguments = std::make_shared<LessonArguments>();
+    CLI::App* lesson = app.add_subcommand("lesson", purpose_of("lesson"));
+    lesson->add_option("SUBMISSION", arguments->submission, "a folder, a .zip or a .tar.gz; default: starter");
+    lesson->add_option("--out", arguments->out, "write the plots into this folder")->type_name("DIR");
+    lesson->add_flag("--trusted", arguments->build.trusted, "the code is your own: limits, but no sandbox");
+    lesson->fallthrough();
+    return {lesson, [arguments](const Context& context) { return run_lesson(*arguments, context); }};
 }
 
 }  // namespace grade::lesson

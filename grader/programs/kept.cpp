@@ -46,7 +46,7 @@ void each_field(Some<StatisticRecord> auto& s, auto&& field) {
     field("id", s.id), field("what", s.what), field("value", s.value), field("truth", s.truth), field("low", s.low);
     field("high", s.high), field("delta0", s.delta0), field("tolerance", s.tolerance), field("exact", s.exact);
     field("replicates", s.replicates), field("verdict", s.verdict), field("hint", s.hint), field("worth", s.worth);
-    field("without_numbers", s.without_numbers);
+    field("without_numbers", s.without_numbers), field("chi_squared", s.chi_squared);
 }
 
 void each_field(Some<Tiles> auto& t, auto&& field) {

@@ -14,7 +14,7 @@ constexpr double most_seconds = 2;
 constexpr const char* kept_include = "#pragma kept_include";  // a preprocessor leaves a pragma that it does not know
 
 /// The lines with which a word for the preprocessor begins, and this one in place of the first.
-std::string with_word(const std::string& text, const char* pattern, const char* word) {
+std::string with_word(const std::string& text, const std::string& pattern, const char* word) {
     std::istringstream lines(text);
     const std::regex begins(pattern);
     std::string all;
@@ -62,7 +62,7 @@ std::optional<std::string> preprocessed(const Toolchain& chain, const Sandbox& s
     const auto output = read_text(out, most_bytes);
     if (!output) return std::nullopt;
     const auto lines = in_place(*output, source.string());
-    return lines ? std::optional(with_word(*lines, "^#pragma kept_include", "#include")) : std::nullopt;
+    return lines ? std::optional(with_word(*lines, std::string("^") + kept_include, "#include")) : std::nullopt;
 }
 
 }  // namespace grade

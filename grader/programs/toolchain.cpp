@@ -199,6 +199,10 @@ Toolchain read_toolchain(const fs::path& path) try {
         fmt::format("{}: {}; expected the file that the build writes", path.string(), error.description()));
 }
 
+Assignment assignment_of(const Toolchain& chain) {
+    return read_assignment((chain.source / "assignment.toml").string());
+}
+
 fs::path own_toolchain() {
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error), here = program.parent_path();

@@ -47,6 +47,9 @@ std::vector<std::string> all_fragments(const Toolchain& chain, const Assignment&
 /// or made for another processor than this one.
 Toolchain read_toolchain(const fs::path& path);
 
+/// That of the folder that a toolchain is for. Throws rt::InputError.
+Assignment assignment_of(const Toolchain& chain);
+
 /// The toolchain file of this program: the one beside it, where it is part of a kit, else the one of the build that the
 /// program stands in. Throws std::runtime_error where that was built in another place: its paths lead there.
 fs::path own_toolchain();

@@ -26,6 +26,7 @@ struct StatisticRecord {
     enum class Worth { guess, fact, cause };
     Worth worth = Worth::guess;
     std::string without_numbers{};  // the hint, where a call shows the numbers
+    bool chi_squared = false;       // per degree of freedom
 };
 
 /// "width of the penumbra, over what must be: 0.5; expected 1"

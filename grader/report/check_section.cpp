@@ -95,7 +95,7 @@ std::string statistics(const CheckRecord& check, Told& told) {
         "<th>verdict</th></tr>\n";
     for (const StatisticRecord& s : check.statistics) text += statistic_row(s);
     text += "</table>\n";
-    if (std::ranges::any_of(check.statistics, [](const auto& s) { return s.what.starts_with("chi squared"); }))
+    if (std::ranges::any_of(check.statistics, &StatisticRecord::chi_squared))
         text +=
             "<p class=\"soft\">Chi squared per degree of freedom is 1 where all is spread as chance spreads it, and "
             "more where it is not.</p>\n";

@@ -32,6 +32,7 @@ Json statistic_json(const CheckRecord& check, const StatisticRecord& statistic) 
     json["wrong_beyond"] = json_number(statistic.tolerance);
     json["exact"] = statistic.exact;
     json["replicates"] = statistic.replicates;
+    if (statistic.chi_squared) json["chi_squared"] = true;
     json["verdict"] = name(statistic.verdict);
     add_texts(json, {{"hint", statistic.hint}});
     if (statistic.verdict != Verdict::passed) add_texts(json, {{"read", reading(section_of(check, &statistic))}});

@@ -1,10 +1,9 @@
-#include "stress/command.h"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <memory>
 
 #include "assignment/assignment.h"
 #include "files/files.h"
@@ -13,11 +12,19 @@
 #include "rt/files/scene_reader.h"
 #include "stress/report.h"
 #include "stress/run.h"
+#include "studies/commands.h"
 #include "studies/studies.h"
 
 namespace grade::stress {
 
 namespace {
+
+struct StressArguments {
+    std::string submission, json, html;
+    StressSettings settings;
+    double rays = 1e8;  // of the big counts
+    bool many = false, list = false, require = false;
+};
 
 /// Throws rt::InputError.
 void check(const StressArguments& arguments) {
@@ -26,9 +33,7 @@ void check(const StressArguments& arguments) {
             throw rt::InputError(fmt::format(
                 "--only {}: no family and no fragment of a family has this name; expected one that --list prints",
                 name));
-    const fs::path folder = fs::path(arguments.json).parent_path();
-    if (!folder.empty() && !fs::is_directory(folder))
-        throw rt::InputError(fmt::format("--json {}: there is no folder {}", arguments.json, folder.string()));
+    require_folder_of(arguments.json, "--json");
 }
 
 void print_list() {
@@ -36,40 +41,12 @@ void print_list() {
         fmt::print("{:<30}{:<24}{}; {}\n", family.name, family.fragments.front(), family.swept, family.error);
 }
 
-}  // namespace
-
-CLI::App* add_stress_command(CLI::App& app, StressArguments& arguments) {
-    CLI::App* stress = app.add_subcommand("stress", purpose_of("stress"));
-    stress->add_option("SUBMISSION", arguments.submission, "a folder, a .zip or a .tar.gz; default: starter");
-    stress->add_option("--only", arguments.settings.only, "only these families, or those of these fragments")
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->type_name("NAME");
-    stress->add_option("--json", arguments.json, "write the record")->type_name("FILE");
-    stress->add_option("--html", arguments.html, "write a page with plots into this folder")->type_name("DIR");
-    stress
-        ->add_option("--jobs", arguments.settings.build.jobs,
-                     "how many programs run at a time; default: one for each core")
-        ->check(CLI::Range(1, 1024));
-    stress->add_option("--time-limit", arguments.settings.time_limit, "CPU seconds for one answer")
-        ->capture_default_str()
-        ->check(CLI::Range(1.0, 600.0));
-    stress->add_flag("--long", arguments.many,
-                     "also the big counts: 1e8 rays against closed meshes, 2e8 that leave surfaces");
-    stress->add_option("--rays", arguments.rays, "of --long against meshes; twice as many leave surfaces")
-        ->type_name("N")
-        ->check(CLI::Range(1.0, 1e12));
-    stress->add_flag("--trusted", arguments.settings.build.trusted, "the code is your own: limits, but no sandbox");
-    stress->add_flag("--list", arguments.list, "print the families and leave");
-    stress->add_flag("--require", arguments.require, "exit with 1 unless the scored tier is full");
-    stress->fallthrough();
-    return stress;
-}
-
-int run_stress(const StressArguments& arguments, const std::string& toolchain, const std::string& command) {
+/// How extreme a scene a submission's fragments survive. Returns the exit code: 0; 1 with --require where the scored
+/// tier is not full.
+int run_stress(const StressArguments& arguments, const Context& context) {
     if (arguments.list) return print_list(), 0;
-    const Toolchain chain = read_toolchain(toolchain);
-    const Assignment assignment = read_assignment((chain.source / "assignment.toml").string());
+    const Toolchain chain = read_toolchain(context.toolchain);
+    const Assignment assignment = assignment_of(chain);
     check(arguments);
     const std::string path = arguments.submission.empty() ? (chain.source / "starter").string() : arguments.submission;
     const Submission submission = read_submission(path, assignment.names());
@@ -79,7 +56,7 @@ int run_stress(const StressArguments& arguments, const std::string& toolchain, c
     if (arguments.many) settings.rays = arguments.rays;
     settings.progress = [&](int done, int all, const std::string& doing) { line.show(done, all, doing); };
     StressRecord record = stress_submission(submission, assignment, chain, settings);
-    record.command = command;
+    record.command = context.command;
     line.clear();
 
     if (!arguments.json.empty()) write_text(arguments.json, to_json(record));
@@ -89,6 +66,37 @@ int run_stress(const StressArguments& arguments, const std::string& toolchain, c
     fmt::print("{}{}\n", table(record, isatty(STDOUT_FILENO)), record.sandbox);
     if (!arguments.html.empty()) fmt::print("page: {}\n", (fs::path(arguments.html) / "stress.html").string());
     return arguments.require && record.scored() < record.most_scored() ? 1 : 0;
+}
+
+}  // namespace
+
+Command stress_command(CLI::App& app) {
+    const auto arguments = std::make_shared<StressArguments>();
+    CLI::App* stress = app.add_subcommand("stress", purpose_of("stress"));
+    stress->add_option("SUBMISSION", arguments->submission, "a folder, a .zip or a .tar.gz; default: starter");
+    stress->add_option("--only", arguments->settings.only, "only these families, or those of these fragments")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->type_name("NAME");
+    stress->add_option("--json", arguments->json, "write the record")->type_name("FILE");
+    stress->add_option("--html", arguments->html, "write a page with plots into this folder")->type_name("DIR");
+    stress
+        ->add_option("--jobs", arguments->settings.build.jobs,
+                     "how many programs run at a time; default: one for each core")
+        ->check(CLI::Range(1, 1024));
+    stress->add_option("--time-limit", arguments->settings.time_limit, "CPU seconds for one answer")
+        ->capture_default_str()
+        ->check(CLI::Range(1.0, 600.0));
+    stress->add_flag("--long", arguments->many,
+                     "also the big counts: 1e8 rays against closed meshes, 2e8 that leave surfaces");
+    stress->add_option("--rays", arguments->rays, "of --long against meshes; twice as many leave surfaces")
+        ->type_name("N")
+        ->check(CLI::Range(1.0, 1e12));
+    stress->add_flag("--trusted", arguments->settings.build.trusted, "the code is your own: limits, but no sandbox");
+    stress->add_flag("--list", arguments->list, "print the families and leave");
+    stress->add_flag("--require", arguments->require, "exit with 1 unless the scored tier is full");
+    stress->fallthrough();
+    return {stress, [arguments](const Context& context) { return run_stress(*arguments, context); }};
 }
 
 }  // namespace grade::stress

@@ -99,6 +99,7 @@ struct Statistic {
     Hint hint;
     Cause cause{};              // what it tells comes before the hint
     bool hint_is_fact = false;  // true of what was measured, whatever the mistake is
+    bool chi_squared = false;   // per degree of freedom
 };
 
 struct Check {

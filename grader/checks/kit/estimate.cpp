@@ -89,7 +89,8 @@ Statistic uniform_in_square(const Evenness& e) {
             .delta0 = e.delta0,
             .delta = e.delta,
             .hint = e.hint,
-            .cause = e.cause};
+            .cause = e.cause,
+            .chi_squared = true};
 }
 
 Hint always(std::string words) {

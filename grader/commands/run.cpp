@@ -1,15 +1,22 @@
-#include "commands/exit_code.h"
+#include "commands/run.h"
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
+#include <functional>
 
 #include "files/interrupt.h"
+#include "programs/toolchain.h"
 #include "report/escape.h"
 #include "rt/files/scene_reader.h"
 
 namespace grade {
 
+namespace {
+
+/// Runs a command to its exit code; what it throws is told on stderr.
 int exit_code_of(const std::function<int()>& command) {
     try {
         return command();
@@ -24,6 +31,7 @@ int exit_code_of(const std::function<int()>& command) {
     }
 }
 
+/// The command as it can be typed again.
 std::string command_of(int argc, char** argv) {
     std::string command = "grade";
     for (int i = 1; i < argc; ++i) {
@@ -36,6 +44,27 @@ std::string command_of(int argc, char** argv) {
         command += " " + (plain ? word : quoted + "'");
     }
     return command;
+}
+
+}  // namespace
+
+int run_commands(CLI::App& app, const std::vector<Command>& commands, int argc, char** argv) {
+    Context context{"", command_of(argc, argv)};
+    app.add_option("--toolchain", context.toolchain, "what the build wrote about itself")->group("");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : usage;
+    }
+    return exit_code_of([&] {
+        const auto named = std::ranges::find_if(commands, [](const Command& c) { return c.app->parsed(); });
+        if (named == commands.end()) return int(usage);
+        if (named->needs_compiler && context.toolchain.empty()) {
+            context.toolchain = own_toolchain().string();
+            tell_whose_assignment(context.toolchain);
+        }
+        return named->run(context);
+    });
 }
 
 }  // namespace grade

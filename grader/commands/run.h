@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "studies/command.h"
+
+namespace grade {
+
+enum ExitCode { graded = 0, below_required = 1, usage = 2, infrastructure = 3, stopped = 130 };
+
+/// Reads the words, and runs the first command of the table that is among them: the app itself, where it is one, is the
+/// last. What it throws is told on stderr. Returns the exit code.
+int run_commands(CLI::App& app, const std::vector<Command>& commands, int argc, char** argv);
+
+}  // namespace grade
