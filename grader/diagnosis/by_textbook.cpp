@@ -59,6 +59,9 @@ public:
             if (!may_explain(mistake)) continue;
             const double share = share_of(mistake);
             if (share == 1) return or_another(relation(mistake, 1), std::span(all).subspan(i));
+            const bool is_condition =
+                mistake.made.made == textbook::Made::yes || mistake.made.made == textbook::Made::no;
+            if (is_condition) continue;  // a constant one explains some calls by chance
             if (share >= least_share && mistake.cost <= dearest_of_some && (!most || most->share < share))
                 most = relation(mistake, share);
         }
@@ -152,7 +155,8 @@ private:
             const bool is_wrong = std::ranges::binary_search(wrong_, k);
             if (!is_explained && !is_wrong) return 0;
             equal += is_explained && is_wrong;
-            something += is_explained && is_wrong && is_something(calls_.mine[k]);
+            something += is_explained && is_wrong && is_something(calls_.mine[k]) &&
+                         !is_void(calls_.result, calls_.mine[k]);
         }
         if (equal < wrong_.size() && 2 * something < equal + enough) return 0;  // nothing is right for many reasons
         return double(equal) / double(wrong_.size());

@@ -17,6 +17,12 @@ namespace {
 
 bool is_number(std::string_view text) { return text.find_first_not_of("0123456789.") == text.npos; }
 
+/// Whether one is the other without brackets.
+bool lacks_brackets(std::string text, std::string alternative) {
+    for (std::string* one : {&text, &alternative}) std::erase_if(*one, [](char c) { return c == '(' || c == ')'; });
+    return text == alternative;
+}
+
 /// "cos" of "cos(x)"
 std::string called(std::string_view call) { return std::string(call.substr(0, call.find('('))); }
 
@@ -165,10 +171,12 @@ private:
         everywhere_ = node.function.empty()
                           ? std::vector<int>()
                           : first_of(i, [&](std::size_t k) { return nodes_[k].function == node.function; });
-        // vectors that are exchanged are more likely than a sign elsewhere that does the same
-        const double cost = node.function.ends_with("cross") ? 0.95 : 1.1;
-        for (std::size_t k = 0; k < node.alternatives.size(); ++k)
-            add(i, {node.alternatives[k], "", cost, {{}, int(k) + 1}});
+        // vectors that are exchanged are more likely than a sign elsewhere that does the same, and brackets that are
+        // forgotten than a factor
+        for (std::size_t k = 0; k < node.alternatives.size(); ++k) {
+            const bool is_likely = node.function.ends_with("cross") || lacks_brackets(node.text, node.alternatives[k]);
+            add(i, {node.alternatives[k], "", is_likely ? 0.95 : 1.1, {{}, int(k) + 1}});
+        }
     }
 
     void add_flag(std::size_t i) {

@@ -1,0 +1,9 @@
+// says: Schlick's approximation
+Real fresnel_dielectric(Real cosine, Real ior_from, Real ior_to) {
+    const Real straight = (ior_from - ior_to) / (ior_from + ior_to);
+    const Real squared = 1 - ior_from / ior_to * (ior_from / ior_to) * (1 - cosine * cosine);
+    if (squared < 0) return 1;
+    if (ior_from == ior_to) return 0;
+    const Real c = ior_from > ior_to ? std::sqrt(squared) : cosine;
+    return straight * straight + (1 - straight * straight) * std::pow(1 - c, 5);
+}
