@@ -56,7 +56,7 @@ def cases():
             name = f"lamp of radius {lamp}, extinction {extinction}, g {g}"
             yield name, "media_lit", ball(extinction, 0.98, g, lamp), []
     candle = (root / "scenes/gallery/candle.toml").read_text()
-    wax = ["--samples", "16", "--crop", "139,83,129,159"]
+    wax = ["--samples", "16", "--crop", "141,140,111,106"]
     yield "candle", "media_lit", candle, wax
     yield "scattering", "media_lit", (root / "scenes/scattering.toml").read_text(), []
     yield "candle", "roulette", candle, wax
