@@ -155,8 +155,8 @@ private:
             const bool is_wrong = std::ranges::binary_search(wrong_, k);
             if (!is_explained && !is_wrong) return 0;
             equal += is_explained && is_wrong;
-            something += is_explained && is_wrong && is_something(calls_.mine[k]) &&
-                         !is_void(calls_.result, calls_.mine[k]);
+            something +=
+                is_explained && is_wrong && is_something(calls_.mine[k]) && !is_void(calls_.result, calls_.mine[k]);
         }
         if (equal < wrong_.size() && 2 * something < equal + enough) return 0;  // nothing is right for many reasons
         return double(equal) / double(wrong_.size());
