@@ -6,7 +6,8 @@
 
 namespace grade {
 
-enum ExitCode { graded = 0, below_required = 1, usage = 2, infrastructure = 3, stopped = 130 };
+/// 1 is a command's own: below what is required, or something is off.
+enum ExitCode { graded = 0, usage = 2, infrastructure = 3, stopped = 130 };
 
 /// Reads the words, and runs the first command of the table that is among them: the app itself, where it is one, is the
 /// last. What it throws is told on stderr. Returns the exit code.

@@ -103,7 +103,8 @@ private:
         const Mistake& first = mistakes.front();
         for (const Mistake& other : mistakes.subspan(1)) {
             if (!is_alternative(first) || other.cost > first.cost) break;
-            if (!is_alternative(other) || !may_explain(other) || share_of(other) < 1) continue;
+            if (!is_alternative(other) || is_same_place(first, other) || !may_explain(other) || share_of(other) < 1)
+                continue;
             found.said += ", or " + asked_.words_of(other);
             break;
         }

@@ -185,7 +185,7 @@ private:
         return true;
     }
 
-    /// Whether it is broken in few calls: as what is wrong elsewhere as well may have it.
+    /// Whether it is broken in few calls: then it may follow from what is wrong in all.
     bool is_rare(const std::optional<Broken>& broken) const {
         constexpr std::size_t rare = 20;
         return broken && rare * broken->calls.size() < all_.size();

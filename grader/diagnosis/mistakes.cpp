@@ -174,7 +174,8 @@ private:
         // vectors that are exchanged are more likely than a sign elsewhere that does the same, and brackets that are
         // forgotten than a factor
         for (std::size_t k = 0; k < node.alternatives.size(); ++k) {
-            const bool is_likely = node.function.ends_with("cross") || lacks_brackets(node.text, node.alternatives[k]);
+            const bool is_likely =
+                textbook::is_cross_product(node.function) || lacks_brackets(node.text, node.alternatives[k]);
             add(i, {node.alternatives[k], "", is_likely ? 0.95 : 1.1, {{}, int(k) + 1}});
         }
     }

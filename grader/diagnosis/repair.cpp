@@ -164,12 +164,12 @@ private:
         std::vector<std::size_t> put_right(some.size());
         for (const std::size_t k : wrong_) try_all(some, k, [&](std::size_t i, bool is) { put_right[i] += is; });
         const std::size_t best = std::size_t(std::ranges::max_element(put_right) - put_right.begin());
-        constexpr double nearly_all = 0.99;  // of all calls there is one that it does not put right
+        constexpr double nearly_all = 0.99;  // at most: some call stays wrong
         const double share = some.empty() ? 0 : std::min(double(put_right[best]) / double(wrong_.size()), nearly_all);
         if (share < least_share) return std::nullopt;
-        return Repair{
-            fmt::format("{}, {:.0f} % of the wrong answers are right", words_of(some[best]), std::floor(100 * share)),
-            line_of(some[best]), share};
+        return Repair{fmt::format("{}, {:.0f} % of the wrong answers are right", words_of(some[best]),
+                                  std::floor(100 * share + 1e-9)),
+                      line_of(some[best]), share};
     }
 
     /// Pairs of simple ones at different places.

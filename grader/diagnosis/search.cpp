@@ -137,7 +137,7 @@ void Search::one_change(const Change& base, const std::vector<std::size_t>& scop
         const auto right = answers(change, &base, scope);
         if (!right || !tells(*right, scope)) continue;
         if (is_other && all_equal(*right, scope)) {
-            best_->said += ", or with " + change.words;
+            best_->said += ", or " + change.words;
             break;
         }
         consider(*right, change.words, cost, scope, true, change.usually);

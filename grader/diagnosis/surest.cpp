@@ -32,7 +32,7 @@ std::optional<Relation> simpler_one(std::optional<Relation> of_arguments, std::o
         return of_form;
     }
     if (of_form->cost < of_arguments->cost) std::swap(of_form, of_arguments);
-    of_arguments->said += ", or with " + of_form->said;
+    of_arguments->said += ", or " + of_form->said;
     return of_arguments;
 }
 

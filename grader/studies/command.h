@@ -15,7 +15,7 @@ struct Context {
     std::string command;    // as it can be typed again
 };
 
-/// A command: the file that puts its options on the command line keeps the arguments, as long as `run` is there.
+/// A command. `run` owns the arguments that the options on the command line are read into.
 struct Command {
     CLI::App* app;
     std::function<int(const Context&)> run;  // returns the exit code

@@ -196,18 +196,21 @@ Expression ExpressionReader::postfix() {
 }
 
 void ExpressionReader::call(Expression& function, const std::string& name, const std::string& qualified) {
-    const std::string before = function.text;
+    const std::string before = function.text, all_inner = function.inner;
     const auto all = arguments(")");
     called_with_ = all;
     function.text = before + "(" + list(all, &Expression::text) + ")";
     const std::string code = list(all, changes_arguments(name) ? &Expression::inner : &Expression::code);
     function.inner = (qualified.empty() ? function.inner : qualified) + "(" + code + ")";
     std::vector<std::string> alternatives, codes;
-    for (const std::string& other : functions_for(name)) {
+    const bool is_method = before != short_name(name);
+    const std::string types = is_method ? "" : all_inner.substr(std::min(name.size(), all_inner.size()));
+    for (const std::string& other : is_method ? std::vector<std::string>() : functions_for(name)) {
         alternatives.push_back(short_name(other) + "(" + list(all, &Expression::text) + ")");
-        codes.push_back(fmt::format("{}({})", other, code));
+        codes.push_back(fmt::format("{}{}({})", other, types, code));
     }
-    const bool is_cross = name.ends_with("cross"), has_order = name == "std::pow" || name == "std::atan2" || is_cross;
+    const bool is_cross = is_cross_product(name);
+    const bool has_order = name == "std::pow" || name == "std::atan2" || is_cross;
     if (has_order && all.size() == 2) {
         alternatives.push_back(fmt::format("{}({}, {})", short_name(name), all[1].text, all[0].text));
         codes.push_back(fmt::format("{}({}, {})", name, all[1].code, all[0].code));

@@ -54,11 +54,16 @@ std::vector<std::string> functions_for(const std::string& name) {
     constexpr std::string_view standard = "std::";
     const bool is_standard = name.starts_with(standard);
     const auto found = all.find(is_standard ? name.substr(standard.size()) : name);
-    if (found == all.end()) return {};
+    // without std::, there may be no max beside a min
+    if (found == all.end() || (!is_standard && found->second.front().starts_with("m"))) return {};
     std::vector<std::string> others = found->second;
     if (is_standard)
         for (std::string& other : others) other.insert(0, standard);
     return others;
+}
+
+bool is_cross_product(const std::string& name) {
+    return name == "cross" || name == "glm::cross" || name == "rt::cross";
 }
 
 bool is_jump(const std::string& statement) { return statement == "break" || statement == "continue"; }

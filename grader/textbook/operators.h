@@ -25,6 +25,9 @@ std::string function_of(const std::string& sign);
 /// What is written in place of a function, qualified as it is.
 std::vector<std::string> functions_for(const std::string& name);
 
+/// Whether a function's arguments are likely to be exchanged.
+bool is_cross_product(const std::string& name);
+
 /// "break" or "continue"
 bool is_jump(const std::string& statement);
 

@@ -77,7 +77,7 @@ inline double angle_from_axis(Generator& random, double most) {
 
 /// A point on the rim of the unit square: a coordinate of 0, or next to it, or the largest number below 1.
 inline rt::vec2 end_of_square(Generator& random) {
-    // either end as often as the other: means stay those of uniform points
+    // either end as often as the other: the mean stays 1/2, but not the second moment
     const auto end = [&] { return chance(random, 0.5) ? 1 - 0x1p-53 : chance(random, 0.5) ? 0 : 0x1p-53; };
     const double x = end(), y = chance(random, 0.02) ? end() : between(random, 0, 1);
     return chance(random, 0.5) ? rt::vec2(x, y) : rt::vec2(y, x);

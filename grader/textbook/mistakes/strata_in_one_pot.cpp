@@ -1,4 +1,4 @@
-// says: the mean over all points of all strata, times the whole width; expected each stratum's own mean and width
+// says: the mean over all points, times the width of all strata that have any; expected the sum of each stratum's
 Real integrate_stratified(const Function& f, std::span<const Stratum> strata) {
     Real sum = 0, width = 0, count = 0;
     for (const Stratum& s : strata) {
