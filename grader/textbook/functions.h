@@ -113,7 +113,7 @@ inline constexpr VectorFunction vector_functions[] = {
     {"unit({})", 1.1, [](vec3 v) { return rt::unit(v); }},
     {"2 * {}", 1.2, [](vec3 v) { return 2.0 * v; }},
     {"{} / 2", 1.2, [](vec3 v) { return 0.5 * v; }},
-    {"(0, 0, 0)", 1.4, [](vec3) { return vec3(0); }},
+    {"(0, 0, 0)", 1.2, [](vec3) { return vec3(0); }},
     {"(0, 0, 1)", 1.4, [](vec3) { return vec3(0, 0, 1); }},
     {"(0, 1, 0)", 1.4, [](vec3) { return vec3(0, 1, 0); }},
     {"(1, 0, 0)", 1.5, [](vec3) { return vec3(1, 0, 0); }},
