@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "diagnosis/bounds.h"
 #include "diagnosis/by_textbook.h"
@@ -144,6 +145,8 @@ public:
         if (is_nothing) broken_ = broken_bound(all_, right_);
         if (is_rare(broken_) && sampled_ && spread_of(all_, all_, mine_, right_)) broken_.reset();
         tell_how();
+        const bool is_own_order = has_own_order();
+        if (is_own_order && (broken_ = broken_bound(all_, right_))) return of_samples();
         // Another parametrisation is wrong in no call. Where many answers are the solution's, the random numbers are
         // used as the solution does, but perhaps not in calls of one kind.
         constexpr double many = 0.2;
@@ -158,7 +161,7 @@ public:
         if (region.is_exact && !region.not_unit.empty() && !is_exact(relation_))
             tell({fmt::format("the length of `{}` is taken to be 1: it may have any", region.not_unit)});
         const bool is_everywhere = !is_nothing && (is_exact(relation_) || relation_->everywhere);
-        add_example(region, !sampled_ || is_everywhere || not_numbers_ > 0);
+        add_example(region, !is_own_order && (!sampled_ || is_everywhere || not_numbers_ > 0));
         return finding_;
     }
 
@@ -183,6 +186,20 @@ private:
             finding_.by_repair = relation_->by_repair;
         }
         return true;
+    }
+
+    /// Whether cells are in another order than the solution's, as of a grid row by row, which is as good: then answers
+    /// for a square n differ from it, and nothing is wrong in them.
+    bool has_own_order() const {
+        if (!is_exact(relation_) || relation_->kind != Relation::Kind::named_mistake) return false;
+        const auto& parts = all_.layouts.front().parts;
+        const auto n = std::ranges::find(parts, "n", &Field::name);
+        if (n == parts.end() || std::ranges::find(parts, "i", &Field::name) == parts.end()) return false;
+        for (std::size_t k = 0; k < all_.size(); ++k) {
+            const double root = std::round(std::sqrt(all_.rows[k][n->at]));
+            if (root * root == all_.rows[k][n->at] && !is_equal(all_.result, all_.mine[k], all_.right[k])) return true;
+        }
+        return false;
     }
 
     /// Whether it is broken in few calls: then it may follow from what is wrong in all.
