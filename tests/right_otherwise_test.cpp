@@ -52,20 +52,24 @@ TEST_CASE("where samples may be in any order, the call that is shown breaks what
     for (const int n : {4, 5, 6, 7, 9})
         for (int i = 0; i < n; ++i)
             for (int k = 0; k < 8; ++k) rows.push_back(row(i, n, square(random)));
-    // rows first, which is as good; and one row too few where n is no square
-    const Ask mine = [](const Rows& asked) {
-        Rows all;
-        for (const Row& in : asked) {
-            const int i = int(in[0]), n = int(in[1]), columns = std::max(1, int(std::sqrt(n))), lines = n / columns;
-            all.push_back({(i % columns + in[2]) / columns, (i / columns + in[3]) / lines});
-        }
-        return all;
-    };
-    const Finding finding = found("stratified_2d", rows, mine);
-    CHECK_THAT(finding.how, ContainsSubstring("between 0 and 1"));
-    CHECK(finding.arguments.find("n = 4,") == finding.arguments.npos);
-    CHECK(finding.arguments.find("n = 9,") == finding.arguments.npos);
-    const auto second = finding.answer.find(", ");
-    REQUIRE(second != finding.answer.npos);
-    CHECK(std::stod(finding.answer.substr(second + 2)) > 1);
+    // rows first, and from the other corner, which are as good; and one row too few where n is no square
+    for (const bool is_turned : {false, true}) {
+        const Ask mine = [=](const Rows& asked) {
+            Rows all;
+            for (const Row& in : asked) {
+                const int i = int(in[0]), n = int(in[1]), columns = std::max(1, int(std::sqrt(n))), lines = n / columns;
+                const double x = (i % columns + in[2]) / columns, y = (i / columns + in[3]) / lines;
+                all.push_back(is_turned ? Row{1 - x, 1 - y} : Row{x, y});
+            }
+            return all;
+        };
+        const Finding finding = found("stratified_2d", rows, mine);
+        // one of both has a name
+        CHECK_THAT(finding.how, ContainsSubstring(is_turned ? "between 0 and 1" : "the last cells lie outside"));
+        CHECK(finding.arguments.find("n = 4,") == finding.arguments.npos);
+        CHECK(finding.arguments.find("n = 9,") == finding.arguments.npos);
+        const auto second = finding.answer.find(", ");
+        REQUIRE(second != finding.answer.npos);
+        CHECK(std::abs(std::stod(finding.answer.substr(second + 2)) - 0.5) > 0.5);
+    }
 }

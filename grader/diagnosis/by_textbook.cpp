@@ -275,7 +275,7 @@ std::optional<Relation> known_mistake_and_another(const Calls& calls, const text
     if (textbook.wrong() < enough) return std::nullopt;
     auto found = textbook.one(true, dearest_of_pairs);
     if (!is_exact(found)) return std::nullopt;
-    found->said = form.says + ", and " + found->said;
+    found->said = form.says + ", and " + found->said, found->kind = Relation::Kind::named_mistake;
     return found;
 }
 

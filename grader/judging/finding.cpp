@@ -36,7 +36,7 @@ Ask asking(const fs::path& program, const Sandbox& sandbox, const fs::path& mesh
     };
     return [=, &sandbox, &seconds, state = std::make_shared<State>()](const Rows& rows) -> Rows {
         constexpr int most_starts = 4;
-        // of time in all: on a busy machine the clock runs on while the grader itself waits, and no hint may depend on it
+        // in all: on a busy machine the clock runs on while the grader itself waits, and no hint may depend on that
         constexpr double most_cpu = 15, most_by_clock = 45;
         if (state->cpu > most_cpu || state->clock > most_by_clock) return {};
         if (!state->runner) {
