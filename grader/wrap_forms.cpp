@@ -18,8 +18,8 @@ using grade::textbook::Wrapped;
 class Tables {
 public:
     void add(const Wrapped& form) {
-        numbers_.insert(numbers_.end(),
-                        {place_of(form.fragment), place_of(form.says), std::uint32_t(form.nodes.size())});
+        numbers_.insert(numbers_.end(), {place_of(form.fragment), place_of(form.says),
+                                         std::uint32_t(form.has_other_order), std::uint32_t(form.nodes.size())});
         for (const auto& node : form.nodes) {
             for (const std::string& text : {node.text, node.name, node.context, node.function})
                 numbers_.push_back(place_of(text));

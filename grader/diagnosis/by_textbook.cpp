@@ -217,7 +217,7 @@ std::optional<Relation> known_mistake(const Calls& calls, bool sampled) {
             while (k < calls.size() && is_explained(k)) ++k;
             if (k < calls.size() || wrong < enough) continue;
             Relation found{form.says, Relation::Kind::named_mistake};
-            found.cost = 1 + base.cost, found.by_textbook = true;
+            found.cost = 1 + base.cost, found.by_textbook = true, found.has_other_order = form.has_other_order;
             return found;
         }
     }

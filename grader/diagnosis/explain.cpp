@@ -145,7 +145,7 @@ public:
         if (is_nothing) broken_ = broken_bound(all_, right_);
         if (is_rare(broken_) && sampled_ && spread_of(all_, all_, mine_, right_)) broken_.reset();
         tell_how();
-        const bool is_own_order = has_own_order();
+        const bool is_own_order = relation_ && relation_->has_other_order;
         if (is_own_order && (broken_ = broken_bound(all_, right_))) return of_samples();
         // Another parametrisation is wrong in no call. Where many answers are the solution's, the random numbers are
         // used as the solution does, but perhaps not in calls of one kind.
@@ -186,20 +186,6 @@ private:
             finding_.by_repair = relation_->by_repair;
         }
         return true;
-    }
-
-    /// Whether cells are in another order than the solution's, as of a grid row by row, which is as good: then answers
-    /// for a square n differ from it, and nothing is wrong in them.
-    bool has_own_order() const {
-        if (!is_exact(relation_) || relation_->kind != Relation::Kind::named_mistake) return false;
-        const auto& parts = all_.layouts.front().parts;
-        const auto n = std::ranges::find(parts, "n", &Field::name);
-        if (n == parts.end() || std::ranges::find(parts, "i", &Field::name) == parts.end()) return false;
-        for (std::size_t k = 0; k < all_.size(); ++k) {
-            const double root = std::round(std::sqrt(all_.rows[k][n->at]));
-            if (root * root == all_.rows[k][n->at] && !is_equal(all_.result, all_.mine[k], all_.right[k])) return true;
-        }
-        return false;
     }
 
     /// Whether it is broken in few calls: then it may follow from what is wrong in all.

@@ -23,8 +23,9 @@ struct Relation {
     /// What is explained: all, some of the calls or parts of the answer, or nothing beyond which parts are wrong.
     enum class Explains { all, some, nothing };
     Explains explains = Explains::all;
-    bool other_numbers = false;  // the answers are the right fragment's for other random numbers
-    double share = 1;            // of what is wrong that is explained
+    bool other_numbers = false;    // the answers are the right fragment's for other random numbers
+    bool has_other_order = false;  // samples come in another order, which is as good: of a named mistake
+    double share = 1;              // of what is wrong that is explained
     // explained exactly by a change of arguments, of a textbook's expression; put right by one of the fragment's own
     bool by_arguments = false, by_textbook = false, by_repair = false;
     bool is_constant = false;             // a part of the answer is always the same, which says nothing of a cause

@@ -145,33 +145,6 @@ Expression ExpressionReader::unary() {
     return postfix();
 }
 
-std::vector<Expression> ExpressionReader::arguments(std::string_view close) {
-    std::vector<Expression> all;
-    while (!is(close)) {
-        const std::size_t since = nodes_.size();
-        std::string field;
-        if (close == "}" && take(".")) field = "." + tokens_[at_++].text + " = ", expect("=");
-        all.push_back(is("{") ? braced() : expression());
-        if (!field.empty()) all.back().code = field + (all.back().is_literal ? all.back().text : all.back().code);
-        if (!field.empty()) all.back().is_literal = false;
-        if (close == "}") set_context(since, all.back().text);
-        if (!take(",")) break;
-    }
-    expect(close);
-    return all;
-}
-
-Expression ExpressionReader::braced() {
-    const Deeper deeper(*this);
-    expect("{");
-    std::vector<Expression> all = arguments("}");
-    for (Expression& one : all)
-        if (one.is_literal) one.code = one.text;
-    Expression whole{"(" + list(all, &Expression::text) + ")", "{" + list(all, &Expression::code) + "}", "", false};
-    whole.code = whole.inner;
-    return whole;
-}
-
 Expression ExpressionReader::postfix() {
     Expression all = primary();
     for (;;) {
@@ -193,40 +166,6 @@ Expression ExpressionReader::postfix() {
         }
         finish(all);
     }
-}
-
-void ExpressionReader::call(Expression& function, const std::string& name, const std::string& qualified) {
-    const std::string before = function.text, all_inner = function.inner;
-    const auto all = arguments(")");
-    called_with_ = all;
-    function.text = before + "(" + list(all, &Expression::text) + ")";
-    const std::string code = list(all, changes_arguments(name) ? &Expression::inner : &Expression::code);
-    function.inner = (qualified.empty() ? function.inner : qualified) + "(" + code + ")";
-    std::vector<std::string> alternatives, codes;
-    const bool is_method = before != short_name(name);
-    const std::string types = is_method ? "" : all_inner.substr(std::min(name.size(), all_inner.size()));
-    for (const std::string& other : is_method ? std::vector<std::string>() : functions_for(name)) {
-        alternatives.push_back(short_name(other) + "(" + list(all, &Expression::text) + ")");
-        codes.push_back(fmt::format("{}{}({})", other, types, code));
-    }
-    const bool is_cross = is_cross_product(name);
-    const bool has_order = name == "std::pow" || name == "std::atan2" || is_cross;
-    if (has_order && all.size() == 2) {
-        alternatives.push_back(fmt::format("{}({}, {})", short_name(name), all[1].text, all[0].text));
-        codes.push_back(fmt::format("{}({}, {})", name, all[1].code, all[0].code));
-    }
-    if (has_order && !is_cross && all.size() == 2) {
-        alternatives.push_back(fmt::format("{} * {}", all[0].text, all[1].text));
-        codes.push_back(fmt::format("({}) * ({})", all[0].code, all[1].code));
-    }
-    if (codes.empty()) return;
-    check_length(code);
-    const int node = add(function.text, {}, alternatives);
-    nodes_.back().function = name, nodes_.back().line = function.line;
-    std::string choice = function.inner;
-    for (std::size_t i = codes.size(); i-- > 0;)
-        choice = fmt::format("(textbook::chosen({}) == {} ? {} : {})", node, i + 1, codes[i], choice);
-    function.inner = fmt::format("textbook::at({}, {})", node, choice);  // that it is called is seen
 }
 
 Expression ExpressionReader::primary() {
@@ -287,35 +226,6 @@ void ExpressionReader::finish(Expression& all) {
     else
         watch(all, add(all.text, called_with_));
     called_with_.clear();
-}
-
-std::string ExpressionReader::template_arguments() {
-    if (!is("<")) return {};
-    int depth = 0;
-    for (std::size_t i = at_; i + 1 < tokens_.size(); ++i) {
-        const std::string& text = tokens_[i].text;
-        depth += (text == "<") - (text == ">");
-        const bool is_part =
-            tokens_[i].kind != Token::Kind::sign || text == "<" || text == ">" || text == "," || text == "&";
-        if (!is_part) return {};
-        if (depth > 0) continue;
-        if (tokens_[i + 1].text != "(" && tokens_[i + 1].text != "{") return {};
-        std::string all = joined(at_, i + 1);
-        at_ = i + 1;
-        return all;
-    }
-    return {};
-}
-
-Expression ExpressionReader::function_object() {
-    const std::size_t start = at_;
-    skip_to({"{"});
-    int depth = 0;
-    do depth += is("{") - is("}"), ++at_;
-    while (depth > 0);
-    Expression all;
-    all.text = "a function", all.inner = all.code = joined(start, at_);
-    return all;
 }
 
 }  // namespace grade::textbook

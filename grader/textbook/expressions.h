@@ -150,6 +150,13 @@ protected:
     /// Puts its arguments behind a function's name.
     void call(Expression& function, const std::string& name, const std::string& qualified);
 
+    /// What may be written in place of an expression, as it reads and as it is compiled.
+    struct InPlace {
+        std::vector<std::string> texts, codes;
+    };
+    static InPlace in_place_of_call(const std::string& name, bool is_method, const std::string& types,
+                                    const std::vector<Expression>& all, const std::string& code);
+
     Expression primary();
 
     /// What a field or an element is taken of is not watched itself.

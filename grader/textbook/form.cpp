@@ -13,7 +13,7 @@ std::vector<Form> read_forms(std::span<const unsigned char> texts, std::span<con
     std::vector<Form> all;
     int first = 0;
     for (Answer& answer : answers) {
-        Form form{text(), text(), first, std::vector<Node>(numbers[at++]), std::move(answer)};
+        Form form{text(), text(), numbers[at++] != 0, first, std::vector<Node>(numbers[at++]), std::move(answer)};
         for (Node& node : form.nodes) {
             node.text = text(), node.name = text(), node.context = text(), node.function = text();
             node.parts.resize(numbers[at++]);

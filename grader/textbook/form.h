@@ -16,8 +16,9 @@ using Answer = std::function<std::vector<double>(std::span<const double>)>;
 /// A fragment as a textbook writes it, each of whose expressions can be changed.
 struct Form {
     std::string fragment;
-    std::string says;  // what is wrong with it; empty: it is right
-    int first = 0;     // the number of its first node
+    std::string says;      // what is wrong with it; empty: it is right
+    bool has_other_order;  // samples come in another order than the solution's: an answer that differs may be right
+    int first = 0;         // the number of its first node
     std::vector<Node> nodes;
     Answer answer;  // to a row of arguments
 };

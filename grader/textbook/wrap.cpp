@@ -33,8 +33,9 @@ public:
 
 Wrapped wrap(const std::string& file, const std::string& text, const std::vector<std::string>& fragments, int first) {
     Wrapped all = FormReader(file, text, fragments, first).run();
-    if (constexpr std::string_view says = "// says: "; text.starts_with(says))
-        all.says = text.substr(says.size(), text.find('\n') - says.size());
+    for (const std::string_view says : {"// says: ", "// says, reordered: "})
+        if (text.starts_with(says)) all.says = text.substr(says.size(), text.find('\n') - says.size());
+    all.has_other_order = text.starts_with("// says, ");
     return all;
 }
 

@@ -13,6 +13,7 @@ namespace grade::textbook {
 struct Wrapped {
     std::string fragment, head, code;  // head: "Real hit_sphere(const Sphere& sphere, const Ray& ray)"
     std::string says;                  // what is wrong with it, as its first line "// says: ..." has it
+    bool has_other_order = false;      // "// says, reordered: ...": a differing answer is not yet a wrong one
     std::vector<Node> nodes;
 };
 
