@@ -65,7 +65,7 @@ TEST_CASE("where samples may be in any order, the call that is shown breaks what
         };
         const Finding finding = found("stratified_2d", rows, mine);
         // one of both has a name
-        CHECK_THAT(finding.how, ContainsSubstring(is_turned ? "between 0 and 1" : "the last cells lie outside"));
+        CHECK_THAT(finding.how, ContainsSubstring(is_turned ? "between 0 and 1" : "cells of some n lie outside"));
         CHECK(finding.arguments.find("n = 4,") == finding.arguments.npos);
         CHECK(finding.arguments.find("n = 9,") == finding.arguments.npos);
         const auto second = finding.answer.find(", ");

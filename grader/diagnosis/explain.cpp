@@ -145,8 +145,8 @@ public:
         if (is_nothing) broken_ = broken_bound(all_, right_);
         if (is_rare(broken_) && sampled_ && spread_of(all_, all_, mine_, right_)) broken_.reset();
         tell_how();
-        const bool is_own_order = relation_ && relation_->has_other_order;
-        if (is_own_order && (broken_ = broken_bound(all_, right_))) return of_samples();
+        if (relation_ && relation_->has_other_order)  // then no call by itself is wrong but for what leaves its bounds
+            return (broken_ = broken_bound(all_, right_)) ? of_samples() : finding_;
         // Another parametrisation is wrong in no call. Where many answers are the solution's, the random numbers are
         // used as the solution does, but perhaps not in calls of one kind.
         constexpr double many = 0.2;
@@ -161,7 +161,7 @@ public:
         if (region.is_exact && !region.not_unit.empty() && !is_exact(relation_))
             tell({fmt::format("the length of `{}` is taken to be 1: it may have any", region.not_unit)});
         const bool is_everywhere = !is_nothing && (is_exact(relation_) || relation_->everywhere);
-        add_example(region, !is_own_order && (!sampled_ || is_everywhere || not_numbers_ > 0));
+        add_example(region, !sampled_ || is_everywhere || not_numbers_ > 0);
         return finding_;
     }
 
