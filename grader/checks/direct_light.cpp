@@ -157,9 +157,8 @@ Check lamp_highlight(Generator& random) {
 
 Checks check_direct_light(Generator& random) {
     const auto any_sample = [](Generator& random) {
-        Material m;
-        m.albedo = box(random, 0.1, 0.9);
-        if (chance(random, 0.7)) m.specular = box(random, 0.1, 0.9);
+        Material m = any_material(random);
+        m.albedo = box(random, 0.1, 0.9), m.specular = chance(random, 0.7) ? box(random, 0.1, 0.9) : Color(0);
         m.shininess = log_between(random, 2, 60);
         const Color radiance = box(random, 1, 20);
         const vec3 n = scene_direction(random), d = light_direction(random, n);
@@ -193,6 +192,10 @@ Checks check_direct_light(Generator& random) {
                           if (s.density <= 0) return right;
                           const Color highlight = reflected(m, n, s.direction, c, {.diffuse = false}) * l;
                           return right - highlight / s.density + highlight;
+                      }},
+                     {"ambient light is added to each sample: it is none of a lamp's",
+                      [](Color right, const Material& m, Color l, const LightSample& s, vec3, vec3) {
+                          return s.density > 0 ? right + m.ambient * l / s.density : right;
                       }},
                      {"a sample with density 0 must add nothing: it gives inf or nan",
                       [](Color right, const Material&, Color, const LightSample& s, vec3, vec3) {

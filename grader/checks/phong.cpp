@@ -20,7 +20,7 @@ auto modelled(Model model) {
 
 Checks check_phong(Generator& random) {
     const auto any_surface = [](Generator& draw) {
-        Material m;
+        Material m = any_material(draw);
         m.ambient = box(draw, 0.1, 0.5), m.albedo = box(draw, 0.1, 0.9), m.specular = box(draw, 0.1, 0.9);
         m.shininess = log_between(draw, 2, 60);
         const Color ambient = box(draw, 0, 1), irradiance = brightness_of_light(draw) * box(draw, 1, 5);

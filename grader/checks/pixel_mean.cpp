@@ -46,6 +46,11 @@ Statistic linear_mean() {
              {"the sum is not divided by the number of samples", divided_by([](double) { return 1.0; })},
              {"the sum is divided by the sum of the weights; expected the number of samples",
               [=](Color right, const Colors&, const Weights& w) { return right * double(w.size()) / total(w); }},
+             {"black samples are not counted; expected the mean over all",
+              [=](Color right, const Colors& c, const Weights& w) {
+                  const auto lit = double(c.size()) - double(std::ranges::count(c, Color(0)));
+                  return lit > 0 ? right * double(w.size()) / lit : right;
+              }},
              {"the weights are ignored", mean_over_samples([](Color c, double) { return c; })},
              {"each sample is clamped to 1 before the mean: radiance has no upper bound",
               mean_over_samples([](Color c, double w) { return w * glm::min(c, Color(1)); })},
@@ -200,10 +205,11 @@ Checks check_pixel_mean(Generator& random) {
         Colors radiance;
         Weights weight;
         for (int i = 0; i < n; ++i) {
-            // a bright emitter among dim surfaces: radiance has no upper bound
-            radiance.push_back(chance(random, 0.05)  ? box(random, 1e3, 1e6)
-                               : chance(random, 0.2) ? box(random, 5, 50)
-                                                     : box(random, 0, 0.9));
+            // a bright emitter among dim surfaces, or nothing: radiance has no upper bound, and what is black counts
+            radiance.push_back(chance(random, 0.1)    ? Color(0)
+                               : chance(random, 0.05) ? box(random, 1e3, 1e6)
+                               : chance(random, 0.2)  ? box(random, 5, 50)
+                                                      : box(random, 0, 0.9));
             weight.push_back(between(random, 0.2, 1.6));
         }
         return row(radiance, weight);

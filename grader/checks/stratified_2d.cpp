@@ -48,7 +48,15 @@ Statistic about_cells(const std::vector<int>& numbers, const std::string& what, 
 
 std::string no_cells(const Observation& seen, int n) {
     double largest = 0;
-    for (const CellBox& box : boxes(seen, n)) largest = std::max(largest, box.area());
+    bool are_of_rooks = n > 1;
+    for (const CellBox& box : boxes(seen, n)) {
+        largest = std::max(largest, box.area());
+        are_of_rooks = are_of_rooks && std::abs(box.longest() * n - 1) < 0.05 && std::abs(box.area() * n * n - 1) < 0.1;
+    }
+    if (are_of_rooks)
+        return "a cell is 1/n wide and 1/n high, as of n rooks on a board: most of the square stays empty; expected "
+               "cells "
+               "of the area 1/n";
     if (largest * n < 0.01) return "all points of a cell are one point, a regular grid: u says where in the cell";
     if (largest > 0.99) return "the cells are not used: the points are independent, anywhere in the square";
     return "";

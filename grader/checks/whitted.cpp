@@ -78,10 +78,11 @@ Statistic all_weights() {
 
 Checks check_whitted(Generator& random) {
     const auto any_weights = [](Generator& draw) {
-        Material m;
+        Material m = any_material(draw);
         m.albedo = box(draw, 0, 1);
-        m.ior = between(draw, 1.1, 2);
-        if (chance(draw, 0.7)) m.reflectance = box(draw, 0.2, 0.9);
+        m.ior = chance(draw, 0.1) ? 1 : between(draw, 1.1, 2);
+        m.reflectance = chance(draw, 0.7) ? box(draw, 0.2, 0.9) : Color(0);
+        m.transmittance = Color(0);
         if (chance(draw, 0.6)) {
             m.transmittance = box(draw, 0.2, 0.9);
             // glass of one colour alone is still glass

@@ -15,7 +15,10 @@ using textbook::Value;
 
 namespace {
 
-bool is_number(std::string_view text) { return text.find_first_not_of("0123456789.") == text.npos; }
+bool is_number(std::string_view text) {
+    return !text.empty() && std::string_view("0123456789.").find(text.front()) != text.npos &&
+           text.find_first_not_of("0123456789.eE+-f") == text.npos;
+}
 
 /// Whether one is the other without brackets.
 bool lacks_brackets(std::string text, std::string alternative) {
@@ -28,8 +31,18 @@ std::string called(std::string_view call) { return std::string(call.substr(0, ca
 
 /// Of a mistake in a literal, the number that takes its place.
 std::string other_number(const textbook::Node& node, const Mistake& mistake) {
-    if (mistake.made.made != Made::number) return filled(mistake.pattern, node.name);
-    return number_in_words(scalar_functions[mistake.made.function].value(std::strtod(node.text.c_str(), nullptr)));
+    const double x = std::strtod(node.text.c_str(), nullptr);
+    const std::size_t f = mistake.made.function;
+    switch (mistake.made.made) {
+        case Made::number:
+            return number_in_words(scalar_functions[f].value(x));
+        case Made::tolerance:
+            return number_in_words(tolerance_functions[f].value(x));
+        case Made::limit:
+            return number_in_words(limit_functions[f].value(x));
+        default:
+            return filled(mistake.pattern, node.name);
+    }
 }
 
 /// Another operator binds less than what is written: within a larger expression it needs brackets.
@@ -243,7 +256,12 @@ private:
         set_everywhere(i);
         // a constant is rarely half of it, but an answer that is one may be another
         const bool is_answer = nodes_[i].context.ends_with("return " + nodes_[i].text);
-        add_functions(i, scalar_functions, is_literal(nodes_[i].text) && !is_answer ? 0.4 : 0, Made::number);
+        const bool is_constant = is_literal(nodes_[i].text);
+        add_functions(i, scalar_functions, is_constant && !is_answer ? 0.4 : 0, Made::number);
+        constexpr double small = 0.01, large = 50;
+        const double value = is_constant ? std::strtod(nodes_[i].text.c_str(), nullptr) : 1;
+        if (value > 0 && value <= small) add_functions(i, tolerance_functions, 0, Made::tolerance);
+        if (value >= large) add_functions(i, limit_functions, 0, Made::limit);
         for (const OtherValue& other : others_)
             if (is_number(other.kind) && other.name != nodes_[i].name)
                 add_functions_of_two(i, other, of_two_scalars, Made::number_with);

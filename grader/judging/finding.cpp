@@ -116,6 +116,14 @@ Rows telling_calls(const std::string& fragment, const std::vector<Check>& checks
     return calls;
 }
 
+/// Whether the same calls in the other order, of a program that has just begun, have other answers.
+bool keeps_something(const Rows& calls, const Ask& mine, const Ask& again) {
+    Observation first, second;
+    first.outputs = mine(calls), second.outputs = again(Rows(calls.rbegin(), calls.rend()));
+    std::ranges::reverse(second.outputs);
+    return first.outputs.size() == second.outputs.size() && differs(first, second);
+}
+
 /// The fragment with expressions that can be changed; none: its source cannot be read, or not compiled so.
 std::optional<Editable> editable_of(Programs& programs, const std::string& fragment, const fs::path& meshes,
                                     double& seconds) try {
@@ -152,7 +160,14 @@ Finding find_cause(Programs& programs, const Toolchain& chain, const std::string
               right = asking(programs.with({}).program, sandbox, meshes, seconds, answers_to(fragment, width, true));
     const Rows calls = telling_calls(fragment, checks, seed, *signature, mine, right);
     const auto source = [&] { return editable_of(programs, fragment, meshes, seconds); };
-    Finding finding = calls.empty() ? Finding{} : explain(*signature, calls, mine, right, source);
+    const Ask again = asking(own, sandbox, meshes, seconds, answers_to(fragment, width, false));
+    Finding finding;
+    if (!calls.empty() && keeps_something(calls, mine, again))
+        finding.how =
+            "the answer to a call hangs on the calls before it: something is kept in between, as in a variable "
+            "that is `static` or global, or read before it is set; a fragment answers by its arguments alone";
+    else if (!calls.empty())
+        finding = explain(*signature, calls, mine, right, source);
     finding.cpu_seconds = seconds + thread_seconds() - before;
     return finding;
 } catch (const std::bad_alloc&) {

@@ -66,6 +66,18 @@ inline constexpr Function scalar_functions[] = {
     {"pow({}, 4)", 2, [](double x) { return x * x * x * x; }},
 };
 
+/// Of a small or a large constant, such as a tolerance or a limit.
+inline constexpr Function tolerance_functions[] = {
+    {"{} / 1e3", 1.05, [](double x) { return x / 1e3; }, ": a tolerance must be small beside what is compared"},
+    {"{} / 1e6", 1.05, [](double x) { return x / 1e6; }, ": a tolerance must be small beside what is compared"},
+    {"{} / 1e9", 1.05, [](double x) { return x / 1e9; }, ": a tolerance must be small beside what is compared"},
+};
+inline constexpr Function limit_functions[] = {
+    {"1e3 * {}", 1.05, [](double x) { return 1e3 * x; }, ": values beyond it are promised"},
+    {"1e6 * {}", 1.05, [](double x) { return 1e6 * x; }, ": values beyond it are promised"},
+    {"1e9 * {}", 1.05, [](double x) { return 1e9 * x; }, ": values beyond it are promised"},
+};
+
 /// Of both coordinates of a pair.
 inline constexpr Function pair_functions[] = {
     {"{}", 1.15, [](double x) { return x; }},

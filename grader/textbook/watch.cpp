@@ -62,6 +62,12 @@ void make(const Mistake& mistake, Value::Kind kind, double* x) {
             if (kind == Value::Kind::whole) *x = std::trunc(*x);
             return;
         }
+        case Made::tolerance:
+            *x = tolerance_functions[f].value(*x);
+            return;
+        case Made::limit:
+            *x = limit_functions[f].value(*x);
+            return;
         case Made::pair:
             for (int c = 0; c < 2; ++c) x[c] = pair_functions[f].value(x[c]);
             return;

@@ -24,6 +24,8 @@ enum class Made {
     no,
     opposite,
     number,
+    tolerance,
+    limit,
     pair,
     exchanged,  // the numbers of a pair
     vector,

@@ -3,6 +3,7 @@
 #include "checks/kit/check.h"
 #include "files/stamp.h"
 #include "rt/math.h"
+#include "rt/scene.h"
 
 /// Parameters and arguments drawn at random.
 namespace grade {
@@ -104,6 +105,16 @@ std::vector<Item> joined(std::vector<Item> list, const std::vector<Item>& more) 
 /// A stream of random numbers of a check's own, so that other checks do not move it.
 inline Generator stream(std::uint64_t seed, const std::string& name) {
     return Generator(fnv1a(name, fnv1a("") ^ seed));
+}
+
+/// A material all of whose colours count, or none: what a fragment does not ask for may be anything.
+inline rt::Material any_material(Generator& random) {
+    rt::Material m;
+    if (chance(random, 0.5)) return m;
+    for (rt::Color* color : {&m.ambient, &m.albedo, &m.specular, &m.reflectance, &m.transmittance, &m.emission})
+        *color = box(random, 0.1, 0.9);
+    m.exponent = log_between(random, 1, 1e3), m.ior = between(random, 1, 2);
+    return m;
 }
 
 }  // namespace grade
