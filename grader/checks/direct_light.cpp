@@ -179,7 +179,7 @@ Checks check_direct_light(Generator& random) {
     Formula<rt::direct_light> radiance{
         .id = "L1",
         .what = "radiance, off by",
-        .tolerance = 1e-4,
+        .tolerance = 1e-6,
         .right = estimate({}),
         .suspects = {{"the density is ignored: the sample must be divided by it",
                       times([](const LightSample& s) { return s.density; })},

@@ -34,7 +34,7 @@ Checks check_phong(Generator& random) {
         return row(m, Color(0), box(draw, 1, 5), n, d, c);
     };
     const auto inputs = rows_then(rows_of(96, any_surface), rows_of(64, highlights));
-    Formula<rt::phong> radiance{.id = "P4", .what = "radiance, off by", .tolerance = 1e-4, .right = modelled({})};
+    Formula<rt::phong> radiance{.id = "P4", .what = "radiance, off by", .tolerance = 1e-6, .right = modelled({})};
     for (const ModelMistake& mistake : reflection_mistakes)
         radiance.suspects.push_back({mistake.words, modelled(mistake.model)});
     // a highlight that nobody sees, or Lambert's law would be taken in place of the fragment

@@ -34,7 +34,7 @@ Statistic irradiance_by_point() {
     return formula<rt::point_irradiance>(
         {.id = "L2",
          .what = "irradiance, off by",
-         .tolerance = 1e-4,
+         .tolerance = 1e-6,
          .right = with_cosine([](double c) { return std::max(0.0, c); }),
          .suspects = {
              {"1/r^2 is missing: the light does not grow fainter with its distance", times_distance(2)},

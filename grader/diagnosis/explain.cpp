@@ -145,6 +145,7 @@ public:
         if (is_nothing) broken_ = broken_bound(all_, right_);
         if (is_rare(broken_) && sampled_ && spread_of(all_, all_, mine_, right_)) broken_.reset();
         tell_how();
+        tell_what_else_is_broken();
         if (relation_ && relation_->has_other_order)  // then no call by itself is wrong but for what leaves its bounds
             return (broken_ = broken_bound(all_, right_)) ? of_samples() : finding_;
         // Another parametrisation is wrong in no call. Where many answers are the solution's, the random numbers are
@@ -208,6 +209,13 @@ private:
         if (finding_.how.empty() && is_nothing) finding_.how = independence(all_, depends_);
         if (finding_.how.empty() && relation_) tell(cause_of(*relation_));
         if (finding_.how.empty()) finding_.how = wrong_answers(all_);
+    }
+
+    /// Where a relation explains a part of the answer alone: what in most of these calls no right answer has.
+    void tell_what_else_is_broken() {
+        if (sampled_ || not_numbers_ > 0 || !relation_ || relation_->explains != Relation::Explains::some) return;
+        const auto broken = broken_bound(all_, right_);
+        if (broken && 2 * broken->calls.size() > wrong_) finding_.how = broken->words + "; " + finding_.how;
     }
 
     /// What says more than a relation that does not explain all.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "diagnosis/directions.h"
 #include "diagnosis/quantities.h"
 #include "diagnosis/scalars.h"
 
@@ -24,6 +25,7 @@ struct Feature {
     bool of_answers = false;
     std::string number{};    // as WrongCalls has it
     std::string not_unit{};  // likewise
+    bool is_of_axis = false;
     std::vector<bool> holds{};
 };
 
@@ -40,7 +42,9 @@ public:
             all.push_back(k);
         }
         told_ = told_of(calls, all);
+        directions_ = directions_of(calls, told_);
         parts();
+        axes();
         if (of_answers) answers();
         quantities();
     }
@@ -51,7 +55,7 @@ public:
         const Feature* best = nullptr;
         double most = 0;
         for (const Feature& one : list_)
-            if (const double s = score(one.holds); s > most) most = s, best = &one;
+            if (const double s = score_alone(one); s > most) most = s, best = &one;
         if (most == 1) return region(*best, true);
         const Feature *first = nullptr, *second = nullptr;
         double most_of_two = std::max(most, share);
@@ -83,6 +87,15 @@ private:
             wrong += wrong_[k], holding += holds[k], both += wrong_[k] && holds[k];
         const double good = double(holds.size()) - wrong, spared = (good - (holding - both)) / good;
         return holding > 0 && wrong > 0 && spared > 0.8 ? std::min(both / wrong, both / holding) : 0;
+    }
+
+    /// That all wrong calls are along an axis is no chance, even where some others are.
+    double score_alone(const Feature& one) const {
+        constexpr double most_of_them = 0.8;
+        const double s = score(one.holds);
+        bool are_all = one.is_of_axis;
+        for (std::size_t k = 0; are_all && k < wrong_.size(); ++k) are_all = one.holds[k] || !wrong_[k];
+        return are_all && s >= most_of_them ? std::max(s, share) : s;
     }
 
     void add(Feature feature) {
@@ -191,31 +204,33 @@ private:
                          false, all[a].words});
     }
 
-    /// Of a direction that is mirrored at a normal, as a highlight's: its cosine with a third one.
+    /// Of a direction that is mirrored at another: its cosine with a third one.
     std::vector<Quantity> mirrored() const {
-        constexpr std::size_t most = 4;
-        const auto& parts = calls_.layouts.front().parts;
-        std::vector<std::size_t> units;
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-            bool is_unit = parts[i].kind == Kind::vector && told_[i];
-            for (std::size_t k = 0; is_unit && k < calls_.size(); ++k)
-                is_unit = std::abs(glm::length(vector_at(calls_.rows[k], calls_.layouts[k].parts[i].at)) - 1) < 1e-6;
-            if (is_unit) units.push_back(i);
-        }
         std::vector<Quantity> all;
-        if (units.size() > most) return all;
-        for (const std::size_t n : units)
-            for (const std::size_t a : units)
-                for (const std::size_t b : units)
-                    if (a < b && a != n && b != n)
-                        all.push_back({fmt::format("dot(2 * dot({0}, {1}) * {0} - {1}, {2})", parts[n].name,
-                                                   parts[a].name, parts[b].name),
-                                       [=](const Row& row, const Layout& l, const Row&) {
-                                           const auto at = [&](std::size_t i) { return vector_at(row, l.parts[i].at); };
-                                           return rt::dot(2 * rt::dot(at(n), at(a)) * at(n) - at(a), at(b));
-                                       },
-                                       Quantity::Kind::product});
+        for (const Direction& one : directions_)
+            for (const Direction& third : directions_) {
+                const bool is_third = one.parts.size() == 2 && third.parts.size() == 1 &&
+                                      one.parts[0] < third.parts[0] && one.parts[1] != third.parts[0];
+                if (!is_third) continue;
+                all.push_back({fmt::format("dot({}, {})", one.code, third.code),
+                               [a = one.value, b = third.value](const Row& row, const Layout& l, const Row&) {
+                                   return rt::dot(a(row, l), b(row, l));
+                               },
+                               Quantity::Kind::product});
+            }
         return all;
+    }
+
+    /// Where a frame of one's own may have no second axis.
+    void axes() {
+        for (const Direction& one : directions_)
+            for (int axis = 0; axis < 3; ++axis)
+                add({fmt::format("{} is along the {} axis", one.words, "xyz"[axis]),
+                     [axis, value = one.value](const Row& row, const Layout& l, const Row&) {
+                         constexpr double close = 1e-9;
+                         return std::abs(std::abs(value(row, l)[axis]) - 1) < close;
+                     },
+                     false, "", "", true});
     }
 
     void parts() {
@@ -276,6 +291,7 @@ private:
 
     const Calls& calls_;
     std::vector<bool> wrong_, told_;
+    std::vector<Direction> directions_;
     std::vector<Feature> list_;
 };
 
