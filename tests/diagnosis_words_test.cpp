@@ -109,3 +109,60 @@ TEST_CASE("beside nan stands what is wrong with answers that are numbers") {
     fragment.finding.of_numbers = "where it is a number, it is too large";
     CHECK(diagnose(fragment).words == "a nan\nwhere it is a number, it is too large");
 }
+
+TEST_CASE("answers with the digits of single precision are told, also where doubles are made of them") {
+    const Rows rows = calls([](Generator& random) { return row(between(random, 0.1, 0.9), square(random)); });
+    const auto off = [](double by) {
+        return [by](const Rows& asked) {
+            Rows all = answers("sphere_cone")(asked);
+            for (std::size_t k = 0; k < all.size(); ++k)
+                for (double& x : all[k]) x *= 1 + by * double(1 + k % 7) / 7;
+            return all;
+        };
+    };
+    CHECK_THAT(found("sphere_cone", rows, off(1e-7)).how, ContainsSubstring("seven digits"));
+    CHECK(found("sphere_cone", rows, off(1e-12)).how.find("digits") == std::string::npos);
+    const Ask in_float = answers("sphere_cone", {}, [](Row& answer) {
+        for (double& x : answer) x = double(float(x));
+    });
+    CHECK_THAT(found("sphere_cone", rows, in_float).how, ContainsSubstring("7 digits of single precision"));
+}
+
+TEST_CASE("wrong calls along an axis of the world are told, where a frame of one's own has no second axis") {
+    const rt::vec3 y(0, 1, 0);
+    const Rows rows = calls(
+        [&](Generator& random) {
+            const bool is_along = chance(random, 0.2);
+            const rt::vec3 d = is_along ? y : direction(random), n = is_along ? -y : direction(random);
+            return row(d, n, between(random, 1, 20), square(random));
+        },
+        200);
+    const Ask mine = [](const Rows& asked) {
+        Rows all = answers("glossy_reflection")(asked);
+        for (std::size_t k = 0; k < all.size(); ++k)
+            if (asked[k][1] == 1)  // only what is along the axis is left
+                all[k][0] = all[k][2] = 0;
+        return all;
+    };
+    const Finding finding = found("glossy_reflection", rows, mine);
+    CHECK_THAT(finding.how, ContainsSubstring("`direction` must have length 1"));
+    CHECK_THAT(finding.where, ContainsSubstring("`d` is along the y axis"));
+}
+
+TEST_CASE("beside a part that is explained, a direction that has not length 1 is told") {
+    const Rows rows = calls([](Generator& random) {
+        const rt::vec3 n = direction(random);
+        return row(rt::Hit{.point = box(random, -2, 2), .normal = n}, tilted(random, n, between(random, 0, 1)),
+                   chance(random, 0.2) ? rt::inf : between(random, 2, 9));
+    });
+    const Ask mine = [&](const Rows& asked) {
+        Rows all = answers("shadow_ray")(asked);
+        for (std::size_t k = 0; k < all.size(); ++k) {
+            const double distance = asked[k].back();
+            for (std::size_t c = 3; c < 6; ++c) all[k][c] *= distance;
+            all[k].back() = rt::short_of_light;
+        }
+        return all;
+    };
+    CHECK_THAT(found("shadow_ray", rows, mine).how, ContainsSubstring("`direction` must have length 1; "));
+}

@@ -206,6 +206,14 @@ TEST_CASE("a fragment that divides by 0 does not pass, be it inf or nan") {
     CHECK(fragment.verdict != Verdict::passed);
 }
 
+TEST_CASE("a fragment that keeps what its first call was given is told so, and no formula") {
+    const FragmentRecord fragment =
+        graded_mirror(mirror("static const Real first = dot(d, n);\nreturn d - 2 * first * n;"));
+    CHECK(fragment.verdict == Verdict::failed);
+    CHECK(first_message(fragment).starts_with("the answer to a call hangs on the calls before it"));
+    CHECK(fragment.finding.code.empty());
+}
+
 TEST_CASE("a wrong fragment fails with the hint of its statistic") {
     const FragmentRecord fragment = graded_mirror(mirror("return d - dot(d, n) * n;"));
     CHECK(fragment.verdict == Verdict::failed);
