@@ -84,6 +84,13 @@ inline rt::vec2 end_of_square(Generator& random) {
     return chance(random, 0.5) ? rt::vec2(x, y) : rt::vec2(y, x);
 }
 
+/// Its rim, or where maps of the square have a seam: in the middle of a side or of the whole.
+inline rt::vec2 seam_of_square(Generator& random) {
+    if (chance(random, 0.8)) return end_of_square(random);
+    const double x = chance(random, 0.6) ? 0.5 : between(random, 0, 1);
+    return chance(random, 0.5) ? rt::vec2(x, 0.5) : rt::vec2(0.5, x);
+}
+
 /// A point of the unit square, now and then on its rim.
 inline rt::vec2 square_with_ends(Generator& random) {
     return chance(random, 0.1) ? end_of_square(random) : square(random);

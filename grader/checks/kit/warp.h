@@ -80,7 +80,7 @@ Check neighbours(std::size_t count, RowWith row_with) {
 /// Each answer is a number, and a direction that counts is a unit vector.
 ///
 /// row_with(random, u)  the fragment's arguments
-/// where                "where a coordinate of u is 0, or just below 1"
+/// where                "where a coordinate of u is 0, 1/2 or just below 1"
 template <class RowWith>
 Check well_formed(const std::string& name, rt::vec2 (*draw_u)(Generator&), RowWith row_with, const std::string& where) {
     const auto inputs = rows_of(96, [=](Generator& random) {
@@ -106,10 +106,10 @@ Check well_formed(const std::string& name, rt::vec2 (*draw_u)(Generator&), RowWi
                                   .says = "the direction is no unit vector " + where})});
 }
 
-/// Numbers u at the ends of their range.
+/// Numbers u at the ends of their range, and in its middle.
 template <class RowWith>
 Check ends_of_square(RowWith row_with) {
-    return well_formed("ends_of_u", end_of_square, row_with, "where a coordinate of u is 0, or just below 1");
+    return well_formed("ends_of_u", seam_of_square, row_with, "where a coordinate of u is 0, 1/2 or just below 1");
 }
 
 /// For row_with that draws axes of the world: a frame must exist about each.

@@ -1,0 +1,11 @@
+// says: the cosine compared with the sine of the critical angle, ior_to / ior_from
+Real fresnel_dielectric(Real cosine, Real ior_from, Real ior_to) {
+    const Real e = ior_from / ior_to;
+    const Real squared = 1 - e * e * (1 - cosine * cosine);
+    if (squared < 0 || (e > 1 && cosine < 1 / e)) return 1;
+    if (ior_from == ior_to) return 0;
+    const Real c2 = std::sqrt(squared);
+    const Real s = (ior_from * cosine - ior_to * c2) / (ior_from * cosine + ior_to * c2);
+    const Real p = (ior_to * cosine - ior_from * c2) / (ior_to * cosine + ior_from * c2);
+    return (s * s + p * p) / 2;
+}
