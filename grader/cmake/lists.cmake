@@ -15,6 +15,7 @@ endfunction()
 #
 #     checks/fragment_checks.h   the checks, in the order of the assignment; then those of fragments that it leaves out
 #     child/each_fragment.h      the fragments, as functions
+#     protocol/width.cpp         how many numbers each answers with
 #     checks/scene_texts.cpp     the scenes beside the checks, as texts
 #     asked/NAME.h               the declaration of each, and that of its checks
 function(make_lists folder)
@@ -66,9 +67,11 @@ function(make_lists folder)
         string(APPEND functions "Checks check_${name}(Generator& random);\n")
         string(APPEND entries "    {\"${name}\", check_${name}},\n")
         string(APPEND visits "    visit(\"${name}\", rt::${name});\n")
+        string(APPEND widths "        {\"${name}\", Width<decltype(rt::${name})>::value()},\n")
     endforeach()
     configure_file(checks/fragment_checks.h.in ${folder}/checks/fragment_checks.h @ONLY)
     configure_file(child/each_fragment.h.in ${folder}/child/each_fragment.h @ONLY)
+    configure_file(protocol/width.cpp.in ${folder}/protocol/width.cpp @ONLY)
 
     file(GLOB scenes RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}/checks CONFIGURE_DEPENDS checks/*.toml)
     list(LENGTH scenes count)

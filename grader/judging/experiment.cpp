@@ -73,12 +73,15 @@ bool is_same(const Observation& a, const Observation& b) {
 }
 
 bool differs(const Observation& a, const Observation& b) {
-    const auto apart = [](double x, double y) { return std::abs(x - y) > 1e-6 * std::max(std::abs(x), std::abs(y)); };
-    for (std::size_t i = 0; i < a.image.pixels.size(); ++i)
+    const auto apart = [](double x, double y) {
+        if (!std::isfinite(x) || !std::isfinite(y)) return x != y && !(std::isnan(x) && std::isnan(y));
+        return std::abs(x - y) > 1e-6 * std::max(std::abs(x), std::abs(y));
+    };
+    for (std::size_t i = 0; i < std::min(a.image.pixels.size(), b.image.pixels.size()); ++i)
         for (int c = 0; c < 3; ++c)
             if (apart(a.image.pixels[i][c], b.image.pixels[i][c])) return true;
-    for (std::size_t i = 0; i < a.outputs.size(); ++i)
-        for (std::size_t k = 0; k < a.outputs[i].size(); ++k)
+    for (std::size_t i = 0; i < std::min(a.outputs.size(), b.outputs.size()); ++i)
+        for (std::size_t k = 0; k < std::min(a.outputs[i].size(), b.outputs[i].size()); ++k)
             if (apart(a.outputs[i][k], b.outputs[i][k])) return true;
     return false;
 }

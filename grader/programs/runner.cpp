@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <cstring>
 #include <stdexcept>
 
 #include "protocol/bytes.h"
 #include "protocol/protocol.h"
+#include "protocol/width.h"
 #include "rt/files/scene_reader.h"
 #include "rt/scene.h"
 
@@ -30,6 +33,13 @@ constexpr std::size_t most_traced = 4u << 20;  // bytes of a pixel's trace
 constexpr std::uint64_t most_memory = 2ull << 30;
 
 std::string too_much_memory() { return fmt::format("uses more than {} GB of memory", most_memory >> 30); }
+
+Fault forged() { return {Verdict::crashed, "the fragment wrote into the grader's channel", {}}; }
+
+/// Whether numbers of the child's own account, as of seconds, can be any.
+bool are_amounts(std::span<const double> numbers) {
+    return std::ranges::all_of(numbers, [](double x) { return std::isfinite(x) && x >= 0; });
+}
 
 std::vector<double> numbers_of(const std::string& payload) {
     std::vector<double> numbers(payload.size() / sizeof(double));
@@ -103,11 +113,11 @@ Outcome<Runner::Answer> Runner::exchange(const std::string& request, std::size_t
     if (!head) return broken();
     FrameHeader header{};
     std::memcpy(&header, head->data(), sizeof header);
-    if (header.check != FrameHeader{}.check || header.bytes > std::max(most_bytes, most_error_bytes))
-        return Fault{Verdict::crashed, "the fragment wrote into the grader's channel", {}};
+    if (header.check != FrameHeader{}.check || header.bytes > std::max(most_bytes, most_error_bytes)) return forged();
     auto payload = process_->receive(header.bytes, deadline);
     if (!payload) return broken();
-    answers_seconds_ += std::chrono::duration<double>(Clock::now() - start).count();
+    exchange_seconds_ = std::chrono::duration<double>(Clock::now() - start).count();
+    answers_seconds_ += exchange_seconds_;
     return Answer{header.kind, std::move(*payload)};
 }
 
@@ -124,8 +134,7 @@ Outcome<std::vector<double>> Runner::ask(const std::string& request, int kind, s
     if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
     const Answer& answer = std::get<Answer>(outcome);
     if (answer.kind == FrameKind::error) return thrown(answer.payload);
-    if (int(answer.kind) != kind || answer.payload.size() % sizeof(double) != 0)
-        return Fault{Verdict::crashed, "the fragment wrote into the grader's channel", {}};
+    if (int(answer.kind) != kind || answer.payload.size() % sizeof(double) != 0) return forged();
     return numbers_of(answer.payload);
 }
 
@@ -150,7 +159,8 @@ Outcome<rt::Image> Runner::render(const Render& experiment, std::uint64_t seed, 
     const auto& numbers = std::get<std::vector<double>>(outcome);
     if (numbers.size() != count || numbers[0] != size.x || numbers[1] != size.y)
         return Fault{Verdict::failed, "a picture of the wrong size came back", {}};
-    last_seconds_ = numbers[2];
+    if (!are_amounts(std::span(numbers).subspan(2, image_head - 2))) return forged();
+    last_seconds_ = std::min(numbers[2], exchange_seconds_);
     last_rays_.assign(numbers.begin() + 3, numbers.begin() + image_head);
     rt::Image image(size.x, size.y);
     for (std::size_t i = 0; i < pixels; ++i)
@@ -168,7 +178,7 @@ Outcome<std::string> Runner::trace(const Render& experiment, std::uint64_t seed,
     const Answer& answer = std::get<Answer>(outcome);
     if (answer.kind == FrameKind::text) return answer.payload;
     if (answer.kind == FrameKind::error) return thrown(answer.payload);
-    return Fault{Verdict::crashed, "the fragment wrote into the grader's channel", {}};
+    return forged();
 }
 
 Outcome<std::vector<double>> Runner::swarm(const SwarmRequest& request) {
@@ -176,16 +186,19 @@ Outcome<std::vector<double>> Runner::swarm(const SwarmRequest& request) {
         ask(frame(FrameKind::swarm, bytes_of<SwarmRequest>({&request, 1})), int(FrameKind::rows), 1 + request.count);
     if (const Fault* fault = std::get_if<Fault>(&outcome)) return *fault;
     auto& numbers = std::get<std::vector<double>>(outcome);
-    if (numbers.size() != 1 + request.count)
-        return Fault{Verdict::crashed, "the fragment wrote into the grader's channel", {}};
-    last_seconds_ = numbers.front();
+    if (numbers.size() != 1 + request.count || !are_amounts({numbers.data(), 1})) return forged();
+    last_seconds_ = std::min(numbers.front(), exchange_seconds_);
     numbers.erase(numbers.begin());
     return std::move(numbers);
 }
 
 Outcome<Rows> Runner::probe(const std::string& fragment, const Rows& rows) {
-    constexpr std::size_t most_results = 16;  // numbers that a fragment returns
-    return answers(FrameKind::rows, fragment, rows, most_results);
+    const std::size_t width = width_of(fragment);
+    auto outcome = answers(FrameKind::rows, fragment, rows, width);
+    const Rows* all = std::get_if<Rows>(&outcome);
+    // what measures them takes their number as given
+    const bool are_whole = !all || std::ranges::all_of(*all, [&](const Row& row) { return row.size() == width; });
+    return are_whole ? outcome : forged();
 }
 
 Outcome<Rows> Runner::edited(const std::string& fragment, const Rows& calls, std::size_t most_results) {
@@ -203,9 +216,10 @@ Outcome<Rows> Runner::answers(FrameKind kind, const std::string& fragment, const
 
     const auto& numbers = std::get<std::vector<double>>(outcome);
     Rows results;
-    if (numbers.empty() || !unflatten(std::span(numbers).subspan(1), results) || results.size() != rows.size())
-        return Fault{Verdict::crashed, "the fragment wrote into the grader's channel", {}};
-    last_seconds_ = numbers[0];
+    if (numbers.empty() || !are_amounts({numbers.data(), 1}) || !unflatten(std::span(numbers).subspan(1), results) ||
+        results.size() != rows.size())
+        return forged();
+    last_seconds_ = std::min(numbers[0], exchange_seconds_);
     return results;
 }
 

@@ -52,7 +52,7 @@ public:
     /// Calls whose arguments the child makes up.
     Outcome<std::vector<double>> swarm(const SwarmRequest& request);
 
-    /// CPU time of the last answer, by the child's own account.
+    /// CPU time of the last answer, by the child's own account, and no longer than the answer took.
     double seconds() const { return last_seconds_; }
 
     /// Wall time of all answers since the count began, by the grader's clock; without what the program waited for a
@@ -84,7 +84,7 @@ private:
     std::unique_ptr<Process> process_;
     std::string scene_, fragment_;  // what the child was told last
     rt::ivec2 size_{0};             // of that scene's image
-    double last_seconds_ = 0, answers_seconds_ = 0, delayed_before_ = 0;
+    double last_seconds_ = 0, exchange_seconds_ = 0, answers_seconds_ = 0, delayed_before_ = 0;
     std::vector<double> last_rays_;
 };
 

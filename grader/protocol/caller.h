@@ -22,6 +22,9 @@ struct Held {
     void use(Numbers&) const {}
 };
 
+/// What a function notes: how often it was asked, and between where.
+constexpr std::size_t noted = 3;
+
 /// A function that notes where it was asked.
 template <>
 struct Held<rt::Function> {

@@ -31,7 +31,7 @@ struct Axis {
     double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
 
     void take(double value) {
-        if (!(value > 0)) return;
+        if (!(value > 0) || !std::isfinite(value)) return;
         low = std::min(low, std::floor(std::log10(value)));
         high = std::max(high, std::ceil(std::log10(value)));
     }

@@ -47,8 +47,11 @@ ChiSquared chi_squared_test(std::span<const double> observed, std::span<const do
 Welch welch_test(const Moments& a, const Moments& b) {
     const double va = a.variance() / a.count, vb = b.variance() / b.count, v = va + vb;
     Welch result{a.mean - b.mean, std::sqrt(v), a.count + b.count - 2, 0, 1};
-    if (v > 0) {
-        result.degrees = v * v / (va * va / (a.count - 1) + vb * vb / (b.count - 1));
+    if (!std::isfinite(v) || !std::isfinite(result.difference)) {
+        result.t = 0;  // numbers whose squares are none: there is nothing to tell by
+    } else if (v > 0) {
+        const double share = va / v;
+        result.degrees = 1 / (share * share / (a.count - 1) + (1 - share) * (1 - share) / (b.count - 1));
         result.t = result.difference / result.se;
         result.p = 2 * student_tail(result.degrees, std::abs(result.t));
     } else if (result.difference != 0) {
