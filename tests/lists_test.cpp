@@ -8,6 +8,7 @@
 #include "checks/kit/check.h"
 #include "child/probes.h"
 #include "files/files.h"
+#include "protocol/width.h"
 
 using namespace grade;
 
@@ -53,4 +54,15 @@ TEST_CASE("each fragment has a probe, a check, and points unless it is given") {
         CHECK((fragment.points > 0) != fragment.given);
     }
     CHECK_THROWS_AS(probe("no_such", {}), std::invalid_argument);
+}
+
+TEST_CASE("how many numbers an answer has is known of each fragment: those that its checks' calls get") {
+    for (const Check& check : all_checks(1)) {
+        const Probe* calls = std::get_if<Probe>(&check.experiment);
+        if (!calls) continue;
+        INFO(check.fragment << "." << check.name);
+        Generator random(1);
+        CHECK(probe(check.fragment, calls->inputs(random).front()).size() == width_of(check.fragment));
+    }
+    CHECK(width_of("nobody") == 0);
 }

@@ -104,3 +104,14 @@ TEST_CASE("the slope of a power law is its exponent") {
     const std::vector<double> n = {1, 4, 16, 64, 256}, rmse = {1, 0.5, 0.25, 0.125, 0.0625};
     CHECK(log_log_slope(n, rmse).value == Approx(-0.5));
 }
+
+TEST_CASE("numbers whose squares overflow end no test: nothing can be told by them") {
+    for (const double size : {1e80, 1e150, 1e200, 1e308}) {
+        Moments a, b;
+        for (const double x : {1.0, 1.1, 0.9, 1.05}) a.add(size * x), b.add(x);
+        const Welch test = welch_test(a, b);
+        CHECK((test.p >= 0 && test.p <= 1));
+        CHECK_FALSE(std::isnan(test.t));
+        if (size < 1e100) CHECK(test.p < 0.01);
+    }
+}

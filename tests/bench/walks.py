@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""What lamps at scatterings (`media_lit`) and the end of paths at random (`roulette`) are worth: walks.py BUILD [--write]
+"""What lamps at scatterings (`media_lit`) and the end of paths at random (`roulette`) are worth: walks.py BUILD [OPTION]
 
 Renders balls of media of several densities under lamps of several sizes, a room with many bounces, and the wax of
 scenes/gallery/candle.toml, without and with each, in turn. Efficiency is 1/(MSE x CPU seconds), by raytrace's own
-figures. With --write, tests/bench/walks.md is written.
+figures. With --write, tests/bench/walks.md is written; with --only, the rows whose scene has this word in its name are
+printed alone.
 """
 
 import argparse
@@ -11,6 +12,7 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 
 from figures import machine, table
@@ -102,11 +104,15 @@ def main():
     words = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     words.add_argument("build", type=pathlib.Path, help="the build folder, with raytrace in it")
     words.add_argument("--write", action="store_true", help="write tests/bench/walks.md")
+    words.add_argument("--only", default="", metavar="WORD", help="only scenes with this word in their names")
     words = words.parse_args()
+    if words.write and words.only:
+        sys.exit("--write takes all rows; expected no --only")
     rows = []
     with tempfile.TemporaryDirectory() as work:
-        shutil.copy(root / "scenes/gallery/candle.obj", work)  # scenes name meshes beside them
-        for case in cases():
+        for mesh in "candle.obj", "flame.obj":  # scenes name meshes beside them
+            shutil.copy(root / "scenes/gallery" / mesh, work)
+        for case in (c for c in cases() if words.only in c[0]):
             rows.append(judge(words.build / "raytrace", pathlib.Path(work), *case))
             print(*rows[-1], sep=" | ", flush=True)
     if words.write:
