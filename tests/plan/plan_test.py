@@ -24,7 +24,7 @@ from programs import ROOT, Programs, draw, end, expect, fragments_in_order, name
 MOST = 1.02  # instructions, as a ratio
 
 # What the stages need besides themselves.
-BESIDE_STAGES = ["tree/bvh", "lamps/lamp_tree", "lamps/ways", "path", "calls", "plan", "world", "media/regions", "media/bodies"]
+BESIDE_STAGES = ["tree/bvh", "lamps/lamp_tree", "lamps/ways", "lamps/sight", "path", "calls", "plan", "world", "media/regions", "media/bodies"]
 
 # What a picture is drawn with.
 SMALL = ["--size", "24x24"]

@@ -4,119 +4,46 @@
 
 #include "rt/lamps/importance.h"
 #include "rt/lamps/lamp_tree.h"
+#include "rt/lamps/sight.h"
 #include "rt/media/bodies.h"
-#include "rt/sampler.h"
 
-/// Which way is the best depends on the noise that each adds. That is reckoned at some points that are seen, from what
-/// the lamps send there: without shadows, and before any ray is sent. Each is a variance over the square of the light.
+/// A way takes a time that goes with its variance and with what a sample costs: that with the least product is taken.
+/// Both are reckoned before any ray is sent, at some points that are seen. Shadows between them and the lamps are left
+/// out: at so few points, they change a choice for the worse as often as for the better.
 namespace rt {
 namespace {
 
-/// From where on quads are sampled by solid angle, which takes up to a third longer; where one lamp is chosen, less.
-constexpr Real worth_solid_angle = 0.2, worth_solid_angle_of_one = 0.1;
+/// A way to sample lamps.
+struct Way {
+    bool angle = false, one = false, weighed = false;
+};
 
-/// One of n lamps, not fewer than four, is chosen where that leaves at most this times n the variance of all: for each
-/// other one, a shadow ray is saved.
-constexpr Real worth_one_lamp = 0.35;
-constexpr int fewest_to_choose = 4;
+/// What a point of a lamp with its shadow ray costs, a solid angle, the choice of a lamp, a weight against a lobe; a
+/// ray to a surface is 1. Fitted to the times of scenes of tests/bench/choices.py.
+constexpr Real cost_of_lamp = 0.8, cost_of_angle = 1.3, cost_of_choice = 2, cost_of_weight = 2.5;
 
-/// Of more lamps, one is chosen: with all, a first sample of each pixel takes longer than a picture may.
-constexpr std::size_t most_to_take = 256;
+/// What a lamp's shadows add to its variance, over the square of its light; and to that of all, the directions of
+/// bounces and everything else, however lamps are sampled.
+constexpr Real noise_of_shadows = 0.3, noise_of_bounces = 0.15, noise_of_rest = 0.04;
 
-/// What the directions of bounces add to the variance, however lamps are sampled.
-constexpr Real noise_of_bounces = 0.1;
+/// Patterns of samples even out the noise of lamps more than that of edges, which counts as much as this.
+constexpr Real weight_of_edges = 1.75;
 
-/// From where on lamps are sampled for lobes, too: for each lamp, which takes a shadow ray; and where one is chosen.
-constexpr Real worth_weighing = 0.15, worth_weighing_one = 0.55;
+/// The share of lobes that are taken to point anywhere: points in sight are few, and may miss the one that a sharp lobe
+/// shows a lamp at.
+constexpr Real unforeseen = 0.03;
+
+/// Of fewer lamps, none is chosen: there is little to save. Of more, one is: with all, a first sample of each pixel
+/// takes longer than a picture may.
+constexpr std::size_t fewest_to_choose = 4, most_to_take = 256;
 
 /// From where on lamps are sampled where media scatter: for each lamp, which takes a shadow ray; and where one is
 /// chosen. See tests/bench/walks.py.
 constexpr Real worth_lighting_media = 0.6, worth_lighting_media_by_one = 1;
 
-/// Lines of sight times shapes, and points times parts of lamps: a plan takes milliseconds.
-constexpr Real most_work = 2e5;
-
-struct Point {
-    vec3 place, normal, to_viewer;  // unit; the normal is on the viewer's side [world]
-    const Material* material;
-    const Shape* shape;  // none: a mesh
-};
-
-/// A line of sight. Where it meets a shape, and the normal there; inf: nowhere. Not by fragments: the plan must not
-/// depend on them. Triangles are left out: what lies about them is as near to the lamps.
-struct Sight {
-    vec3 origin, direction;
-
-    std::pair<Real, vec3> meets(const Sphere& s) const {
-        const vec3 to = s.center - origin;
-        const Real middle = dot(to, direction), square = sqr(middle) - dot(to, to) + sqr(s.radius);
-        return {square > 0 ? middle - std::sqrt(square) : inf, unit((middle - safe_sqrt(square)) * direction - to)};
-    }
-    std::pair<Real, vec3> meets(const Quad& q) const {
-        const vec3 n = unit(cross(q.u, q.v));
-        const Real t = to_plane(q.center, n);
-        const vec3 p = origin + t * direction - q.center;
-        return {std::abs(dot(p, q.u)) <= dot(q.u, q.u) && std::abs(dot(p, q.v)) <= dot(q.v, q.v) ? t : inf, n};
-    }
-    std::pair<Real, vec3> meets(const Disc& d) const {
-        const Real t = to_plane(d.center, d.normal);
-        const vec3 p = origin + t * direction - d.center;
-        return {dot(p, p) <= sqr(d.radius) ? t : inf, d.normal};
-    }
-    std::pair<Real, vec3> meets(const Triangle&) const { return {inf, vec3(0)}; }
-
-private:
-    Real to_plane(vec3 center, vec3 n) const { return dot(center - origin, n) / dot(direction, n); }
-};
-
-/// from  the shape on which the line starts
-void add_first_met(const Scene& scene, const Sight& sight, const Shape* from, std::vector<Point>& points) {
-    Real nearest = inf;
-    Point point{};
-    for (const Shape& shape : scene.shapes) {
-        const auto [t, n] = std::visit([&](const auto& s) { return sight.meets(s); }, shape.geometry);
-        if (!(t > 0 && t < nearest) || &shape == from) continue;
-        nearest = t, point.shape = &shape;
-        point.normal = dot(n, sight.direction) > 0 ? -n : n;
-        point.material = &scene.materials[std::size_t(shape.material)];
-    }
-    point.place = sight.origin + nearest * sight.direction, point.to_viewer = -sight.direction;
-    if (nearest < inf) points.push_back(point);
-}
-
-/// Some triangles of a mesh that face the eye, whether or not something is before them.
-void add_mesh(const Scene& scene, const Mesh& mesh, std::size_t most, std::vector<Point>& points) {
-    const std::size_t step = mesh.triangles.size() / most + 1;
-    for (std::size_t k = 0; k < mesh.triangles.size(); k += step) {
-        const glm::ivec3 corners = mesh.triangles[k];
-        const vec3 a = mesh.vertices[std::size_t(corners.x)], b = mesh.vertices[std::size_t(corners.y)],
-                   c = mesh.vertices[std::size_t(corners.z)];
-        const vec3 place = (a + b + c) / 3.0, n = unit(cross(b - a, c - a)), to_viewer = unit(scene.camera.eye - place);
-        if (dot(n, to_viewer) > 0)
-            points.push_back({place, n, to_viewer, &scene.materials[std::size_t(mesh.material)], nullptr});
-    }
-}
-
-/// What the camera sees at the middles of side x side parts of the film; and where light bounces, what is seen from
-/// there.
-std::vector<Point> points_in_sight(const Scene& scene, int side) {
-    const Camera& c = scene.camera;
-    std::vector<Point> points;
-    for (int k = 0; k < side * side; ++k) {
-        const vec2 film{(2 * (k % side) + 1.0) / side - 1, 1 - (2 * (k / side) + 1.0) / side};
-        const vec2 slope = c.tan_half_fov * vec2(film.x * c.size.x / c.size.y, film.y);
-        add_first_met(scene, {c.eye, unit(slope.x * c.right + slope.y * c.up - c.back)}, nullptr, points);
-    }
-    for (const Mesh& mesh : scene.meshes) add_mesh(scene, mesh, std::size_t(side * side), points);
-    const std::size_t seen = scene.bounces > 0 ? points.size() : 0;
-    for (std::size_t k = 0; k < seen; ++k) {
-        const vec2 u = sobol_2d(1, std::uint32_t(k), 0), circle = std::sqrt(u.x) * unit_circle(u.y);
-        const Point from = points[k];
-        add_first_met(scene, {from.place, frame_about(from.normal).to_world({circle, std::sqrt(1 - u.x)})}, from.shape,
-                      points);
-    }
-    return points;
-}
+/// Lines of sight times shapes, and points times parts of lamps: a plan takes milliseconds. A point takes as long as a
+/// few samples do; with one for many samples, the plan takes a small share of the time.
+constexpr Real most_work = 1.5e5, samples_for_point = 200, fewest_points = 256;
 
 /// A lamp as a quad of its area, which faces the point where it is a ball.
 Quad as_quad(const Emitter& lamp, vec3 p) {
@@ -154,64 +81,99 @@ Light light_of(const Emitter& lamp, const Point& p) {
     }
     light.within = std::max<Real>(by_area - sqr(light.mean), 0);
     if (lamp.kind == Emitter::Kind::quad) light.excess = std::max<Real>(by_area - angle * by_angle, 0);
-    light.share = std::min<Real>(light.share, 1);
+    if (lobe) light.share = glm::mix(std::min<Real>(light.share, 1), std::min<Real>(angle / (2 * pi), 1), unforeseen);
     return light;
 }
 
 Real sum(Color c) { return c.x + c.y + c.z; }
 
-/// What samples by area, and lobes alone, have more of in all that is in sight; and what all there is if each lamp is
-/// sampled, and if one is.
-struct Noise {
-    Real by_area = 0, by_lobes = 0, of_all = 0, of_one = 0;
+/// What there is at the points in sight: sums of variances and squares, and how many points there are of each kind.
+struct Survey {
+    Real of_all = 0, of_one = 0;                // of lamps by area, if each is sampled and if one is
+    Real excess_of_all = 0, excess_of_one = 0;  // and how much of that solid angles would not have
+    Real of_lobes = 0, of_lobes_and_one = 0;    // of lobes alone, and weighed against the one lamp
+    Real points = 0, matt = 0, glossy = 0, either = 0;
+    Real square = 0;   // of the light
+    Real for_any = 0;  // whatever the way, over that square
+    Real lamps = 0, quads = 0;
 };
 
-/// Adds the noise of the lamps' light at a point. Returns that light.
-Real add_noise(const std::vector<Emitter>& lamps, const LampTree& tree, const Point& p, Noise& noise) {
+/// Adds a point. Returns the light that it sends to the viewer.
+Real add_point(const std::vector<Emitter>& lamps, const LampTree& tree, const Point& p, Survey& s) {
     const Real diffuse = sum(largest_albedo(*p.material) + p.material->specular) / pi,
-               lobe = sum(p.material->reflectance);
+               lobe = p.material->exponent < inf ? sum(p.material->reflectance) : 0;
     Real by_surfaces = 0, by_lobes = 0, squares = 0;
     for (std::size_t l = 0; l < lamps.size(); ++l) {
         const Light from = light_of(lamps[l], p);
-        const Real by_surface = diffuse * sum(lamps[l].radiance), by_lobe = lobe * sum(lamps[l].radiance);
-        const Real within = sqr(by_surface) * from.within, chosen = tree.probability(l, p.place);
+        const Real by_surface = diffuse * sum(lamps[l].radiance), by_lobe = lobe * sum(lamps[l].radiance),
+                   within = sqr(by_surface) * (from.within + noise_of_shadows * sqr(from.mean)),
+                   excess = sqr(by_surface) * from.excess, chosen = tree.probability(l, p.place),
+                   missed = 1 - from.share;
         by_surfaces += by_surface * from.mean, by_lobes += by_lobe * from.share;
         squares += (sqr(by_surface * from.mean) + within) / chosen;
-        noise.of_all += within;
-        noise.by_area += sqr(by_surface) * from.excess;
-        noise.by_lobes += sqr(by_lobe) * from.share * (1 - from.share);
+        s.of_all += within, s.excess_of_all += excess, s.excess_of_one += excess / chosen;
+        s.of_lobes += sqr(by_lobe) * from.share * missed;
+        s.of_lobes_and_one += sqr(by_lobe) * from.share * std::min(missed, from.share * (1 / chosen - 1));
     }
-    noise.of_one += squares - sqr(by_surfaces);
+    s.of_one += squares - sqr(by_surfaces);
+    s.points += 1, s.matt += diffuse > 0, s.glossy += lobe > 0, s.either += diffuse > 0 || lobe > 0;
+    s.square += sqr(by_surfaces + by_lobes);
     return by_surfaces + by_lobes;
 }
 
-/// What pixels on the edge of a lamp add to the variance, in whatever way lamps are sampled: its own radiance is the
-/// brightest there is. In pixels times radiance squared; hidden or not.
-Real edge_of(const Emitter& lamp, const Camera& c) {
-    const vec3 to = center(lamp) - c.eye;
-    const Real along = -dot(to, c.back), scale = c.size.y / (2 * c.tan_half_fov * along);
-    const bool on_film = along > 0 && std::abs(dot(to, c.right)) * scale < 0.5 * c.size.x &&
-                         std::abs(dot(to, c.up)) * scale < 0.5 * c.size.y;
-    const Real cosine = lamp.kind == Emitter::Kind::sphere ? 1 : -dot(unit(normal(lamp)), unit(to));
-    if (!on_film || !(cosine > 0)) return 0;
-    // A square's edge is in four roots of its area, where the share x of a pixel that it covers is between 0 and 1: the
-    // mean of x (1 - x) is 1/6.
-    const Real pixels = area(lamp) * cosine * sqr(scale);
-    return sqr(sum(lamp.radiance)) * std::min(pixels, 4 * std::sqrt(pixels) / 6);
+/// What pixels on edges of shapes add to the variance: where two parts of the film beside each other see other shapes,
+/// an edge is between them. light  of the view's points
+Real noise_of_edges(const Scene& scene, const View& view, const std::vector<Real>& light) {
+    const auto shape = [&](int part) {
+        const int k = view.on_film[std::size_t(part)];
+        return k < 0 ? nullptr : view.points[std::size_t(k)].shape;
+    };
+    const auto bright = [&](int part) {
+        const int k = view.on_film[std::size_t(part)];
+        return k < 0 ? sum(scene.background)
+                     : light[std::size_t(k)] + sum(view.points[std::size_t(k)].material->emission);
+    };
+    const int side = view.side;
+    Real noise = 0;
+    // The share x of a pixel on one side of an edge is between 0 and 1: the mean of x (1 - x) is 1/6.
+    const auto add = [&](int part, int other, int pixels) {
+        if (shape(part) != shape(other)) noise += sqr(bright(part) - bright(other)) / 6 * side / pixels;
+    };
+    for (int k = 0; k < side * side; ++k) {
+        if (k % side > 0) add(k, k - 1, scene.camera.size.x);
+        if (k >= side) add(k, k - side, scene.camera.size.y);
+    }
+    return noise;
 }
 
-Noise noise_of(const Scene& scene, const std::vector<Emitter>& lamps) {
+Survey survey_of(const Scene& scene, const std::vector<Emitter>& lamps) {
     const Real work = Real(scene.shapes.size() + 16 * lamps.size());
-    const int side = std::clamp(int(std::sqrt(most_work / work)), 4, 24);
+    const Real samples = Real(scene.samples) * scene.camera.size.x * scene.camera.size.y;
+    const Real points = std::min(most_work / work, std::max(samples / samples_for_point, fewest_points));
+    const View view = view_of(scene, std::clamp(int(std::sqrt(points)), 4, 48));
     const LampTree tree(lamps);
-    Noise noise;
-    Real all = 0, edges = 0;
-    for (const Point& p : points_in_sight(scene, side)) all += sqr(add_noise(lamps, tree, p, noise));
-    if (!(all > 0)) return {};
-    const ivec2 size = scene.camera.size;
-    for (const Emitter& lamp : lamps) edges += edge_of(lamp, scene.camera) * sqr(side) / (Real(size.x) * size.y);
-    const Real for_any = edges / all + (scene.bounces > 0 ? noise_of_bounces : 0);
-    return {noise.by_area / all, noise.by_lobes / all, noise.of_all / all + for_any, noise.of_one / all + for_any};
+    Survey s;
+    std::vector<Real> light;
+    for (const Point& p : view.points) light.push_back(add_point(lamps, tree, p, s));
+    s.lamps = Real(lamps.size());
+    for (const Emitter& lamp : lamps) s.quads += lamp.kind == Emitter::Kind::quad;
+    s.for_any = weight_of_edges * noise_of_edges(scene, view, light) / s.square + noise_of_rest +
+                (scene.bounces > 0 ? noise_of_bounces : 0);
+    return s;
+}
+
+Real noise_of(const Survey& s, Way w) {
+    const Real by_area = w.one ? s.of_one : s.of_all, excess = w.one ? s.excess_of_one : s.excess_of_all,
+               lobes = !w.weighed ? s.of_lobes
+                       : w.one    ? s.of_lobes_and_one
+                                  : 0;
+    return s.for_any + (std::max<Real>(by_area - w.angle * excess, 0) + lobes) / s.square;
+}
+
+Real cost_of(const Survey& s, Way w) {
+    const Real lamps = w.one ? 1 : s.lamps, quads = w.one ? s.quads / s.lamps : s.quads;
+    const Real at_each = cost_of_lamp * lamps + w.angle * cost_of_angle * quads + w.one * cost_of_choice;
+    return 1 + ((w.weighed ? s.either : s.matt) * at_each + w.weighed * s.glossy * cost_of_weight * lamps) / s.points;
 }
 
 /// The share of all directions in which a lamp is seen.
@@ -264,40 +226,66 @@ Emitter emitter_of(const Scene& scene, int lamp) {
     return emitter;
 }
 
-/// A way that the scene asks for or forbids, or that the rule is for.
-LampWays::Way way(std::optional<bool> said, bool rule, const std::string& why) {
-    return {said.value_or(rule), said ? "the scene says so" : why};
+/// What the scene says of each choice, or what is to be the case.
+struct Said {
+    std::optional<bool> angle, one, weighed;
+
+    bool allows(Way w) const {
+        return angle.value_or(w.angle) == w.angle && one.value_or(w.one) == w.one &&
+               weighed.value_or(w.weighed) == w.weighed;
+    }
+};
+
+Way best_way(const Survey& s, const Said& said) {
+    Way best{said.angle.value_or(false), said.one.value_or(false), said.weighed.value_or(false)};
+    Real least = inf;
+    for (int k = 0; k < 8; ++k) {
+        const Way w{(k & 1) != 0, (k & 2) != 0, (k & 4) != 0};
+        const Real time = s.square > 0 ? noise_of(s, w) * cost_of(s, w) : k;
+        if (said.allows(w) && time < least) least = time, best = w;
+    }
+    return best;
+}
+
+/// Why a way is better than another.
+std::string reason(const Survey& s, Way way, Way other) {
+    if (!(s.square > 0)) return "no light of theirs is seen";
+    return fmt::format("otherwise {:.2g} times the variance at {:.2g} times the cost",
+                       noise_of(s, other) / noise_of(s, way), cost_of(s, other) / cost_of(s, way));
+}
+
+void choose_at_surfaces(const Scene& scene, const std::vector<Emitter>& lamps, LampWays& ways) {
+    const bool few = lamps.size()<fewest_to_choose, many = lamps.size()> most_to_take;
+    Said said{scene.solid_angle, scene.one_lamp, scene.multiple_importance};
+    if (!said.one && (few || many)) said.one = many;
+    Survey s;
+    if (!said.angle || !said.one || !said.weighed) s = survey_of(scene, lamps);
+    const Way best = best_way(s, said);
+    const auto way = [&](std::optional<bool> by_scene, bool on, bool Way::*choice) -> LampWays::Way {
+        Way other = best;
+        other.*choice = !on;
+        return {on, by_scene ? "the scene says so" : reason(s, best, other)};
+    };
+    ways.solid_angle = way(scene.solid_angle, best.angle, &Way::angle);
+    ways.one_lamp = way(scene.one_lamp, best.one, &Way::one);
+    ways.multiple_importance = way(scene.multiple_importance, best.weighed, &Way::weighed);
+    if (!scene.one_lamp && few) ways.one_lamp.why = fmt::format("worth it from {} lamps", fewest_to_choose);
+    if (!scene.one_lamp && many) ways.one_lamp.why = fmt::format("there are more than {}", most_to_take);
 }
 
 }  // namespace
 
 LampWays choose_ways(const Scene& scene, const std::vector<int>& lamps) {
-    Noise noise;
     std::vector<Emitter> emitters;
     for (const int lamp : lamps) emitters.push_back(emitter_of(scene, lamp));
-    if (!scene.solid_angle || !scene.multiple_importance || !scene.one_lamp) noise = noise_of(scene, emitters);
     LampWays ways;
-    const Real most = worth_one_lamp * Real(lamps.size()) * noise.of_all;
-    const bool several = lamps.size() >= fewest_to_choose;
-    const bool many = lamps.size() > most_to_take;
-    ways.one_lamp =
-        way(scene.one_lamp, many || (several && noise.of_one < most),
-            many      ? fmt::format("there are more than {}", most_to_take)
-            : several ? fmt::format("of one a variance of {:.2g}; worth it up to {:.2g}", noise.of_one, most)
-                      : fmt::format("worth it from {} lamps", fewest_to_choose));
-    const Real least = ways.one_lamp.on ? worth_solid_angle_of_one : worth_solid_angle,
-               least_of_lobes = ways.one_lamp.on ? worth_weighing_one : worth_weighing * Real(lamps.size());
-    ways.solid_angle = way(scene.solid_angle, noise.by_area > least,
-                           fmt::format("by area a variance of {:.2g} more; worth it from {:g}", noise.by_area, least));
-    ways.multiple_importance =
-        way(scene.multiple_importance, noise.by_lobes > least_of_lobes,
-            fmt::format("without, a variance of {:.2g} more; worth it from {:.2g}", noise.by_lobes, least_of_lobes));
+    choose_at_surfaces(scene, emitters, ways);
     const Real in_media = scene.media_lit ? 0 : noise_in_media(scene, emitters),
-               least_in_media =
-                   ways.one_lamp.on ? worth_lighting_media_by_one : worth_lighting_media * Real(lamps.size());
-    ways.media_lit =
-        way(scene.media_lit, in_media > least_in_media,
-            fmt::format("without, a variance of {:.2g} more; worth it from {:.2g}", in_media, least_in_media));
+               least = ways.one_lamp.on ? worth_lighting_media_by_one : worth_lighting_media * Real(lamps.size());
+    ways.media_lit = {scene.media_lit.value_or(in_media > least),
+                      scene.media_lit
+                          ? "the scene says so"
+                          : fmt::format("without, a variance of {:.2g} more; worth it from {:.2g}", in_media, least)};
     return ways;
 }
 
