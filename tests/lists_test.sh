@@ -7,7 +7,7 @@ set -uo pipefail
 
 # A project of its own with nothing but the lists.
 mkdir -p "$work/starter/rt" "$work/grader"
-cp -r grader/checks grader/child grader/cmake "$work/grader"
+cp -r grader/checks grader/child grader/cmake grader/protocol "$work/grader"
 cp -r solution "$work"
 cat >"$work/CMakeLists.txt" <<'CMAKE'
 cmake_minimum_required(VERSION 3.22)

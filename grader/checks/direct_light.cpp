@@ -175,7 +175,14 @@ Checks check_direct_light(Generator& random) {
         const auto [m, n, d, c] = extreme_highlight(random);
         return row(m, box(random, 1, 20), LightSample{d, 1, between(random, 0.5, 2)}, n, c);
     };
-    const auto inputs = rows_then(rows_of(96, any_sample), rows_of(64, highlights));
+    const auto grazing = [](Generator& random, double cosine) {
+        Material m;
+        m.albedo = box(random, 0.1, 0.9);
+        const vec3 n = scene_direction(random);
+        return row(m, box(random, 1, 20), LightSample{grazing_direction(random, n, cosine), 1, 1}, n, n);
+    };
+    const auto inputs = rows_then(rows_then(rows_of(96, any_sample), rows_of(64, highlights)),
+                                  rows_of_decades(lowest_grazing, highest_grazing, 2, grazing));
     Formula<rt::direct_light> radiance{
         .id = "L1",
         .what = "radiance, off by",

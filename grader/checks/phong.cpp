@@ -33,7 +33,14 @@ Checks check_phong(Generator& random) {
         const auto [m, n, d, c] = extreme_highlight(draw);
         return row(m, Color(0), box(draw, 1, 5), n, d, c);
     };
-    const auto inputs = rows_then(rows_of(96, any_surface), rows_of(64, highlights));
+    const auto grazing = [](Generator& draw, double cosine) {
+        Material m;
+        m.albedo = box(draw, 0.1, 0.9);
+        const vec3 n = scene_direction(draw);
+        return row(m, Color(0), box(draw, 1, 5), n, grazing_direction(draw, n, cosine), n);
+    };
+    const auto inputs = rows_then(rows_then(rows_of(96, any_surface), rows_of(64, highlights)),
+                                  rows_of_decades(lowest_grazing, highest_grazing, 2, grazing));
     Formula<rt::phong> radiance{.id = "P4", .what = "radiance, off by", .tolerance = 1e-6, .right = modelled({})};
     for (const ModelMistake& mistake : reflection_mistakes)
         radiance.suspects.push_back({mistake.words, modelled(mistake.model)});

@@ -1,5 +1,6 @@
 #include "asked/point_irradiance.h"
 #include "checks/kit/kit.h"
+#include "checks/kit/reflection_model.h"
 #include "checks/kit/shadow_scene.h"
 
 namespace grade {
@@ -63,8 +64,14 @@ Statistic irradiance_by_point() {
 }  // namespace
 
 Checks check_point_irradiance(Generator& random) {
-    const auto inputs = [](bool directional) {
-        return rows_of(96, [=](Generator& draw) {
+    const auto grazing = [](bool directional) {
+        return rows_of_decades(lowest_grazing, highest_grazing, 2, [=](Generator& draw, double cosine) {
+            const vec3 p = box(draw, -3, 3), n = scene_direction(draw), d = grazing_direction(draw, n, cosine);
+            return row(PointLight{directional ? d : p + d, box(draw, 0.5, 20), directional}, p, n);
+        });
+    };
+    const auto inputs = [=](bool directional) {
+        const auto any = rows_of(96, [=](Generator& draw) {
             const vec3 p = box(draw, -3, 3), n = scene_direction(draw);
             // some right above, and grazing: a fault there is seen in few pixels
             const double angle = chance(draw, 0.08)  ? 0
@@ -77,6 +84,7 @@ Checks check_point_irradiance(Generator& random) {
                 PointLight{directional ? d : p + r * d, brightness_of_lamp(draw) * box(draw, 0.5, 20), directional}, p,
                 n);
         });
+        return rows_then(any, grazing(directional));
     };
     const Statistic horizon = property(
         {.id = "L4",

@@ -84,10 +84,10 @@ inline rt::vec2 end_of_square(Generator& random) {
     return chance(random, 0.5) ? rt::vec2(x, y) : rt::vec2(y, x);
 }
 
-/// Its rim, or where maps of the square have a seam: in the middle of a side or of the whole.
+/// Its rim, or halfway, where maps of the square have a seam.
 inline rt::vec2 seam_of_square(Generator& random) {
-    if (chance(random, 0.8)) return end_of_square(random);
-    const double x = chance(random, 0.6) ? 0.5 : between(random, 0, 1);
+    if (chance(random, 0.9)) return end_of_square(random);
+    const double x = between(random, 0, 1);
     return chance(random, 0.5) ? rt::vec2(x, 0.5) : rt::vec2(0.5, x);
 }
 

@@ -56,6 +56,12 @@ inline rt::vec3 light_direction(Generator& random, rt::vec3 n) {
     return tilted(random, n, light_angle(random));
 }
 
+/// The direction to a light that grazes the surface: its cosine.
+inline rt::vec3 grazing_direction(Generator& random, rt::vec3 n, double cosine) {
+    return tilted(random, n, rt::pi / 2 - cosine);
+}
+constexpr int lowest_grazing = -6, highest_grazing = -2;  // decades of the cosine, of which each is there
+
 /// A viewer above the surface, near the mirrored light where it is that high, or anywhere.
 inline rt::vec3 viewer(Generator& random, rt::vec3 n, rt::vec3 d) {
     if (chance(random, 0.06)) return n;

@@ -83,10 +83,12 @@ Check neighbours(std::size_t count, RowWith row_with) {
 /// where                "where a coordinate of u is 0, 1/2 or just below 1"
 template <class RowWith>
 Check well_formed(const std::string& name, rt::vec2 (*draw_u)(Generator&), RowWith row_with, const std::string& where) {
-    const auto inputs = rows_of(96, [=](Generator& random) {
+    const auto middle = [=](Generator& random) { return row_with(random, rt::vec2(0.5)); };
+    const auto drawn = [=](Generator& random) {
         const rt::vec2 u = draw_u(random);
         return row_with(random, u);
-    });
+    };
+    const auto inputs = rows_then(rows_of(1, middle), rows_of(96, drawn));
     const auto is_finite = [](double x) { return std::isfinite(x); };
     const auto not_finite = [=](const Row&, const Row& out) { return std::ranges::all_of(out, is_finite) ? 0.0 : 1.0; };
     const auto off_one = [](const Row&, const Row& out) {
