@@ -268,6 +268,14 @@ std::vector<Entry> read_export(const fs::path& folder, const Assignment& assignm
     if (entries.empty())
         throw rt::InputError(
             fmt::format("{}: holds no submission; expected folders, archives, or files", folder.string()));
+    const bool are_of_one = entries.size() > 1 && std::ranges::all_of(entries, [&](const Entry& entry) {
+                                return std::ranges::count(names, fs::path(entry.path).stem().string()) > 0;
+                            });
+    if (are_of_one)
+        throw rt::InputError(
+            fmt::format("{}: holds fragments by their own names, as one submission does; expected the "
+                        "folder above it, which holds the submissions",
+                        folder.string()));
     std::ranges::sort(entries, {}, &Entry::path);
     add_gradescope_names(folder, entries);
     const std::string start = common_start(entries);

@@ -27,7 +27,8 @@ Expression ExpressionReader::braced() {
     std::vector<Expression> all = arguments("}");
     for (Expression& one : all)
         if (one.is_literal) one.code = one.text;
-    Expression whole{"(" + list(all, &Expression::text) + ")", "{" + list(all, &Expression::code) + "}", "", false};
+    Expression whole{fmt::format("({})", list(all, &Expression::text)),
+                     fmt::format("{{{}}}", list(all, &Expression::code)), "", false};
     whole.code = whole.inner;
     return whole;
 }

@@ -175,6 +175,9 @@ def main():
         run([GRADE, folder, *names, "--seed", "7", "--json", file])
         record = record_at(file)
         check_record(record, folder)
+        # one submission is no class: its fragments are no students
+        expect("the folder above it" in run([GRADE, "class", folder, "-o", work / "class"], expected=2),
+               "the folder of one submission is taken for a class")
         environment = os.environ | {"CLASSROOM": "cs1", "ASSIGNMENT": "rays"}
 
         def convert(kind):
