@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <span>
+#include <stdexcept>
 #include <tuple>
 #include <vector>
 
