@@ -55,8 +55,7 @@ std::string no_cells(const Observation& seen, int n) {
     }
     if (are_of_rooks)
         return "a cell is 1/n wide and 1/n high, as of n rooks on a board: most of the square stays empty; expected "
-               "cells "
-               "of the area 1/n";
+               "cells of the area 1/n";
     if (largest * n < 0.01) return "all points of a cell are one point, a regular grid: u says where in the cell";
     if (largest > 0.99) return "the cells are not used: the points are independent, anywhere in the square";
     return "";
