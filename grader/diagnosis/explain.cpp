@@ -6,13 +6,10 @@
 #include <cmath>
 
 #include "diagnosis/bounds.h"
-#include "diagnosis/by_textbook.h"
 #include "diagnosis/calls_made.h"
-#include "diagnosis/own_numbers.h"
+#include "diagnosis/how.h"
 #include "diagnosis/precision.h"
 #include "diagnosis/right_otherwise.h"
-#include "diagnosis/rule.h"
-#include "diagnosis/shares.h"
 #include "diagnosis/simplest.h"
 #include "diagnosis/spread.h"
 #include "diagnosis/surest.h"
@@ -55,62 +52,6 @@ std::string which(const WrongCalls& region) { return (region.is_exact ? "those "
 WrongCalls region_of(const Calls& calls, bool is_known) {
     WrongCalls region = where_wrong(calls);
     return is_known || (region.is_exact && !region.of_answers) ? region : where_wrong_in_textbook(calls, region);
-}
-
-/// How wrong answers come about.
-struct Cause {
-    std::string words;
-    std::string of_numbers{};  // of these, what is said of answers that are numbers
-};
-
-Cause cause_of(const Relation& relation) {
-    return {relation.all_words(), relation.is_change() ? relation.all_words() : ""};
-}
-
-/// What explains the answers to these calls, all of which count.
-std::optional<Relation> relation_in(const Calls& calls, const Ask& right, bool sampled, std::size_t& left_of_forms) {
-    bool right_otherwise = false;
-    const auto of_arguments = relation_of(calls, right, sampled, right_otherwise);
-    return simpler(of_arguments, relation_of_textbook(calls, sampled, right_otherwise, left_of_forms));
-}
-
-/// What is wrong with a sample beside its place.
-Cause of_own_numbers(const Calls& all, const Ask& mine, const Ask& right) {
-    const auto own = with_own_numbers(all, right);
-    if (!own) return {};
-    const auto differs = [&](std::size_t k) { return !is_equal(own->result, own->mine[k], own->right[k]); };
-    std::size_t wrong = 0;
-    for (std::size_t k = 0; k < own->size(); ++k) wrong += differs(k);
-    std::size_t left = most_of_textbook;
-    if (wrong > 0) {
-        const auto found = relation_in(*own, right, false, left);
-        return is_exact(found) ? cause_of(*found) : Cause{};
-    }
-    const auto place = std::ranges::find_if(own->result.parts, is_place),
-               measure = std::ranges::find_if_not(own->result.parts, is_place);
-    const auto spread = spread_of(all, all, mine, right);
-    if (!spread || measure == own->result.parts.end()) return {};
-    return {fmt::format("each `{}` is right for its `{}`, but these are not spread so: {}", measure->name, place->name,
-                        *spread)};
-}
-
-/// Which values of a sum, or which of its shares, are wrong.
-std::string wrong_sums(const Calls& all, const Ask& mine, const Ask& right) {
-    const std::string rule = wrong_rule(all, mine, right);
-    return rule.empty() ? wrong_shares(all, mine, right) : rule;
-}
-
-/// What is wrong where the answer is a number.
-Cause of_numbers(const Calls& calls, const Ask& right, bool sampled) {
-    const Calls some = those_of(calls, [&](std::size_t k) { return !is_nan(calls.mine[k], calls.right[k]); });
-    const std::string words = "some answers are nan where the right one is a number";
-    if (some.size() == 0) return {words};
-    std::size_t left = most_of_textbook;
-    auto found = relation_in(some, right, sampled, left);
-    if (!is_exact(found)) found = two_of_textbook(some, left);
-    if (!is_exact(found)) return {words};
-    const std::string there = "where it is a number, " + found->all_words();
-    return {words + "; " + there, there};
 }
 
 /// Whether all answers are nearly right.
@@ -167,7 +108,7 @@ public:
     }
 
 private:
-    void tell(const Cause& cause) { finding_.how = cause.words, finding_.of_numbers = cause.of_numbers; }
+    void tell(const How& how) { finding_.how = how.words, finding_.of_numbers = how.of_numbers; }
 
     /// False: other random numbers give these answers.
     bool look_for_relation(const std::function<std::optional<Editable>()>& source) {
@@ -207,7 +148,7 @@ private:
         if (finding_.how.empty()) tell(beside_a_relation(is_mostly_known));
         if (finding_.how.empty() && broken_) finding_.how = broken_->words;
         if (finding_.how.empty() && is_nothing) finding_.how = independence(all_, depends_);
-        if (finding_.how.empty() && relation_) tell(cause_of(*relation_));
+        if (finding_.how.empty() && relation_) tell(how_of(*relation_));
         if (finding_.how.empty()) finding_.how = wrong_answers(all_);
     }
 
@@ -219,12 +160,12 @@ private:
     }
 
     /// What says more than a relation that does not explain all.
-    Cause beside_a_relation(bool is_mostly_known) const {
+    How beside_a_relation(bool is_mostly_known) const {
         if (not_numbers_ > 0)
-            return is_exact(relation_) ? Cause{} : of_numbers(picked(many_calls_, most_compared), right_, sampled_);
+            return is_exact(relation_) ? How{} : of_numbers(picked(many_calls_, most_compared), right_, sampled_);
         if (is_mostly_known) return {};
         if (!sampled_) return {wrong_sums(all_, mine_, right_)};
-        return broken_ ? Cause{} : of_own_numbers(all_, mine_, right_);
+        return broken_ ? How{} : of_own_numbers(all_, mine_, right_);
     }
 
     /// Which calls are wrong, or which are no number.

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "diagnosis/directions.h"
+#include "diagnosis/features_of_parts.h"
 #include "diagnosis/quantities.h"
 #include "diagnosis/scalars.h"
 
@@ -16,18 +17,6 @@ namespace {
 
 constexpr double share = 0.95;       // of either kind that a rule must tell rightly
 constexpr std::size_t at_least = 4;  // calls of either kind
-
-using Test = std::function<bool(const Row& row, const Layout& layout, const Row& right)>;
-
-struct Feature {
-    std::string words;
-    Test test;
-    bool of_answers = false;
-    std::string number{};    // as WrongCalls has it
-    std::string not_unit{};  // likewise
-    bool is_of_axis = false;
-    std::vector<bool> holds{};
-};
 
 WrongCalls region(const Feature& one, bool is_exact) {
     return {one.words, one.test, is_exact, one.of_answers, one.not_unit, {one.number}};
@@ -43,9 +32,10 @@ public:
         }
         told_ = told_of(calls, all);
         directions_ = directions_of(calls, told_);
-        parts();
-        axes();
-        if (of_answers) answers();
+        for (Feature& one : features_of_parts(calls, wrong_, told_)) add(std::move(one));
+        for (Feature& one : features_of_axes(directions_)) add(std::move(one));
+        if (of_answers)
+            for (Feature& one : features_of_answers(calls.result)) add(std::move(one));
         quantities();
     }
 
@@ -219,74 +209,6 @@ private:
                                Quantity::Kind::product});
             }
         return all;
-    }
-
-    /// Where a frame of one's own may have no second axis.
-    void axes() {
-        for (const Direction& one : directions_)
-            for (int axis = 0; axis < 3; ++axis)
-                add({fmt::format("{} is along the {} axis", one.words, "xyz"[axis]),
-                     [axis, value = one.value](const Row& row, const Layout& l, const Row&) {
-                         constexpr double close = 1e-9;
-                         return std::abs(std::abs(value(row, l)[axis]) - 1) < close;
-                     },
-                     false, "", "", true});
-    }
-
-    void parts() {
-        const auto& parts = calls_.layouts.front().parts;
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-            if (!told_[i]) continue;
-            const Field part = parts[i];
-            const auto add_part = [&](const std::string& words, auto holds) {
-                add({words,
-                     [i, holds](const Row& row, const Layout& l, const Row&) { return holds(&row[l.parts[i].at]); }});
-            };
-            if (part.kind == Kind::flag) {
-                add_part(fmt::format("`{}` is true", part.name), [](const double* x) { return x[0] != 0; });
-                add_part(fmt::format("`{}` is false", part.name), [](const double* x) { return x[0] == 0; });
-            }
-            if (part.kind == Kind::choice) {
-                std::set<double> bad;
-                for (std::size_t k = 0; k < calls_.size(); ++k)
-                    if (wrong_[k]) bad.insert(calls_.rows[k][calls_.layouts[k].parts[i].at]);
-                std::string words;
-                for (const double value : bad)
-                    words += (words.empty() ? "" : " or ") + value_in_words({part.name, part.kind, 0}, {value});
-                add_part(fmt::format("`{}` is {}", part.name, words),
-                         [bad](const double* x) { return bad.contains(x[0]); });
-            }
-            if (part.kind == Kind::color || part.kind == Kind::vector) {
-                const auto is_zero = [](const double* x) { return x[0] == 0 && x[1] == 0 && x[2] == 0; };
-                add_part(fmt::format("`{} = (0, 0, 0)`", part.name), is_zero);
-                add_part(fmt::format("`{}` is not (0, 0, 0)", part.name),
-                         [is_zero](const double* x) { return !is_zero(x); });
-                if (part.kind == Kind::color)
-                    add_part(fmt::format("a channel of `{}` is 0", part.name),
-                             [](const double* x) { return x[0] == 0 || x[1] == 0 || x[2] == 0; });
-            }
-        }
-    }
-
-    void answers() {
-        for (const Field& part : calls_.result.parts) {
-            const std::string name = part.name.empty() ? "answer" : part.name;
-            const auto is_zero = [part](const Row&, const Layout&, const Row& right) {
-                for (std::size_t c = 0; c < size_of(part.kind); ++c)
-                    if (right[part.at + c] != 0) return false;
-                return true;
-            };
-            const auto add_answer = [&](const char* is, Test test) {
-                add({fmt::format("the right {} is {}", name, is), std::move(test), true});
-            };
-            const bool is_flag = part.kind == Kind::flag;
-            add_answer(is_flag ? "false" : "0", is_zero);
-            add_answer(is_flag ? "true" : "not 0", std::not_fn(is_zero));
-            add_answer("inf",
-                       [part](const Row&, const Layout&, const Row& right) { return std::isinf(right[part.at]); });
-            add_answer("not inf",
-                       [part](const Row&, const Layout&, const Row& right) { return std::isfinite(right[part.at]); });
-        }
     }
 
     const Calls& calls_;

@@ -15,75 +15,11 @@ using textbook::Value;
 
 namespace {
 
-bool is_number(std::string_view text) {
-    return !text.empty() && std::string_view("0123456789.").find(text.front()) != text.npos &&
-           text.find_first_not_of("0123456789.eE+-f") == text.npos;
-}
-
 /// Whether one is the other without brackets.
 bool lacks_brackets(std::string text, std::string alternative) {
     for (std::string* one : {&text, &alternative}) std::erase_if(*one, [](char c) { return c == '(' || c == ')'; });
     return text == alternative;
 }
-
-/// "cos" of "cos(x)"
-std::string called(std::string_view call) { return std::string(call.substr(0, call.find('('))); }
-
-/// Of a mistake in a literal, the number that takes its place.
-std::string other_number(const textbook::Node& node, const Mistake& mistake) {
-    const double x = std::strtod(node.text.c_str(), nullptr);
-    const std::size_t f = mistake.made.function;
-    switch (mistake.made.made) {
-        case Made::number:
-            return number_in_words(scalar_functions[f].value(x));
-        case Made::tolerance:
-            return number_in_words(tolerance_functions[f].value(x));
-        case Made::limit:
-            return number_in_words(limit_functions[f].value(x));
-        default:
-            return filled(mistake.pattern, node.name);
-    }
-}
-
-/// Another operator binds less than what is written: within a larger expression it needs brackets.
-std::string in_its_place(const textbook::Node& node, const std::string& alternative) {
-    const bool is_whole = node.context == node.text || node.context.ends_with("= " + node.text) ||
-                          node.context.ends_with("return " + node.text) ||
-                          node.context.ends_with("(" + node.text + ")");
-    const bool is_looser = textbook::loosest(alternative) < textbook::loosest(node.text);
-    return is_looser && !is_whole ? "(" + alternative + ")" : alternative;
-}
-
-}  // namespace
-
-std::string changed_in_words(const Expressions& all, const Mistake& mistake) {
-    const textbook::Node& node = all.node(mistake.made.nodes.front());
-    if (mistake.made.alternative != 0)
-        return mistake.made.nodes.size() > 1 ? called(mistake.pattern) : in_its_place(node, mistake.pattern);
-    if (!mistake.other.empty()) return filled(mistake.pattern, node.name, mistake.other);
-    return is_number(node.text) ? other_number(node, mistake) : filled(mistake.pattern, node.name);
-}
-
-std::string written_in_words(const Expressions& all, const Mistake& mistake) {
-    const textbook::Node& node = all.node(mistake.made.nodes.front());
-    if (mistake.made.alternative == 0) return node.name;
-    return mistake.made.nodes.size() > 1 ? called(node.text) : node.text;
-}
-
-std::string which_in_words(const Expressions& all, const Mistake& mistake) {
-    static constexpr const char* ordinals[] = {"the first ", "the second ", "the third ", "the fourth "};
-    const textbook::Node& node = all.node(mistake.made.nodes.front());
-    std::size_t alike = 0, before = 0;
-    for (const textbook::Node& other : all.nodes)
-        if (other.text == node.text && other.name == node.name && other.context == node.context &&
-            other.line == node.line && other.function == node.function) {
-            if (&other < &node) ++before;
-            ++alike;
-        }
-    return alike > 1 && before < std::size(ordinals) ? ordinals[before] : "";
-}
-
-namespace {
 
 /// Makes the list.
 class MistakesMade {

@@ -1,0 +1,67 @@
+#include "diagnosis/how.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "diagnosis/by_textbook.h"
+#include "diagnosis/own_numbers.h"
+#include "diagnosis/rule.h"
+#include "diagnosis/shares.h"
+#include "diagnosis/spread.h"
+#include "diagnosis/surest.h"
+
+namespace grade {
+
+namespace {
+
+/// What explains the answers to these calls, all of which count.
+std::optional<Relation> relation_in(const Calls& calls, const Ask& right, bool sampled, std::size_t& left_of_forms) {
+    bool right_otherwise = false;
+    const auto of_arguments = relation_of(calls, right, sampled, right_otherwise);
+    return simpler(of_arguments, relation_of_textbook(calls, sampled, right_otherwise, left_of_forms));
+}
+
+}  // namespace
+
+How how_of(const Relation& relation) {
+    return {relation.all_words(), relation.is_change() ? relation.all_words() : ""};
+}
+
+How of_own_numbers(const Calls& all, const Ask& mine, const Ask& right) {
+    const auto own = with_own_numbers(all, right);
+    if (!own) return {};
+    const auto differs = [&](std::size_t k) { return !is_equal(own->result, own->mine[k], own->right[k]); };
+    std::size_t wrong = 0;
+    for (std::size_t k = 0; k < own->size(); ++k) wrong += differs(k);
+    std::size_t left = most_of_textbook;
+    if (wrong > 0) {
+        const auto found = relation_in(*own, right, false, left);
+        return is_exact(found) ? how_of(*found) : How{};
+    }
+    const auto place = std::ranges::find_if(own->result.parts, is_place),
+               measure = std::ranges::find_if_not(own->result.parts, is_place);
+    const auto spread = spread_of(all, all, mine, right);
+    if (!spread || measure == own->result.parts.end()) return {};
+    return {fmt::format("each `{}` is right for its `{}`, but these are not spread so: {}", measure->name, place->name,
+                        *spread)};
+}
+
+std::string wrong_sums(const Calls& all, const Ask& mine, const Ask& right) {
+    const std::string rule = wrong_rule(all, mine, right);
+    return rule.empty() ? wrong_shares(all, mine, right) : rule;
+}
+
+How of_numbers(const Calls& calls, const Ask& right, bool sampled) {
+    const Calls some = those_of(calls, [&](std::size_t k) { return !is_nan(calls.mine[k], calls.right[k]); });
+    const std::string words = "some answers are nan where the right one is a number";
+    if (some.size() == 0) return {words};
+    std::size_t left = most_of_textbook;
+    auto found = relation_in(some, right, sampled, left);
+    if (!is_exact(found)) found = two_of_textbook(some, left);
+    if (!is_exact(found)) return {words};
+    const std::string there = "where it is a number, " + found->all_words();
+    return {words + "; " + there, there};
+}
+
+}  // namespace grade
