@@ -1,5 +1,5 @@
 #include "asked/free_flight.h"
-#include "checks/kit/kit.h"
+#include "checks/kit/own_density.h"
 #include "checks/kit/white_medium.h"
 
 namespace grade {
@@ -86,6 +86,14 @@ Check any_extinction() {
                         spread});
 }
 
+/// s exp(-s t), at each distance.
+Check exponential() {
+    return own_density(
+        [](Generator& draw, rt::vec2 u) { return row(log_between(draw, 0.1, 10), u.x); },
+        {of_call<rt::free_flight>([](double t) { return rt::vec3(t, 0, 0); }),
+         of_call<rt::free_flight>([](double t, double s, double) { return s * std::exp(-s * t); }), "s exp(-s t)", 1});
+}
+
 /// A ball that absorbs, in front of an even light: each pixel keeps exp(-s l), l its ray's way through the ball.
 Check attenuation(Generator& random) {
     const Place place = any_place(random);
@@ -130,9 +138,10 @@ Check attenuation(Generator& random) {
 }  // namespace
 
 Checks check_free_flight(Generator& random) {
-    Checks checks = {distances(random), any_extinction(), ends(), attenuation(random), white_medium(random)};
-    // any distances above 0 pass the other two
-    for (const std::size_t k : {0, 1, 3}) checks[k].share = 3;
+    Checks checks = {distances(random),   any_extinction(), exponential(),
+                     attenuation(random), ends(),           white_medium(random)};
+    // any distances above 0 pass the last two
+    for (std::size_t k = 0; k < 4; ++k) checks[k].share = 3;
     return checks;
 }
 

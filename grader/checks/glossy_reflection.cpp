@@ -86,6 +86,18 @@ Check rays(Generator& random, const std::string& name, double angle) {
                                                  normal, normal, n, (n + 2) / (n + 1))}}));
 }
 
+/// Any angle and exponent.
+Check density_of_reflected() {
+    const auto row_with = [](Generator& draw, rt::vec2 u) {
+        const vec3 n = scene_direction(draw), d = -tilted(draw, n, between(draw, 0, 1));
+        return row(d, n, log_between(draw, 1, 30), u);
+    };
+    return density_of_lobe(row_with, [](const Row& in) {
+        const auto [d, n, exponent, u] = TypesOf<decltype(&rt::glossy_reflection)>::arguments(in);
+        return LobeOf{d - 2 * rt::dot(d, n) * n, n, exponent};
+    });
+}
+
 }  // namespace
 
 Checks check_glossy_reflection(Generator& random) {
@@ -94,7 +106,7 @@ Checks check_glossy_reflection(Generator& random) {
     const Checks any_exponent =
         lobe_of_any_exponent(true, [](vec3 d, vec3 n, double exponent, rt::vec2 u) { return row(d, n, exponent, u); });
     const Checks of_rays = joined({head_on, rays(random, "at_an_angle", angle)}, any_exponent);
-    return joined(of_rays, {ball(random), mirrored_lamp(random)});
+    return joined(of_rays, {density_of_reflected(), ball(random), mirrored_lamp(random)});
 }
 
 }  // namespace grade

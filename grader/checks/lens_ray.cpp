@@ -49,6 +49,19 @@ RowNumber miss(Focus focus) {
     });
 }
 
+/// All parts of the lens get equally many rays.
+Check even() {
+    const auto row_with = [](Generator& draw, vec2 u) {
+        const Camera camera = any_lens_camera(draw);
+        return row(camera, Ray{camera.eye, view_direction(camera, 200.0 * square(draw)), 0, rt::inf}, u);
+    };
+    return own_density(row_with, {of_call<rt::lens_ray>([](const Ray& ray) { return ray.origin; }),
+                                  of_call<rt::lens_ray>([](const Ray&, const Camera& camera, const Ray&, vec2) {
+                                      return 1 / (rt::pi * rt::sqr(camera.lens_radius));
+                                  }),
+                                  "the density of an even lens"});
+}
+
 Check in_focus() {
     const auto inputs = rows_of(128, [](Generator& random) {
         Camera camera = any_lens_camera(random);
@@ -246,8 +259,13 @@ Check corner(Generator& random) {
 }  // namespace
 
 Checks check_lens_ray(Generator& random) {
-    return {in_focus(),     rays_of_lens(random),         depths(random),
-            corner(random), lens_ray::two_colors(random), lens_ray::adding_up(random)};
+    return {in_focus(),
+            rays_of_lens(random),
+            even(),
+            depths(random),
+            corner(random),
+            lens_ray::two_colors(random),
+            lens_ray::adding_up(random)};
 }
 
 }  // namespace grade

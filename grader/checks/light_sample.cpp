@@ -134,6 +134,26 @@ Check large_spheres() {
                                    "is the sine of the cone the radius over the distance of the centre?")})});
 }
 
+/// Each kind of light, from wherever it shines.
+Check density_of_samples() {
+    std::vector<RowWith> kinds;
+    std::vector<OwnDensity> densities;
+    const auto direction_of = of_call<rt::light_sample>([](const LightSample& s) { return s.direction; });
+    for (const auto& [kind, name] : {std::pair(Emitter::Kind::quad, "a quad"), std::pair(Emitter::Kind::disc, "a disc"),
+                                     std::pair(Emitter::Kind::sphere, "a sphere")}) {
+        kinds.push_back([kind = kind](Generator& draw, vec2 u) {
+            const Emitter light = emitter(draw, kind);
+            const vec3 axis = kind == Emitter::Kind::sphere ? direction(draw) : rt::unit(rt::normal(light));
+            return row(light, rt::center(light) + between(draw, 1, 3) * tilted(draw, axis, between(draw, 0, 1)), u);
+        });
+        const auto density = [kind = kind](const LightSample& s, const Emitter& light, vec3, vec2) {
+            return light.kind == kind ? s.density : 0;
+        };
+        densities.push_back({direction_of, of_call<rt::light_sample>(density), fmt::format("the density on {}", name)});
+    }
+    return own_density(kinds, densities);
+}
+
 }  // namespace
 
 Checks check_light_sample(Generator& random) {
@@ -145,6 +165,7 @@ Checks check_light_sample(Generator& random) {
                      anywhere(),
                      large_spheres(),
                      light_sample::irradiance(random),
+                     density_of_samples(),
                      dark_side()};
     // half of all directions see a flat light from behind
     checks.back().share = 2;

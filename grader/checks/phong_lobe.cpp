@@ -98,7 +98,8 @@ Checks check_phong_lobe(Generator& random) {
     const double narrow = between(random, 20, 60), wide = between(random, 2, 6);
     const auto row_with = [](Generator& draw, rt::vec2 u) { return row(log_between(draw, 1, 1e4), u); };
     return {lobe("narrow_lobe", narrow), lobe("wide_lobe", wide), any_exponent(),
-            neighbours(3, [](Generator& draw, rt::vec2 u) { return row(between(draw, 1, 3), u); }),
+            density_of_directions<rt::phong_lobe>(
+                [](Generator& draw, rt::vec2 u) { return row(log_between(draw, 1, 30), u); }),
             ends_of_square(row_with)};
 }
 

@@ -195,6 +195,33 @@ Check lamp_steps(Generator& random) {
     return render_check("lamp_steps", {scene, 16, "sobol"}, statistics);
 }
 
+/// So many pixels of an even floor, each as bright as those beside it: what goes wrong once in 100,000 is seen.
+Check many_pixels(Generator& random) {
+    const Place place = any_place(random);
+    const rt::ivec2 size(1000, 700);
+    const std::string scene = toml(film_view(place, size)) + material("floor", {{"albedo", 0.5}}) +
+                              point_light(place({0.3, 0.2, 40}), 5000) + place.floor("floor", 100);
+    const Statistic odd = of_picture(
+        {.id = "G4",
+         .what = "pixels of a smooth picture, of 700,000, that are not as those beside them",
+         .number =
+             [](const rt::Image& image) {
+                 double count = 0;
+                 for (int y = 0; y < image.height; ++y)
+                     for (int x = 1; x + 1 < image.width; ++x) {
+                         const rt::Color beside = (image.at(x - 1, y) + image.at(x + 1, y)) / 2.0;
+                         const rt::Color off = image.at(x, y) / beside - 1.0;
+                         count += !(std::max({std::abs(off.x), std::abs(off.y), std::abs(off.z)}) < 0.01);
+                     }
+                 return count;
+             },
+         .truth = 0,
+         .exact = true,
+         .hint = with_value("{:.0f} pixels of 700,000 are not as those beside them: for some sums, something else "
+                            "than the mean is returned")});
+    return render_check("many_pixels", {scene, 1, "random"}, {odd});
+}
+
 }  // namespace
 
 Checks check_pixel_mean(Generator& random) {
@@ -214,7 +241,8 @@ Checks check_pixel_mean(Generator& random) {
         }
         return row(radiance, weight);
     });
-    return {probe_check("linear_mean", inputs, {linear_mean()}), lamp_steps(random), thin_lamps(random)};
+    return {probe_check("linear_mean", inputs, {linear_mean()}), lamp_steps(random), thin_lamps(random),
+            many_pixels(random)};
 }
 
 }  // namespace grade

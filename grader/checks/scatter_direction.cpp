@@ -167,7 +167,7 @@ Checks check_scatter_direction(Generator& random) {
     return {directions("forward", forward),
             directions("backward", backward),
             probe_check("any_g", extremes, {unit_direction<rt::scatter_direction>("V3"), density()}),
-            neighbours(3, row_with),
+            density_of_directions<rt::scatter_direction>(row_with),
             ends_of_square(row_with),
             axes,
             white_medium(random),

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "asked/shutter_time.h"
-#include "checks/kit/kit.h"
+#include "checks/kit/own_density.h"
 #include "checks/kit/own_numbers.h"
 #include "statistics/sharing.h"
 
@@ -42,6 +42,19 @@ std::string few_times(const Observation& seen) {
         return "there is one time for all samples, the same for every u: each sample has a time of its own";
     if (at_ends > 0.95 * rows) return "only the two end times occur, open and close: expected every time between them";
     return "";
+}
+
+/// All times of the exposure get equally many samples.
+Check even() {
+    const auto row_with = [](Generator& draw, vec2 u) {
+        const double open = between(draw, -1, 1);
+        return row(Shutter{open, open + log_between(draw, 0.01, 1)}, u.x);
+    };
+    return own_density(row_with, {of_call<rt::shutter_time>([](double time) { return vec3(time, 0, 0); }),
+                                  of_call<rt::shutter_time>([](double, const Shutter& shutter, double) {
+                                      return 1 / (shutter.close - shutter.open);
+                                  }),
+                                  "1/(close - open)", 1});
 }
 
 Check times(Generator& random) {
@@ -234,7 +247,7 @@ Check passing_train(Generator& random) {
 }  // namespace
 
 Checks check_shutter_time(Generator& random) {
-    return {times(random), instant(), streak(random), passing_train(random)};
+    return {times(random), even(), instant(), streak(random), passing_train(random)};
 }
 
 }  // namespace grade

@@ -131,6 +131,20 @@ Check total_reflection(double low, double high) {
                    .says = "at total internal reflection nothing passes: the weight is 0"})});
 }
 
+/// Any angle and exponent, into the denser and into the thinner.
+Check density_of_transmitted() {
+    const auto row_with = [](Generator& draw, rt::vec2 u) {
+        const bool denser = chance(draw, 0.5);
+        const vec3 n = scene_direction(draw), d = -tilted(draw, n, between(draw, 0, denser ? 1 : 0.5));
+        return row(d, n, denser ? 1.0 : 1.5, denser ? 1.5 : 1.0, log_between(draw, 1, 30), u);
+    };
+    return density_of_lobe(row_with, [](const Row& in) {
+        const auto [d, n, from, to, exponent, u] = TypesOf<decltype(&rt::translucency)>::arguments(in);
+        const vec3 along = from / to * (d - rt::dot(d, n) * n);
+        return LobeOf{along - std::sqrt(1 - rt::dot(along, along)) * n, -n, exponent};
+    });
+}
+
 }  // namespace
 
 Checks check_translucency(Generator& random) {
@@ -140,10 +154,11 @@ Checks check_translucency(Generator& random) {
     const Checks any_exponent = lobe_of_any_exponent(false, [](vec3 d, vec3 n, double exponent, rt::vec2 u) {
         return row(d, n, 1.0, u.y < 0.1 ? 1.0 : 1.5, exponent, u);
     });
-    return joined(any_exponent, {refracted_rays(random, "head_on", 0, low, high),
-                                 refracted_rays(random, "into_the_denser", into_denser, low, high),
-                                 refracted_rays(random, "into_the_thinner", into_thinner, high, low),
-                                 total_reflection(low, high), sky(random), lamp_behind(random)});
+    return joined(any_exponent,
+                  {refracted_rays(random, "head_on", 0, low, high),
+                   refracted_rays(random, "into_the_denser", into_denser, low, high),
+                   refracted_rays(random, "into_the_thinner", into_thinner, high, low), total_reflection(low, high),
+                   density_of_transmitted(), sky(random), lamp_behind(random)});
 }
 
 }  // namespace grade

@@ -8,6 +8,7 @@
 #include "diagnosis/bounds.h"
 #include "diagnosis/calls_made.h"
 #include "diagnosis/how.h"
+#include "diagnosis/own_numbers.h"
 #include "diagnosis/precision.h"
 #include "diagnosis/right_otherwise.h"
 #include "diagnosis/simplest.h"
@@ -108,7 +109,9 @@ public:
     }
 
 private:
-    void tell(const How& how) { finding_.how = how.words, finding_.of_numbers = how.of_numbers; }
+    void tell(const How& how) {
+        finding_.how = how.words, finding_.of_numbers = how.of_numbers, beside_place_ = how.beside_place;
+    }
 
     /// False: other random numbers give these answers.
     bool look_for_relation(const std::function<std::optional<Editable>()>& source) {
@@ -209,8 +212,14 @@ private:
     /// The simplest wrong call. Of a sample there may be more than one right place, unless it is told what is done
     /// otherwise.
     void add_example(const WrongCalls& region, bool is_one_right) {
-        std::size_t left = 4000;
-        const Example simplest = simplest_wrong(all_, region, limited(ask_mine_, left), limited(ask_right_, left));
+        std::size_t left = 4000, left_of_own = 400'000;
+        const bool is_elsewhere = beside_place_ || (relation_ && (relation_->other_numbers || relation_->is_elsewhere));
+        const Ask mine = limited(ask_mine_, left),
+                  right = is_elsewhere ? at_own_places(all_, mine, limited(ask_right_, left_of_own))
+                                       : limited(ask_right_, left);
+        Calls all = is_elsewhere ? picked(all_, most_compared) : all_;
+        if (is_elsewhere) all.right = right(all.rows);
+        const Example simplest = simplest_wrong(all, region, mine, right);
         std::vector<bool> wrong_parts;
         bool is_place_wrong = false;
         for (const Field& part : all_.result.parts) {
@@ -235,6 +244,7 @@ private:
     std::optional<Relation> relation_;
     std::optional<Broken> broken_;
     Finding finding_;
+    bool beside_place_ = false;
 };
 
 }  // namespace

@@ -37,7 +37,7 @@ How of_own_numbers(const Calls& all, const Ask& mine, const Ask& right) {
     std::size_t left = most_of_textbook;
     if (wrong > 0) {
         const auto found = relation_in(*own, right, false, left);
-        return is_exact(found) ? how_of(*found) : How{};
+        return is_exact(found) ? How{found->all_words(), how_of(*found).of_numbers, true} : How{};
     }
     const auto place = std::ranges::find_if(own->result.parts, is_place),
                measure = std::ranges::find_if_not(own->result.parts, is_place);

@@ -8,7 +8,8 @@ namespace grade {
 /// How wrong answers come about.
 struct How {
     std::string words;
-    std::string of_numbers{};  // of these, what is said of answers that are numbers
+    std::string of_numbers{};   // of these, what is said of answers that are numbers
+    bool beside_place = false;  // the sample is as good as the solution's, which lies elsewhere
 };
 
 How how_of(const Relation& relation);

@@ -11,4 +11,7 @@ namespace grade {
 /// are left out. None: too few are left.
 std::optional<Calls> with_own_numbers(const Calls& calls, const Ask& right);
 
+/// The solution, with those numbers in place of the call's where it can; `like` has calls of such a layout.
+Ask at_own_places(const Calls& like, const Ask& mine, const Ask& right);
+
 }  // namespace grade

@@ -40,6 +40,7 @@ std::optional<Relation> Search::run(bool& right_otherwise) {
         if (!right) continue;
         consider(*right, {}, base.cost, all_, false);
         one_change(base, all_);
+        if (best_) best_->is_elsewhere = base.cost > 0;
         if (best_) return best_;
     }
     one_constant(all_);

@@ -24,6 +24,7 @@ struct Relation {
     enum class Explains { all, some, nothing };
     Explains explains = Explains::all;
     bool other_numbers = false;    // the answers are the right fragment's for other random numbers
+    bool is_elsewhere = false;     // so are its places, which are as good, and more is wrong with the rest
     bool has_other_order = false;  // samples come in another order, which is as good: of a named mistake
     double share = 1;              // of what is wrong that is explained
     // explained exactly by a change of arguments, of a textbook's expression; put right by one of the fragment's own

@@ -187,6 +187,19 @@ std::vector<Statistic> lobe_statistics(const LobeSetting& setting) {
     return statistics;
 }
 
+Check density_of_lobe(const RowWith& row_with, std::function<LobeOf(const Row&)> lobe_of) {
+    const auto supposed = [lobe_of](const Row& in, const Row& out) {
+        const Scattered s = from_row<Scattered>(out);
+        const LobeOf lobe = lobe_of(in);
+        const double along = rt::dot(s.direction, lobe.axis);
+        return along > 0 && s.weight.x > 0 ? (lobe.exponent + 2) / (2 * rt::pi) * std::pow(along, lobe.exponent) *
+                                                 rt::dot(s.direction, lobe.outward) / s.weight.x
+                                           : 0;
+    };
+    return own_density(row_with, {of_result<Scattered>([](const Scattered& s) { return s.direction; }), supposed,
+                                  "(n + 2)/(2 pi) cos(alpha)^n x cosine / weight"});
+}
+
 Checks lobe_of_any_exponent(bool reflected, Row (*row_with)(rt::vec3 d, rt::vec3 n, double exponent, rt::vec2 u)) {
     const auto inputs = [row_with](Generator& random) {
         Rows rows;

@@ -25,6 +25,15 @@ struct LobeSetting {
     std::vector<LobeSuspect> suspects;
 };
 
+/// Where the lobe of a call lies.
+struct LobeOf {
+    rt::vec3 axis, outward;
+    double exponent;
+};
+
+/// Whether directions have the density that their weight supposes, BRDF x cosine / weight.
+Check density_of_lobe(const RowWith& row_with, std::function<LobeOf(const Row& inputs)> lobe_of);
+
 std::vector<Statistic> lobe_statistics(const LobeSetting& setting);
 
 /// Exponents from 1 to 10,000, head on along an axis of the world: the width of the lobe.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "checks/kit/kit.h"
+#include "checks/kit/own_density.h"
 
 /// Warps of the unit square: what is common to the checks of directions and densities.
 namespace grade {
@@ -30,51 +30,6 @@ inline Cause half_circles(RowPoint point) {
 inline Statistic even_about_z(const std::string& id, const std::string& what, const RowPoint& cell, std::string words) {
     return uniform_in_square(
         {.id = id, .what = what, .point = cell, .hint = always(std::move(words)), .cause = half_circles(cell)});
-}
-
-constexpr double neighbour_step = 1e-7;
-
-/// How far apart the answers to numbers u are that lie side by side, over the distance of these: a warp keeps strata
-/// and patterns together. Rows 2k and 2k + 1 are neighbours; the first `count` numbers of an answer are its place.
-inline Statistic keeps_neighbours(std::size_t count) {
-    return {
-        .id = "V3",
-        .what = "how far apart neighbours of the unit square come",
-        .measure =
-            [count](const Observation& seen) {
-                std::vector<double> stretched;
-                for (std::size_t k = 0; k + 1 < seen.outputs.size(); k += 2) {
-                    double square = 0;
-                    for (std::size_t i = 0; i < count; ++i)
-                        square += rt::sqr(seen.outputs[k][i] - seen.outputs[k + 1][i]);
-                    stretched.push_back(std::sqrt(square) / neighbour_step);
-                }
-                std::ranges::nth_element(stretched, stretched.begin() + std::ptrdiff_t(stretched.size() / 2));
-                return stretched[stretched.size() / 2];
-            },
-        .truth = 0,
-        .delta = 40,
-        .exact = true,
-        .hint = always("numbers u side by side give answers far apart: is an angle in degrees where cos and sin take "
-                       "radians? One turn is 2 pi")};
-}
-
-/// Neighbours stay neighbours.
-///
-/// row_with(random, u)  the fragment's arguments
-template <class RowWith>
-Check neighbours(std::size_t count, RowWith row_with) {
-    const auto inputs = [row_with](Generator& random) {
-        Rows rows;
-        for (int k = 0; k < 64; ++k) {
-            const rt::vec2 u = rt::vec2(0.1) + 0.7 * square(random);
-            Generator same = random;
-            rows.push_back(row_with(random, u));
-            rows.push_back(row_with(same, u + rt::vec2(0, neighbour_step)));
-        }
-        return rows;
-    };
-    return probe_check("neighbours", inputs, {keeps_neighbours(count)});
 }
 
 /// Each answer is a number, and a direction that counts is a unit vector.
@@ -119,6 +74,14 @@ template <class RowWith>
 Check axes_of_the_world(RowWith row_with) {
     return well_formed("axes_of_the_world", square, row_with,
                        "where the direction or the normal is an axis of the world");
+}
+
+/// Of a warp whose samples are a direction and its density.
+template <auto fragment>
+Check density_of_directions(const RowWith& row_with) {
+    return density_of_warp(row_with, {of_call<fragment>([](const rt::DirectionSample& s) { return s.direction; }),
+                                      of_call<fragment>([](const rt::DirectionSample& s) { return s.density; }),
+                                      "the density that is returned"});
 }
 
 /// The density that is returned must be that of the direction or point that is returned: density(sample).

@@ -1,0 +1,104 @@
+#include "checks/kit/own_density.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace grade {
+
+namespace {
+
+constexpr double step = 1e-3;  // of u: the noise of single precision, over it, is below the tolerance
+constexpr double tolerance = 5e-3;
+constexpr std::size_t each = 5;    // rows: u, and u before and behind along each axis
+constexpr std::size_t least = 10;  // samples that count
+
+/// p |dx/du| at each sample that counts, in order.
+std::vector<double> products(const Observation& seen, const OwnDensity& of) {
+    std::vector<double> all;
+    for (std::size_t k = 0; k + each <= seen.outputs.size(); k += each) {
+        const auto at = [&](std::size_t i) { return of.place(seen.inputs[k + i], seen.outputs[k + i]); };
+        const auto counts = [&](std::size_t i) { return of.density(seen.inputs[k + i], seen.outputs[k + i]) > 0; };
+        if (!counts(0) || !counts(1) || !counts(2) || !counts(3) || !counts(4)) continue;
+        const rt::vec3 along = (at(2) - at(1)) / (2 * step), across = (at(4) - at(3)) / (2 * step);
+        const double spread = glm::length(of.dimensions == 1 ? along : rt::cross(along, across));
+        if (const double p = of.density(seen.inputs[k], seen.outputs[k]) * spread; std::isfinite(p)) all.push_back(p);
+    }
+    std::ranges::sort(all);
+    return all;
+}
+
+/// What is furthest from what it may be: 1 where all are right. A few are let pass: a map may have a seam.
+double off_most(const std::vector<double>& sorted) {
+    if (sorted.size() < least) return 1;
+    const std::size_t few = sorted.size() / 20;
+    const double low = sorted[few], high = sorted[sorted.size() - 1 - few], middle = sorted[sorted.size() / 2];
+    if (low < 1 - tolerance) return low;
+    // a mixture is above 1 by other shares in other places; a constant is none
+    const bool is_constant = high - low < tolerance * middle;
+    return is_constant && std::abs(middle - std::round(middle)) > tolerance * middle ? middle : 1;
+}
+
+Rows about(const RowWith& row_with, Generator& random) {
+    const rt::vec2 u = rt::vec2(0.1) + 0.7 * square(random);
+    const Generator same = random;
+    Rows rows;
+    for (const rt::vec2 off : {rt::vec2(0), {-step, 0}, {step, 0}, {0, -step}, {0, step}}) {
+        random = same;
+        rows.push_back(row_with(random, u + off));
+    }
+    return rows;
+}
+
+Statistic over_spread(const OwnDensity& of) {
+    const auto hint = [words = of.words](double value, double) {
+        return fmt::format("{} is {:.3g} times that by which neighbouring numbers u are spread", words, value);
+    };
+    return {.id = "V3",
+            .what = of.words + ", over that by which neighbouring numbers u are spread",
+            .measure = [of](const Observation& seen) { return off_most(products(seen, of)); },
+            .truth = 1,
+            .delta = tolerance,
+            .exact = true,
+            .hint = hint};
+}
+
+}  // namespace
+
+Check own_density(const std::vector<RowWith>& kinds, const std::vector<OwnDensity>& all) {
+    const auto inputs = [kinds](Generator& random) {
+        Rows rows;
+        for (std::size_t k = 0; k < 48 * kinds.size(); ++k)
+            for (Row& one : about(kinds[k % kinds.size()], random)) rows.push_back(std::move(one));
+        return rows;
+    };
+    std::vector<Statistic> statistics;
+    for (const OwnDensity& of : all) statistics.push_back(over_spread(of));
+    return probe_check("own_density", inputs, statistics);
+}
+
+Check density_of_warp(const RowWith& row_with, const OwnDensity& of) {
+    const auto stretched = [place = of.place](const Observation& seen) {
+        std::vector<double> all;
+        for (std::size_t k = 0; k + each <= seen.outputs.size(); k += each)
+            all.push_back(glm::length(place(seen.inputs[k + 4], seen.outputs[k + 4]) -
+                                      place(seen.inputs[k + 3], seen.outputs[k + 3])) /
+                          (2 * step));
+        const auto middle = all.begin() + std::ptrdiff_t(all.size() / 2);
+        std::ranges::nth_element(all, middle);
+        return *middle;
+    };
+    Check check = own_density(row_with, of);
+    check.statistics.push_back(
+        {.id = "V3",
+         .what = "how far apart neighbours of the unit square come",
+         .measure = stretched,
+         .truth = 0,
+         .delta = 40,
+         .exact = true,
+         .hint = always("numbers u side by side give answers far apart: is an angle in degrees where cos and sin take "
+                        "radians? One turn is 2 pi")});
+    std::ranges::rotate(check.statistics, check.statistics.end() - 1);  // it says more
+    return check;
+}
+
+}  // namespace grade
