@@ -21,8 +21,29 @@ void each_form(const Calls& calls, bool sampled, Visit visit) {
     }
 }
 
-/// A form that is wrong as a whole, and answers as the calls do.
+/// Whether those parts of an answer are mine.
+bool is_as(const Calls& calls, std::size_t k, const std::vector<const Field*>& parts, const Row& answer) {
+    if (answer.size() != calls.mine[k].size()) return false;
+    if (is_void(calls.result, answer) && is_void(calls.result, calls.mine[k])) return true;
+    return std::ranges::all_of(parts, [&](const Field* part) { return is_equal(*part, answer, calls.mine[k]); });
+}
+
+/// Those parts that are wrong in some call.
+std::vector<const Field*> wrong_parts_of(const Calls& calls) {
+    std::vector<const Field*> parts;
+    for (const Field& part : calls.result.parts)
+        for (std::size_t k = 0; k < calls.size(); ++k)
+            if (counts(calls.result, part, calls.mine[k], calls.right[k]) &&
+                !is_equal(part, calls.mine[k], calls.right[k])) {
+                parts.push_back(&part);
+                break;
+            }
+    return parts;
+}
+
+/// A form that is wrong as a whole, and answers as the calls do in all that is wrong.
 std::optional<Relation> known_mistake(const Calls& calls, bool sampled) {
+    const auto wrong_parts = wrong_parts_of(calls);
     for (const textbook::Form& form : textbook::forms()) {
         if (form.fragment != calls.signature.fragment || form.says.empty()) continue;
         Asked asked(form);
@@ -33,7 +54,7 @@ std::optional<Relation> known_mistake(const Calls& calls, bool sampled) {
                 Row row = calls.rows[k];
                 base.make(row, calls.layouts[k]);
                 wrong += !is_equal(calls.result, calls.mine[k], calls.right[k]);
-                return is_answer(calls.result, asked.answer(row, calls.layouts[k]), calls.mine[k]);
+                return is_as(calls, k, wrong_parts, asked.answer(row, calls.layouts[k]));
             };
             std::size_t k = 0;
             while (k < calls.size() && is_explained(k)) ++k;

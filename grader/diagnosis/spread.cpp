@@ -36,6 +36,22 @@ constexpr Usual usual_spreads[] = {
     {"on the hemisphere about {}, uniform in the angle", [](double q) { return std::sin(q * rt::pi / 2); }},
 };
 
+/// Of a point on a plane, where it is from one that is given; else how far out.
+void add_pair(std::vector<Projection>& list, const std::string& name, std::size_t at, const std::vector<Field>& parts) {
+    const auto from =
+        std::ranges::find_if(parts, [](const Field& part) { return part.kind == Kind::pair && part.name != "u"; });
+    const bool is_given = from != parts.end();
+    if (!is_given)
+        list.push_back(
+            {"|" + name + "|", [at](const Row&, const Row& answer) { return std::hypot(answer[at], answer[at + 1]); }});
+    for (std::size_t c = 0; c < 2; ++c)
+        list.push_back(
+            {fmt::format("{}.{}{}", name, "xy"[c], is_given ? fmt::format(" - {}.{}", from->name, "xy"[c]) : ""),
+             [at, c, given = is_given ? std::optional(from->at) : std::nullopt](const Row& row, const Row& answer) {
+                 return answer[at + c] - (given ? row[*given + c] : 0);
+             }});
+}
+
 std::vector<Projection> projections(const Calls& calls) {
     std::vector<Projection> list;
     const auto& parts = calls.layouts.front().parts;
@@ -45,9 +61,7 @@ std::vector<Projection> projections(const Calls& calls) {
         if (part.kind == Kind::number || part.kind == Kind::color)
             list.push_back({part.kind == Kind::color ? name + ".x" : name,
                             [at](const Row&, const Row& answer) { return answer[at]; }});
-        if (part.kind == Kind::pair)
-            list.push_back({"|" + name + "|",
-                            [at](const Row&, const Row& answer) { return std::hypot(answer[at], answer[at + 1]); }});
+        if (part.kind == Kind::pair) add_pair(list, name, at, parts);
         if (part.kind != Kind::vector) continue;
         std::vector<std::size_t> given;
         for (std::size_t i = 0; i < parts.size(); ++i)
@@ -150,6 +164,41 @@ std::string usual_spread(const Spreads& own, const Spreads& due, const std::vect
     return {};
 }
 
+/// The step of which all numbers are multiples, where there are few of them; 0: there is none.
+double step_of(const std::vector<double>& x) {
+    double step = rt::inf;
+    std::size_t values = 1;
+    for (std::size_t i = 1; i < x.size(); ++i)
+        if (const double gap = x[i] - x[i - 1]; gap > 1e-9 * std::abs(x[i])) step = std::min(step, gap), ++values;
+    const auto is_multiple = [&](double v) { return std::abs(v / step - std::round(v / step)) < 1e-6; };
+    return values >= 3 && 4 * values < 3 * x.size() && std::ranges::all_of(x, is_multiple) ? step : 0;
+}
+
+/// That a number comes in steps, of which each is a constant times or over an argument; empty: it does not, or the
+/// right one does as well.
+std::string in_steps(const Calls& calls, const Spreads& own, const Spreads& due, const Rows& rows,
+                     const std::vector<Projection>& list) {
+    const auto all = scalars_of(calls.layouts.front(), calls.told);
+    for (std::size_t p = 0; p < list.size(); ++p)
+        for (const Scalar& s : all)
+            for (const int power : {0, 1, -1}) {
+                double constant = 0;
+                bool is_so = true;
+                for (std::size_t i = p; is_so && i < own.size(); i += list.size()) {
+                    const Row& row = rows[i / list.size() * side * side];
+                    const double factor = std::pow(row[s.at(calls.layouts.front())], power);
+                    const double step = step_of(own[i]) / factor;
+                    is_so = step > 0 && step_of(due[i]) == 0 && (constant == 0 || std::abs(step / constant - 1) < 1e-6);
+                    constant = step;
+                }
+                if (!is_so || constant == 0) continue;
+                const std::string words = number_in_words(constant);
+                return fmt::format("{} is always a whole multiple of `{}`", list[p].words,
+                                   power == 0 ? words : words + (power > 0 ? " * " : " / ") + s.name);
+            }
+    return {};
+}
+
 std::string mean_and_range(const std::vector<double>& x) {
     double sum = 0;
     for (const double v : x) sum += v;
@@ -167,7 +216,9 @@ std::optional<std::string> spread_of(const Calls& calls, const Calls& all, const
     const std::vector<Projection> list = projections(calls);
     const Rows rows = over_the_square(calls, *u, few_bases), more = over_the_square(all, *u, more_bases);
     const Spreads own = spreads(rows, mine(rows), list), due = spreads(rows, right(rows), list);
-    if (own.empty() || due.empty() || most_apart(own, due) <= as_good) return std::nullopt;
+    if (own.empty() || due.empty()) return std::nullopt;
+    if (const std::string steps = in_steps(calls, own, due, rows, list); !steps.empty()) return steps;
+    if (most_apart(own, due) <= as_good) return std::nullopt;
     Spreads own_more;
     const auto is_alike = [&](const Change& change, Rows changed, const Spreads& wanted) {
         const Rows before = changed;

@@ -119,7 +119,7 @@ std::optional<Relation> relation_of_parts(const Calls& calls, const Ask& ask_rig
     constexpr std::size_t enough = 10;  // wrong calls
     std::optional<Relation> all;
     std::size_t wrong = 0, explained = 0;
-    bool are_changes = true;
+    bool are_changes = true, is_place_explained = false;
     for (const Field& part : calls.result.parts) {
         Calls alone = calls;
         for (std::size_t k = 0; k < calls.size(); ++k) {
@@ -135,6 +135,7 @@ std::optional<Relation> relation_of_parts(const Calls& calls, const Ask& ask_rig
         if (count < enough || !is_exact(found) || found->other_numbers) continue;
         ++explained;
         are_changes = are_changes && found->is_change();
+        is_place_explained = is_place_explained || is_place(part);
         if (found->is_change())
             found->said = fmt::format("{} is exactly as if the fragment had {}", name_of(part), found->said),
             found->kind = Relation::Kind::sentence;
@@ -148,7 +149,7 @@ std::optional<Relation> relation_of_parts(const Calls& calls, const Ask& ask_rig
         all = std::move(found);
     }
     // of a sample whose place is wrong, any measure may be so
-    if (explained < wrong && sampled && !are_changes) return std::nullopt;
+    if (explained < wrong && sampled && !are_changes && !is_place_explained) return std::nullopt;
     if (all && explained < wrong)
         all->explains = Relation::Explains::some, all->share = double(explained) / double(2 * wrong);
     return all;

@@ -170,7 +170,7 @@ protected:
 
     const std::string file_;
     std::vector<Token> tokens_;
-    std::set<std::string> fragments_, constants_;
+    std::set<std::string> fragments_, constants_, locals_;
     std::map<std::string, int> uses_;
     int first_;
     std::size_t at_ = 0;

@@ -118,6 +118,7 @@ std::string StatementReader::declaration() {
         ++at_;
         all += " " + name;
         if (is_constant) constants_.insert(name);
+        locals_.insert(name);
         if (take("=")) {
             const Expression of = is("{") ? braced() : expression();
             all += " = " + of.code;
