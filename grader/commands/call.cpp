@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstring>
 #include <memory>
 
@@ -13,6 +14,7 @@
 #include "commands/words.h"
 #include "diagnosis/calls.h"
 #include "programs/cache.h"
+#include "programs/process.h"
 #include "programs/programs.h"
 #include "programs/runner.h"
 #include "protocol/protocol.h"
@@ -26,10 +28,10 @@ struct CallArguments {
     bool debugger = false, trusted = false;
 };
 
-constexpr double patience = 600;  // CPU seconds: a debugger waits
+constexpr double patience = 10, patience_of_debugger = 600;  // CPU seconds
 
-/// Runs a command with this program's own stdout and stderr; stdin and descriptor 3 are files.
-bool run_in_view(const std::vector<std::string>& command, const fs::path& in, const fs::path& results) {
+/// Runs a command with this program's own stdout and stderr; stdin and descriptor 3 are files. Returns its status.
+int run_in_view(const std::vector<std::string>& command, const fs::path& in, const fs::path& results) {
     std::fflush(stdout);
     const pid_t child = fork();
     if (child < 0) throw std::runtime_error(fmt::format("no process can be made: {}", std::strerror(errno)));
@@ -47,7 +49,15 @@ bool run_in_view(const std::vector<std::string>& command, const fs::path& in, co
     }
     int status = 0;
     waitpid(child, &status, 0);
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    return status;
+}
+
+std::string why_no_answer(int status) {
+    if (!WIFSIGNALED(status)) return "it ended before";
+    const int signal = WTERMSIG(status);
+    return signal == SIGXCPU || signal == SIGKILL || signal == SIGALRM || signal == SIGPROF
+               ? fmt::format("it took longer than {:g} s: look for a loop or a recursion that does not end", patience)
+               : signal_in_words(signal);
 }
 
 /// What the child was asked to say: the row of the answer is in its last frame.
@@ -120,18 +130,19 @@ int run_call(const CallArguments& arguments, const Context& context) {
     const fs::path request = program.parent_path() / "request", results = program.parent_path() / "results";
     write_text(request, frame(FrameKind::fragment, arguments.fragment) +
                             frame(FrameKind::rows, bytes_of<double>(flatten({row}))));
+    int status = 0;
     fmt::print("{}({})\n", arguments.fragment, arguments_in_words(*signature, row));
     if (arguments.debugger)
-        run_in_view(
-            {"gdb", "-q", "-ex", "set breakpoint pending on", "-ex", "break rt::" + arguments.fragment, "-ex",
-             fmt::format("run {:g} < {} 3> {}", patience, request.string(), results.string()), program.string()},
-            {}, {});
+        run_in_view({"gdb", "-q", "-ex", "set breakpoint pending on", "-ex", "break rt::" + arguments.fragment, "-ex",
+                     fmt::format("run {:g} < {} 3> {}", patience_of_debugger, request.string(), results.string()),
+                     program.string()},
+                    {}, {});
     else
-        run_in_view({program.string(), fmt::format("{:g}", patience)}, request, results);
+        status = run_in_view({program.string(), fmt::format("{:g}", patience)}, request, results);
     const Row answer = answer_in(read_text(results).value_or(""));
     const Row& expected = std::get<Rows>(right).front();
     if (answer.size() != expected.size()) {
-        fmt::print("no answer: it ended before\nmust be {}\n", result_in_words(*signature, expected));
+        fmt::print("no answer: {}\nmust be {}\n", why_no_answer(status), result_in_words(*signature, expected));
         return 1;
     }
     fmt::print("answer  {}\nmust be {}\n", result_in_words(*signature, answer), result_in_words(*signature, expected));

@@ -16,6 +16,7 @@
 #include "report/picture.h"
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
+#include "rt/files/toml_table.h"
 
 namespace grade {
 
@@ -31,10 +32,21 @@ struct PictureArguments {
     bool trusted = false;
 };
 
+constexpr double sqr_of_rounding = 1e-24;  // of linear radiance
+
+bool is_number(rt::Color c) { return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b); }
+
 /// How two pictures differ, for people.
 std::string in_words(const rt::Image& mine, const rt::Image& right) {
     std::size_t count = 0, worst = 0;
     double squares = 0, most = 0;
+    const std::size_t width = std::size_t(mine.width);
+    if (const auto bad = std::ranges::find_if_not(mine.pixels, is_number); bad != mine.pixels.end()) {
+        const std::size_t k = std::size_t(bad - mine.pixels.begin());
+        return fmt::format("{} pixels of yours are no number, the first at {},{}",
+                           mine.pixels.size() - std::size_t(std::ranges::count_if(mine.pixels, is_number)), k % width,
+                           k / width);
+    }
     for (std::size_t k = 0; k < mine.pixels.size(); ++k) {
         const rt::Color off = mine.pixels[k] - right.pixels[k];
         if (mine.pixels[k] == right.pixels[k]) continue;
@@ -44,8 +56,8 @@ std::string in_words(const rt::Image& mine, const rt::Image& right) {
         if (!(square <= most)) most = square, worst = k;
     }
     if (count == 0) return "the same, bit by bit, in this scene: ./grade asks more";
+    if (most < sqr_of_rounding) return "the same but for rounding, in this scene: ./grade asks more";
     const auto color = [](rt::Color c) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", c.r, c.g, c.b); };
-    const std::size_t width = std::size_t(mine.width);
     return fmt::format("{:.3g} % of the pixels differ, RMSE {:.3g}; most at {},{}: {}, right is {}",
                        100.0 * double(count) / double(mine.pixels.size()),
                        std::sqrt(squares / double(mine.pixels.size())), worst % width, worst / width,
@@ -88,8 +100,23 @@ fs::path program_of(Programs& programs, const PictureArguments& arguments, const
     return programs.own_without({});
 }
 
+/// Says what is wrong with a scene, before all the work.
+void require_scene(const std::string& scene, std::vector<std::string> words, const fs::path& scenes) {
+    std::error_code error;
+    if (fs::exists(scene, error)) {
+        rt::read_scene(scene);
+        return;
+    }
+    for (const auto& entry : fs::directory_iterator(scenes, error))
+        if (entry.path().extension() == ".toml") words.push_back("scenes/" + entry.path().filename().string());
+    std::ranges::sort(words);
+    const auto nearest = rt::nearest_word(scene, words);
+    throw rt::InputError(fmt::format("{}: no such scene, and no fragment has this name; expected {}", scene,
+                                     nearest ? *nearest + "?" : "a file, as scenes/checkerboard.toml"));
+}
+
 /// A scene as the submission's fragments draw it, as the solution's do, and the difference; or points of a warp.
-/// Returns the exit code: 0; 1 where the submission's program gave no picture.
+/// Returns the exit code: 0; 1 where the submission's program gave no picture, or pixels that are no number.
 int run_picture(const PictureArguments& arguments, const Context& context) {
     stop_at_interrupt();
     const Toolchain chain = read_toolchain(context.toolchain);
@@ -98,7 +125,7 @@ int run_picture(const PictureArguments& arguments, const Context& context) {
     const std::vector<std::string> names = assignment.names();
     const bool is_warp = std::ranges::count(names, arguments.scene) > 0;
     const Rows calls = is_warp ? calls_of_warp(arguments.scene, arguments.with, chain) : Rows();
-    if (!is_warp) rt::read_scene(arguments.scene);  // says what is wrong with it, before all the work
+    if (!is_warp) require_scene(arguments.scene, names, chain.source / "scenes");
     const fs::path out = arguments.out.empty() ? default_out(arguments.scene) : fs::path(arguments.out);
     require_folder_of(out.string(), "--out");
     if (out.extension() != ".png")
@@ -145,7 +172,7 @@ int run_picture(const PictureArguments& arguments, const Context& context) {
         out.string(), map.full, in_words(both.mine, both.right));
     if (both.right_seconds > 0)
         fmt::print("CPU time: yours {:.3g} s, the right one {:.3g} s\n", both.mine_seconds, both.right_seconds);
-    return 0;
+    return std::ranges::all_of(both.mine.pixels, is_number) ? 0 : 1;
 }
 
 }  // namespace

@@ -32,8 +32,9 @@ Rows calls_of_warp(const std::string& fragment, const std::string& words, const 
     const bool is_point = signature && signature->result != "Real" && signature->result != "Color";
     if (!is_point || !are_readable(*signature) || signature->arguments.back().name != "u" ||
         signature->arguments.back().type != "vec2")
-        throw rt::InputError(fragment +
-                             ": makes no points of a vec2 u alone; expected a scene, or a fragment that does");
+        throw rt::InputError(fmt::format(
+            "{0}: makes no points of a vec2 u alone; expected a fragment that does, or a scene and --mine {0}",
+            fragment));
     try {
         Rows calls(count, arguments_from_words(*signature, words));
         for (int i = 0; i < count; ++i) {

@@ -47,7 +47,7 @@ std::string Asked::words_of(const Mistake& mistake, bool with_context) const {
     const std::string words = in_place(changed_in_words(all, mistake), written_in_words(all, mistake),
                                        has_context ? which_in_words(all, mistake) : "");
     if (is_everywhere) return words + " everywhere";
-    return has_context ? fmt::format("{}, in `{}`", words, node.context) : words;
+    return has_context ? fmt::format("{}, where a textbook has `{}`", words, node.context) : words;
 }
 
 std::optional<Calls> with_answers_of(Asked& asked, Calls calls) {

@@ -168,6 +168,8 @@ Diagnosis diagnose(const FragmentRecord& fragment) {
                      section_of(check, &statistic), check.tiles);
     }
     if (!fragment.said.empty()) return {fragment.said, section};
+    if (fragment.warnings.find("[-Wreturn-type]") != std::string::npos)  // its answers say nothing
+        return {"not every way through it ends with `return`: what its answer is then, is chance", fragment.name};
     if (!found && !picture.empty()) return {first.words + "\nMost clearly, " + picture, section};
     if (!found) return {first.words, section};
     return {in_order(fragment, first), section};

@@ -213,6 +213,7 @@ private:
     /// otherwise.
     void add_example(const WrongCalls& region, bool is_one_right) {
         std::size_t left = 4000, left_of_own = 400'000;
+        if (not_numbers_ > 0) return add_nan_example(region);
         const bool is_elsewhere = beside_place_ || (relation_ && (relation_->other_numbers || relation_->is_elsewhere));
         const Ask mine = limited(ask_mine_, left),
                   right = is_elsewhere ? at_own_places(all_, mine, limited(ask_right_, left_of_own))
@@ -230,6 +231,22 @@ private:
         finding_.answer = result_in_words(all_.signature, simplest.mine, wrong_parts);
         if (is_one_right || !is_place_wrong)
             finding_.right = result_in_words(all_.signature, simplest.right, wrong_parts);
+        add_call(finding_, all_.signature, simplest);
+    }
+
+    /// The simplest call whose answer is no number.
+    void add_nan_example(const WrongCalls& region) {
+        std::size_t left = 4000;
+        const Ask right = limited(ask_right_, left), any = limited(ask_mine_, left);
+        const Ask mine = [&](const Rows& rows) {
+            Rows answers = any(rows), due = right(rows);
+            for (std::size_t k = 0; k < std::min(answers.size(), due.size()); ++k)
+                if (!is_nan(answers[k], due[k])) answers[k] = std::move(due[k]);
+            return answers;
+        };
+        const Example simplest = simplest_wrong(only_nan(all_), region, mine, right);
+        finding_.answer = result_in_words(all_.signature, simplest.mine);
+        finding_.right = result_in_words(all_.signature, simplest.right);
         add_call(finding_, all_.signature, simplest);
     }
 

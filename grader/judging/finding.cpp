@@ -16,6 +16,7 @@ namespace grade {
 namespace {
 
 constexpr std::size_t most_calls = 256;
+constexpr std::size_t most_of_all = 40'000;
 constexpr std::uint64_t seeds = 4;  // whose parameters differ
 constexpr double patience = 5;      // CPU seconds for one answer; on a busy machine it waits longer
 
@@ -116,6 +117,16 @@ Rows telling_calls(const std::string& fragment, const std::vector<Check>& checks
     return calls;
 }
 
+/// Some of all calls whose answers are no numbers: there may be none among those that are looked at.
+void add_not_finite(Rows& calls, const Rows& all, const Ask& mine, const Ask& right) {
+    constexpr std::size_t enough = 16;
+    const Rows own = mine(all), due = right(all);
+    if (own.size() != all.size() || due.size() != all.size()) return;
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < all.size() && count < enough; ++k)
+        if (is_nan(own[k], due[k])) calls.push_back(all[k]), ++count;
+}
+
 /// Whether the same calls in the other order, of a program that has just begun, have other answers.
 bool keeps_something(const Rows& calls, const Ask& mine, const Ask& again) {
     Observation first, second;
@@ -146,7 +157,7 @@ std::optional<Editable> editable_of(Programs& programs, const std::string& fragm
 }  // namespace
 
 Finding find_cause(Programs& programs, const Toolchain& chain, const std::string& fragment,
-                   const std::vector<Check>& checks, std::uint64_t seed) try {
+                   const std::vector<Check>& checks, std::uint64_t seed, bool not_finite) try {
     const auto header = read_text(chain.includes.front() / "rt/fragments.h");
     const auto signature = signature_of(fragment, header.value_or(""));
     if (!signature) return {};
@@ -158,7 +169,8 @@ Finding find_cause(Programs& programs, const Toolchain& chain, const std::string
     const Sandbox& sandbox = programs.sandbox();
     const Ask mine = asking(own, sandbox, meshes, seconds, answers_to(fragment, width, false)),
               right = asking(programs.with({}).program, sandbox, meshes, seconds, answers_to(fragment, width, true));
-    const Rows calls = telling_calls(fragment, checks, seed, *signature, mine, right);
+    Rows calls = telling_calls(fragment, checks, seed, *signature, mine, right);
+    if (not_finite) add_not_finite(calls, calls_of(fragment, checks, seed, most_of_all), mine, right);
     const auto source = [&] { return editable_of(programs, fragment, meshes, seconds); };
     const Ask again = asking(own, sandbox, meshes, seconds, answers_to(fragment, width, false));
     Finding finding;

@@ -133,7 +133,8 @@ Finding Grading::explain(const FragmentRecord& fragment) {
     const std::vector<Check>& checks = checks_.get();
     Finding finding;
     if (std::ranges::count(fragment.checks, Verdict::crashed, &CheckRecord::verdict) == 0)
-        finding = find_cause(programs_, chain_, fragment.name, checks, settings_.seed);
+        finding = find_cause(programs_, chain_, fragment.name, checks, settings_.seed,
+                             std::ranges::count(fragment.checks, Verdict::not_finite, &CheckRecord::verdict) > 0);
     finding.fault = find_fault(programs_, program, chain_, fragment, checks, settings_.seed);
     settings_.build.kept.keep_finding(key, made, finding);
     return finding;

@@ -33,6 +33,9 @@ void check(const StressArguments& arguments) {
             throw rt::InputError(fmt::format(
                 "--only {}: no family and no fragment of a family has this name; expected one that --list prints",
                 name));
+    if (std::ranges::any_of(all_families(), [&](const Family& f) { return is_named(f, arguments.submission); }))
+        throw rt::InputError(
+            fmt::format("{0}: no submission; expected a folder or an archive, or --only {0}", arguments.submission));
     require_folder_of(arguments.json, "--json");
 }
 
@@ -77,7 +80,7 @@ Command stress_command(CLI::App& app) {
     stress->add_option("--only", arguments->settings.only, "only these families, or those of these fragments")
         ->delimiter(',')
         ->allow_extra_args(false)
-        ->type_name("NAME");
+        ->type_name("NAME[,NAME...]");
     stress->add_option("--json", arguments->json, "write the record")->type_name("FILE");
     stress->add_option("--html", arguments->html, "write a page with plots into this folder")->type_name("DIR");
     stress
