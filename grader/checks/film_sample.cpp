@@ -213,9 +213,14 @@ Checks check_film_sample(Generator& random) {
         for (const int count : {2, 3, 5, 6, 7, 8, 12, 18})
             for (int k = 0; k < 8; ++k) {
                 const Extent pixel = any_pixel(draws);
-                for (int i = 0; i < count; ++i) rows.push_back(row(pixel, i, count, square_with_ends(draws)));
+                for (int i = 0; i < count; ++i) rows.push_back(row(pixel, i, count, square(draws)));
             }
         return rows;
+    });
+    const auto ends = rows_of(64, [](Generator& draws) {
+        const Extent pixel = any_pixel(draws);
+        const int count = whole_between(draws, 1, 9), i = whole_between(draws, 0, count - 1);
+        return row(pixel, i, count, end_of_square(draws));
     });
     // one pixel, drawn again and again: only u changes
     const auto one_pixel = [n](Generator& draws) {
@@ -234,7 +239,7 @@ Checks check_film_sample(Generator& random) {
         }};
     std::vector<Statistic> of_any_number = means_about_the_middle();
     of_any_number.insert(of_any_number.begin(), inside_the_pixel());
-    return {probe_check("in_the_pixel", inputs, {inside_the_pixel()}),
+    return {probe_check("in_the_pixel", rows_then(inputs, ends), {inside_the_pixel()}),
             probe_check("any_number_of_samples", any_number, of_any_number),
             single_sample(),
             probe_check("stratified", one_pixel, {variance_of_sample(n), dispersion_of_mean(n)}),

@@ -93,14 +93,16 @@ std::string rounded_up(const Observation& seen) {
 
 /// greatest  in the corners of the cells; below_one: i + u is rounded up
 Check cells(const std::string& name, const std::vector<int>& numbers, double greatest = 0.999999) {
-    // many points of each cell, with corners, so that their box is nearly the cell
+    // many points of each cell, with corners, or the middle where those are of a folded map, so that their box is nearly
+    // the cell
     const auto inputs = with_repeats([=](Generator& draws) {
         Rows rows;
         for (const int n : numbers)
             for (int i = 0; i < n; ++i)
-                for (int k = 0; k < (n > 30 ? 6 : 160); ++k) {
+                for (int k = 0; k < (n > 30 ? 11 : 160); ++k) {
+                    const double places[] = {0, greatest, 0.5};
                     const vec2 u = square(draws);
-                    rows.push_back(row(i, n, k < 4 ? vec2(k % 2 ? greatest : 0, k / 2 ? greatest : 0) : u));
+                    rows.push_back(row(i, n, k < 9 ? vec2(places[k % 3], places[k / 3]) : u));
                 }
         return rows;
     });
@@ -147,8 +149,8 @@ Check cells(const std::string& name, const std::vector<int>& numbers, double gre
         uniform_in_square({.id = "G2",
                            .what = "chi-squared of points of all cells",
                            .point = of_call<rt::stratified_2d>([=](vec2 p, int, int, vec2 u) {
-                               const bool corner = (u.x == 0 || u.x == greatest) && (u.y == 0 || u.y == greatest);
-                               return corner ? vec2(NAN) : p;
+                               const auto is_drawn = [=](double x) { return x != 0 && x != greatest && x != 0.5; };
+                               return is_drawn(u.x) || is_drawn(u.y) ? p : vec2(NAN);
                            }),
                            .columns = 6,
                            .rows = 6,
