@@ -119,7 +119,7 @@ Checks check_integrate_stratified(Generator& random) {
         return rows;
     };
     const Statistic calls = property({.id = "I1",
-                                      .what = "points used",
+                                      .what = "points used, off by",
                                       .violation =
                                           [](const Row& in, const Row& out) {
                                               const Strata strata = argument<rt::integrate_stratified, 1>(in);

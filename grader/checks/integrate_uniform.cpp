@@ -49,7 +49,7 @@ Statistic regular_sum() {
 /// The probe also says how often f was called, and between which x.
 Statistic points_used() {
     return property({.id = "I1",
-                     .what = "points used",
+                     .what = "points used, off by",
                      .violation =
                          [](const Row& in, const Row& out) {
                              return of_arguments<rt::integrate_uniform>(
@@ -60,7 +60,7 @@ Statistic points_used() {
                                  })(in);
                          },
                      .tolerance = 1e-3,
-                     .says = "f is not evaluated once at each of the N midpoints, from a + D/2N to b - D/2N"});
+                     .says = "f is not evaluated once at each of the N midpoints, from a + D/(2N) to b - D/(2N)"});
 }
 
 /// The integral of height exp(-rate x), the same functions on each level.

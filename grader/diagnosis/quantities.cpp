@@ -59,7 +59,13 @@ Quantity product(const std::string& of, Measured value) {
     return {fmt::format("dot({})", of), std::move(value), Quantity::Kind::product};
 }
 
-/// Lengths, products and distances.
+/// Whether a vector of this name is a direction, not a point: "ray.direction", "to_light", "n".
+bool is_direction(const std::string& name) {
+    const std::string last = name.substr(name.find_last_of(". ") + 1);
+    return last == "n" || last == "d" || last == "direction" || last == "normal" || last.starts_with("to_");
+}
+
+/// Lengths, products, and distances of what is alike.
 void add_vectors(const std::vector<Vector>& vectors, std::vector<Quantity>& all) {
     for (std::size_t a = 0; a < vectors.size(); ++a) {
         const Vector v = vectors[a];
@@ -73,6 +79,7 @@ void add_vectors(const std::vector<Vector>& vectors, std::vector<Quantity>& all)
             all.push_back(product(v.name + ", " + w.name, [=](const Row& row, const Layout& l, const Row& out) {
                 return rt::dot(v.at(row, l, out), w.at(row, l, out));
             }));
+            if (is_direction(v.name) != is_direction(w.name)) continue;
             all.push_back(length(v.name + " - " + w.name, [=](const Row& row, const Layout& l, const Row& out) {
                 return glm::length(v.at(row, l, out) - w.at(row, l, out));
             }));
