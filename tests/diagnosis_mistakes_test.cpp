@@ -17,7 +17,8 @@ TEST_CASE("a mistake in the middle of a formula is named, in the words of its do
         return all;
     };
     CHECK_THAT(found("fresnel_dielectric", indices, no_square).how,
-               ContainsSubstring("`e` in place of `e * e`, in `squared = 1 - e * e * (1 - cosine * cosine)`"));
+               ContainsSubstring(
+                   "`e` in place of `e * e`, where a textbook has `squared = 1 - e * e * (1 - cosine * cosine)`"));
     const Rows strata = calls([](Generator& random) {
         std::vector<StratumOf> list;
         for (int k = 0; k < 3; ++k) list.push_back({0.3 * k * k, 0.3 * (k + 1) * (k + 1), {}});
@@ -68,7 +69,8 @@ TEST_CASE("a mistake in the middle of a formula is named, in the words of its do
         }
         return all;
     };
-    CHECK_THAT(found("refracted_direction", rays, sign).how, ContainsSubstring("in `c = -dot(d, n)`"));
+    CHECK_THAT(found("refracted_direction", rays, sign).how,
+               ContainsSubstring("where a textbook has `c = -dot(d, n)`"));
     const Ask normalised = [sign](const Rows& asked) {
         Rows all = sign(asked);
         for (Row& one : all) {
@@ -77,7 +79,8 @@ TEST_CASE("a mistake in the middle of a formula is named, in the words of its do
         }
         return all;
     };
-    CHECK_THAT(found("refracted_direction", rays, normalised).how, ContainsSubstring("in `c = -dot(d, n)`"));
+    CHECK_THAT(found("refracted_direction", rays, normalised).how,
+               ContainsSubstring("where a textbook has `c = -dot(d, n)`"));
 }
 
 TEST_CASE("what calls that are no number have in common is told in variables of the formula") {
@@ -122,7 +125,7 @@ TEST_CASE("that a length is taken to be 1 is told as such") {
         return all;
     };
     CHECK_THAT(found("hit_sphere", spheres, without_a).how,
-               ContainsSubstring("`unit(ray.direction)` in place of `ray.direction`, in `speed"));
+               ContainsSubstring("`unit(ray.direction)` in place of `ray.direction`, where a textbook has `speed"));
 }
 
 TEST_CASE("a mistake by which every ray misses is found by rays that start near the shape") {
@@ -144,8 +147,10 @@ TEST_CASE("a mistake by which every ray misses is found by rays that start near 
         return all;
     };
     CHECK_THAT(found("hit_triangle", rays, reversed).how,
-               ContainsSubstring("`cross(e2, ray.direction)` in place of `cross(ray.direction, e2)`, in `p = ") &&
-                   ContainsSubstring(", or `cross(e1, s)` in place of `cross(s, e1)`, in `q = cross(s, e1)`"));
+               ContainsSubstring(
+                   "`cross(e2, ray.direction)` in place of `cross(ray.direction, e2)`, where a textbook has `p = ") &&
+                   ContainsSubstring(
+                       ", or `cross(e1, s)` in place of `cross(s, e1)`, where a textbook has `q = cross(s, e1)`"));
 }
 
 TEST_CASE("a condition that always holds is told as such, not as another value in it") {
@@ -180,7 +185,7 @@ TEST_CASE("another function in place of one is named") {
     };
     const Rows lobes = calls([](Generator& random) { return row(between(random, 1, 30), square(random)); });
     CHECK_THAT(found("phong_lobe", lobes, mine).how,
-               ContainsSubstring("`cos(phi)` in place of `sin(phi)`, in `sine * sin(phi)`"));
+               ContainsSubstring("`cos(phi)` in place of `sin(phi)`, where a textbook has `sine * sin(phi)`"));
 }
 
 TEST_CASE("of several alike in one statement it is told which") {
@@ -193,8 +198,10 @@ TEST_CASE("of several alike in one statement it is told which") {
         for (const Row& in : rows) all.push_back({in[0] + in[2] * in[1]});
         return all;
     };
-    CHECK_THAT(found("shutter_time", times, by_closing).how,
-               ContainsSubstring("`0` in place of the second `shutter.open`, in `shutter.open + u * (shutter.close"));
+    CHECK_THAT(
+        found("shutter_time", times, by_closing).how,
+        ContainsSubstring(
+            "`0` in place of the second `shutter.open`, where a textbook has `shutter.open + u * (shutter.close"));
 }
 
 TEST_CASE("of a sum it is told which values it takes, and how often") {

@@ -39,7 +39,7 @@ TEST_CASE("of a lamp of one kind, the others' fields are not told") {
         return answers("light_sample")(moved);
     };
     const Finding quarter = found("light_sample", lamps(), whole_edges);
-    CHECK_THAT(quarter.how, ContainsSubstring("`u` in place of `at`, in `at = 2.0 * u - vec2(1)`"));
+    CHECK_THAT(quarter.how, ContainsSubstring("`u` in place of `at`, where a textbook has `at = 2.0 * u - vec2(1)`"));
     CHECK_THAT(quarter.where, ContainsSubstring("`light.kind` is quad"));
     CHECK(quarter.how.find("disc") == quarter.how.npos);
 }
@@ -158,7 +158,7 @@ TEST_CASE("formulas are told as a person writes them") {
         return all;
     };
     CHECK(found("free_flight", flights, mean).how ==
-          "the fragment answers exactly as if it had `1` in place of `-log(1 - u)`, in `-log(1 - u) "
+          "the fragment answers exactly as if it had `1` in place of `-log(1 - u)`, where a textbook has `-log(1 - u) "
           "/ extinction`");
 }
 
@@ -200,7 +200,7 @@ TEST_CASE("a mistake in the answer is named, with constants by their names and r
           "`direction` has y and z exchanged");
     const auto cosine = [](Row& out) { out.back() *= out[2]; };
     CHECK_THAT(found("cosine_hemisphere", squares(), answers("cosine_hemisphere", {}, cosine)).how,
-               ContainsSubstring("`cosine * cosine` in place of `cosine`, in `cosine / pi`"));
+               ContainsSubstring("`cosine * cosine` in place of `cosine`, where a textbook has `cosine / pi`"));
 }
 
 TEST_CASE("a constant that is no usual one is found") {

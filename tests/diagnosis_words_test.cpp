@@ -164,5 +164,6 @@ TEST_CASE("beside a part that is explained, a direction that has not length 1 is
         }
         return all;
     };
-    CHECK_THAT(found("shadow_ray", rows, mine).how, ContainsSubstring("`direction` must have length 1; "));
+    CHECK_THAT(found("shadow_ray", rows, mine).how,
+               ContainsSubstring("`ray.direction * distance` in place of `ray.direction`; "));
 }

@@ -98,7 +98,7 @@ ALL
 #endif
 Real shutter_time(const Shutter& shutter, Real u) { return shutter.open + u * u * (shutter.close - shutter.open); }
 END
-hint shutter_time "0.5 of 2" "line 11"
+hint shutter_time "0.4 of 2" "line 11"
 
 # no textbook has it so: what must stand there is told; some changes make a loop that does not end
 fragment free_flight <<'END'

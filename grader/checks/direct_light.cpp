@@ -153,9 +153,8 @@ Check lamp_highlight(Generator& random) {
                                 {width_of(shininess / 4), "is it Blinn's (n . h)^a? Expected Phong's (r . c)^a"}})})});
 }
 
-}  // namespace
-
-Checks check_direct_light(Generator& random) {
+/// Samples of any kind, extreme highlights, and light that grazes the surface.
+std::function<Rows(Generator&)> any_samples() {
     const auto any_sample = [](Generator& random) {
         Material m = any_material(random);
         m.albedo = box(random, 0.1, 0.9), m.specular = chance(random, 0.7) ? box(random, 0.1, 0.9) : Color(0);
@@ -181,8 +180,13 @@ Checks check_direct_light(Generator& random) {
         const vec3 n = scene_direction(random);
         return row(m, box(random, 1, 20), LightSample{grazing_direction(random, n, cosine), 1, 1}, n, n);
     };
-    const auto inputs = rows_then(rows_then(rows_of(96, any_sample), rows_of(64, highlights)),
-                                  rows_of_decades(lowest_grazing, highest_grazing, 2, grazing));
+    return rows_then(rows_then(rows_of(96, any_sample), rows_of(64, highlights)),
+                     rows_of_decades(lowest_grazing, highest_grazing, 2, grazing));
+}
+
+}  // namespace
+
+Checks check_direct_light(Generator& random) {
     Formula<rt::direct_light> radiance{
         .id = "L1",
         .what = "radiance, off by",
@@ -218,7 +222,8 @@ Checks check_direct_light(Generator& random) {
                           return rt::dot(s.direction, n) < 0 ? rt::largest(seen) : 0.0;
                       }),
                   .says = "light from below the horizon must give exactly 0, diffuse and highlight"});
-    return {probe_check("one_sample", inputs, {formula(radiance), horizon}), lit_floor(random), lamp_highlight(random)};
+    return {probe_check("one_sample", any_samples(), {formula(radiance), horizon}), lit_floor(random),
+            lamp_highlight(random)};
 }
 
 }  // namespace grade

@@ -39,6 +39,15 @@ std::pair<Emitter, double> of_any_size(Generator& random, Emitter::Kind kind) {
     return {light, scale};
 }
 
+/// A point in the plane of a lamp that faces along an axis of the world, where nothing rounds.
+Row beside_lamp(Generator& draw) {
+    Emitter light = emitter(draw, chance(draw, 0.5) ? Emitter::Kind::quad : Emitter::Kind::disc);
+    const rt::Frame frame = rt::frame_about(exact_direction(draw));
+    light.quad.u = 0.5 * frame.x, light.quad.v = 0.25 * frame.y, light.disc.normal = frame.z;
+    return row(light, rt::center(light) + between(draw, 0.1, 3) * frame.x + between(draw, 0.1, 3) * frame.y,
+               square(draw));
+}
+
 /// Lamps of any size, from close by to a thousand sizes away, seen along an axis of the world or anyhow; flat ones from
 /// behind and from the side as well, spheres from the inside, and so close that they fill half of the sky.
 Check anywhere() {
@@ -48,14 +57,6 @@ Check anywhere() {
         const double angle = chance(draw, 0.2) ? std::acos(log_between(draw, 5e-3, 0.1)) : angle_from_axis(draw, 1);
         const vec3 p = rt::center(light) + side * away * tilted(draw, rt::unit(rt::normal(light)), angle);
         return row(light, p, square_with_ends(draw));
-    };
-    // in the plane of a lamp that faces along an axis of the world nothing rounds: it is seen from its edge
-    const auto beside = [](Generator& draw) {
-        Emitter light = emitter(draw, chance(draw, 0.5) ? Emitter::Kind::quad : Emitter::Kind::disc);
-        const rt::Frame frame = rt::frame_about(exact_direction(draw));
-        light.quad.u = 0.5 * frame.x, light.quad.v = 0.25 * frame.y, light.disc.normal = frame.z;
-        return row(light, rt::center(light) + between(draw, 0.1, 3) * frame.x + between(draw, 0.1, 3) * frame.y,
-                   square(draw));
     };
     const auto sphere = [](Generator& draw) {
         const Emitter light = of_any_size(draw, Emitter::Kind::sphere).first;
@@ -100,7 +101,7 @@ Check anywhere() {
              return std::isfinite(s.density + s.distance + rt::dot(s.direction, s.direction)) ? 0.0 : 1.0;
          }),
          .says = "an answer is no finite number where the point is within a sphere, or in the plane of a lamp"});
-    return probe_check("anywhere", rows_then(rows_of_kinds(96, flat, sphere, within), rows_of(24, beside)),
+    return probe_check("anywhere", rows_then(rows_of_kinds(96, flat, sphere, within), rows_of(24, beside_lamp)),
                        {dark, on, missing, finite});
 }
 

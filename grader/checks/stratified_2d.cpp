@@ -91,21 +91,24 @@ std::string rounded_up(const Observation& seen) {
            "below_one";
 }
 
-/// greatest  in the corners of the cells; below_one: i + u is rounded up
-Check cells(const std::string& name, const std::vector<int>& numbers, double greatest = 0.999999) {
-    // many points of each cell, with corners, or the middle where those are of a folded map, so that their box is nearly
-    // the cell
-    const auto inputs = with_repeats([=](Generator& draws) {
+/// Many points of each cell, with corners, so that their box is nearly the cell; of a folded map it is the middle.
+std::function<Rows(Generator&)> points_of_cells(const std::vector<int>& numbers, double greatest) {
+    return with_repeats([=](Generator& draws) {
         Rows rows;
         for (const int n : numbers)
             for (int i = 0; i < n; ++i)
                 for (int k = 0; k < (n > 30 ? 11 : 160); ++k) {
                     const double places[] = {0, greatest, 0.5};
                     const vec2 u = square(draws);
-                    rows.push_back(row(i, n, k < 9 ? vec2(places[k % 3], places[k / 3]) : u));
+                    const bool is_corner = k < 9 && (n > 30 || (k % 3 < 2 && k / 3 < 2));
+                    rows.push_back(row(i, n, is_corner ? vec2(places[k % 3], places[k / 3]) : u));
                 }
         return rows;
     });
+}
+
+/// greatest  in the corners of the cells; below_one: i + u is rounded up
+Check cells(const std::string& name, const std::vector<int>& numbers, double greatest = 0.999999) {
     Statistic inside = property({.id = "G2",
                                  .what = "distance outside the unit square",
                                  .violation = of_call<rt::stratified_2d>([](vec2 p) {
@@ -157,7 +160,7 @@ Check cells(const std::string& name, const std::vector<int>& numbers, double gre
                            .delta0 = 1,
                            .delta = 1.5,
                            .hint = always("the points of all cells together do not fill the square evenly")});
-    return probe_check(name, inputs, {inside, area, overlap, shape, even, purity()});
+    return probe_check(name, points_of_cells(numbers, greatest), {inside, area, overlap, shape, even, purity()});
 }
 
 struct EdgePixel {

@@ -28,7 +28,7 @@ bool is_as(const Calls& calls, std::size_t k, const std::vector<const Field*>& p
     return std::ranges::all_of(parts, [&](const Field* part) { return is_equal(*part, answer, calls.mine[k]); });
 }
 
-/// Those parts that are wrong in some call.
+/// Those parts that are wrong in some call, if one of them is a place; else all.
 std::vector<const Field*> wrong_parts_of(const Calls& calls) {
     std::vector<const Field*> parts;
     for (const Field& part : calls.result.parts)
@@ -38,6 +38,11 @@ std::vector<const Field*> wrong_parts_of(const Calls& calls) {
                 parts.push_back(&part);
                 break;
             }
+    // a density or a weight may be any function's by chance
+    if (std::ranges::none_of(parts, [](const Field* part) { return is_place(*part); })) {
+        parts.clear();
+        for (const Field& part : calls.result.parts) parts.push_back(&part);
+    }
     return parts;
 }
 
