@@ -96,6 +96,7 @@ expect 0 "graded" in_it ./grade
 nothing_to_do
 : >"$stub/log"
 expect 0 "graded $tree: stress --help" in_it ./grade stress --help
+expect 0 "graded $tree: stress --help" in_it ./grade help stress
 expect 0 "" test ! -s "$stub/log"
 
 # the second program: built when it is asked for
