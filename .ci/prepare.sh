@@ -260,6 +260,7 @@ build_release() {
     fi
     NINJA_STATUS='[%f/%t] ' follow build_line cmake --build "$build" --target "${targets[@]}" && exec {lock}>&- && return
     ! disk_is_full || give_up "The disk is full, so the build failed."
+    [[ $output =~ assignment\.toml:[0-9]+:[0-9]+: ]] && exit 2  # said above; whoever wrote it mends it
     give_up "The build failed (above). The next call goes on from here; after rm -r $build it starts afresh."
 }
 
@@ -274,6 +275,7 @@ build_line() {
             "-- "*) aside=1 ;;  # a message that may go on in the next lines
             "ninja: no work to do." | "ninja: build stopped:"*) ;;
             "CMake "*) aside="" ;;&
+            FAILED:*) set -- "${1:0:100}" ;;&  # of dozens of files the first
             *) [ -n "$skip$aside" ] || say "$1" ;;
         esac
         [[ $1 == FAILED:* ]] && skip=1 || skip=""

@@ -18,7 +18,8 @@ int main(int argc, char** argv) {
     const std::string solution = argv[1], starter = argv[2], assignment = argc == 4 ? argv[3] : "assignment.toml";
 
     try {
-        const auto files = grade::make_starter(solution, grade::read_assignment(assignment).asked());
+        const auto known = grade::fragments_in(solution);
+        const auto files = grade::make_starter(solution, grade::read_assignment(assignment, known).asked());
         if (!check) {
             grade::write_starter(files, starter);
             return 0;

@@ -157,8 +157,15 @@ TEST_CASE("nothing of what students must write is in their kit, whatever a file'
 TEST_CASE("nothing is handed out into a folder that holds something") {
     const TemporaryFolder temporary;
     std::ofstream(temporary.path() / "mine.txt") << "do not touch";
-    CHECK_THROWS_WITH(hand_out(".", read_assignment("assignment.toml"), built_kit(), temporary.path()),
-                      temporary.path().string() + ": is not empty; expected a new folder");
+    const auto refuses = [&](const std::string& why) {
+        CHECK_THROWS_WITH(hand_out(".", read_assignment("assignment.toml"), built_kit(), temporary.path()),
+                          temporary.path().string() + ": is not empty" + why + "; expected a new folder");
+    };
+    refuses("");
+    fs::copy_file("assignment.toml", temporary.path() / "assignment.toml");
+    refuses(": a kit of this assignment.toml");
+    std::ofstream(temporary.path() / "assignment.toml", std::ios::app) << "# other points\n";
+    refuses(": a kit of another assignment.toml than today's, which stays as it is");
     CHECK_FALSE(fs::exists(temporary.path() / "grade"));
 }
 

@@ -54,7 +54,6 @@ expect 0 $'{"whitted", check_whitted},\n    {"fog", check_fog},' cat "$checks"
 fresh
 expect 1 'grader/checks/fog.cpp: no fragment is named fog; expected one of fragments.h, or the file in checks/kit' "${configure[@]}"
 assign_one
-expect 1 'starter/rt/fragments.h: does not declare the fragment fog of assignment.toml; expected it, on one line' "${configure[@]}"
 rm "$work/grader/checks/fog.cpp"
 fresh
 expect 1 'solution/fog.cpp: no fragment is named fog; expected one that starter/rt/fragments.h declares' "${configure[@]}"

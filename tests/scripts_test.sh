@@ -96,6 +96,7 @@ expect 0 "graded" in_it ./grade
 nothing_to_do
 : >"$stub/log"
 expect 0 "graded $tree: stress --help" in_it ./grade stress --help
+expect 0 "graded $tree: stress --help" in_it ./grade help stress
 expect 0 "" test ! -s "$stub/log"
 
 # the second program: built when it is asked for
@@ -173,6 +174,16 @@ expect 3 $'warning: unused' on_terminal "" ./grade
 steps 3
 expect 0 "graded" in_it ./grade
 expect 0 "1" grep -c "cmake --preset" "$stub/log"
+
+# a mistake in the assignment is no failure of the machine
+begin
+cat >"$stub/build" <<'END'
+printf 'FAILED: blank.cpp %0300d\n/usr/bin/make_blanks\nassignment.toml:22:12: unknown\nninja: build stopped: subcommand failed.\n' 0
+exit 1
+END
+expect 2 $'00\nassignment.toml:22:12: unknown' in_it ./grade
+expect 0 "" no "$(printf '%0100d' 0)" in_it ./grade
+expect 0 "" no "The build failed" in_it ./grade
 
 # two at once: the second waits for the first
 begin

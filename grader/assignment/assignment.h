@@ -40,7 +40,10 @@ struct Assignment {
     std::set<std::string> asked() const;
 };
 
-/// Throws rt::InputError.
-Assignment read_assignment(const std::string& path);
+/// The fragments of solution/, by name; none where there is no such folder.
+std::vector<std::string> fragments_in(const std::string& folder);
+
+/// Throws rt::InputError; for a fragment that is none of those, too, unless they are empty.
+Assignment read_assignment(const std::string& path, const std::vector<std::string>& known = {});
 
 }  // namespace grade

@@ -79,6 +79,11 @@ Declaration declare(const std::string& header, const NewFragment& fragment) {
             fmt::format("--declare {}: is no declaration of {}; expected one as fragments.h has them: "
                         "--declare 'DiskSample {}(vec2 u)'",
                         rt::in_quotes(fragment.declaration), fragment.name, fragment.name));
+    if (line.size() > 120)
+        throw rt::InputError(
+            fmt::format("{}: the declaration has {} columns; expected at most 120, on one line: a "
+                        "shorter name",
+                        fragment.name, line.size()));
     require_known_types(*declaration);
     return *declaration;
 }

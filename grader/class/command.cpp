@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 #include <set>
+#include <utility>
 
 #include "class/entries.h"
 #include "class/grading.h"
@@ -45,15 +46,24 @@ std::uint64_t seed_of(const ClassArguments& arguments, const fs::path& out) {
     return seed;
 }
 
+constexpr const char* codes =
+    "Exit code: 0 all are graded; 1 all but those that cannot be read; 2 none can be read, or the call is wrong;\n"
+    "3 the machine failed for some, or a part is missing: the same call grades the rest.";
+
 /// Where nothing could be read, what was given is no export of a class.
-int code_of(const std::vector<Result>& results) {
-    if (!std::ranges::all_of(results, [](const Result& result) { return !result.fault.empty(); })) return 0;
-    fmt::print(stderr, "no submission could be read; expected folders, archives, or files with fragments\n");
-    return 2;
+///
+/// is_part  what is not graded is another part's
+int code_of(const std::vector<Result>& results, bool is_part) {
+    const auto unread = std::ranges::count_if(results, [](const Result& result) { return !result.fault.empty(); });
+    if (std::cmp_equal(unread, results.size())) {
+        fmt::print(stderr, "no submission could be read; expected folders, archives, or files with fragments\n");
+        return 2;
+    }
+    if (is_part) return 0;
+    return std::ranges::any_of(results, is_open) ? 3 : unread > 0 ? 1 : 0;
 }
 
-/// Grades what has no record yet, then writes tables and pages. Returns the exit code: 0; 2 where no submission can be
-/// read; 3 where the machine failed for some, which the next call takes up.
+/// Grades what has no record yet, then writes tables and pages. Returns the exit code, one of `codes`.
 int run_class(const ClassArguments& arguments, const Context& context) {
     stop_at_interrupt();
     const Toolchain chain = read_toolchain(context.toolchain);
@@ -74,7 +84,7 @@ int run_class(const ClassArguments& arguments, const Context& context) {
     fmt::print("{} graded now, {} as before; seed {}; {}\n", outcome.graded, outcome.before, setup.seed,
                (out / "index.html").string());
     for (const std::string& trouble : outcome.troubles) fmt::print(stderr, "not graded: {}\n", trouble);
-    return outcome.troubles.empty() ? code_of(results) : 3;
+    return outcome.troubles.empty() ? code_of(results, !arguments.shard.empty()) : 3;
 }
 
 struct MergeArguments {
@@ -101,15 +111,12 @@ int run_merge(const MergeArguments& arguments) {
         }
     }
     std::ranges::sort(results, {}, &Result::path);
-    std::size_t missing = 0;
-    for (Result& result : results) {
-        result.record = find_record(out, result);
-        missing += !result.record && result.fault.empty();
-    }
+    for (Result& result : results) result.record = find_record(out, result);
     write_class(out, results, title);
     fmt::print("{}", class_table(results));
-    if (missing > 0) fmt::print(stderr, "{} in no part; expected all parts\n", counted(missing));
-    return missing > 0 ? 3 : code_of(results);
+    if (const auto missing = std::ranges::count_if(results, is_open); missing > 0)
+        fmt::print(stderr, "{} in no part; expected all parts\n", counted(std::size_t(missing)));
+    return code_of(results, false);
 }
 
 }  // namespace
@@ -117,6 +124,7 @@ int run_merge(const MergeArguments& arguments) {
 Command class_command(CLI::App& app) {
     const auto arguments = std::make_shared<ClassArguments>();
     CLI::App* command = app.add_subcommand("class", purpose_of("class"));
+    command->footer(codes);
     command->add_option("SUBMISSIONS", arguments->submissions, "a folder of folders, archives, or files")->required();
     command->add_option("-o,--out", arguments->out, "where records, tables and pages go; default: SUBMISSIONS-graded")
         ->type_name("OUT");
@@ -137,6 +145,7 @@ Command class_command(CLI::App& app) {
 Command merge_command(CLI::App& app) {
     const auto arguments = std::make_shared<MergeArguments>();
     CLI::App* command = app.add_subcommand("merge", purpose_of("merge"));
+    command->footer(codes);
     command->add_option("OUT", arguments->out, "where the whole goes")->required();
     command->add_option("PART", arguments->parts, "what grade class --shard has written")->required();
     return {command, [arguments](const Context&) { return run_merge(*arguments); }, false};

@@ -1,6 +1,7 @@
 #include "class/grading.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <chrono>
 #include <map>
@@ -87,12 +88,13 @@ Outcome grade_all(const std::vector<Entry>& entries, const std::vector<Result>& 
     ProgressLine line(true);
     std::mutex lock;
     int in_a_row = 0;
+    std::vector<std::string> left;  // when nothing went well any more
     line.show(0, int(list.size()), counted(list.size()));
     in_parallel(int(list.size()), way.jobs, [&](int i) {
         const auto& [key, entry] = list[std::size_t(i)];
         {
             const std::scoped_lock guard(lock);
-            if (in_a_row >= most_troubles) return;
+            if (in_a_row >= most_troubles) return left.push_back(entry->path);
         }
         GradingSettings settings;
         settings.seed = setup.seed, settings.time_limit = setup.time_limit, settings.provenance = setup.provenance;
@@ -104,20 +106,20 @@ Outcome grade_all(const std::vector<Entry>& entries, const std::vector<Result>& 
             submission.name.clear();  // the record is one of texts, whosever they are
             Record record = grade_submission(submission, assignment, chain, checks, settings);
             if (way.pictures) write_pictures(out, key, record);
+            const auto is_there = [&] { return find_record(out, {.path = entry->path, .key = key}).has_value(); };
             // one that is there stays as it is: it lacked pictures
-            if (!find_record(out, {.path = entry->path, .key = key}))
-                write_text(record_file(out, key), to_json(record));
+            if (!is_there()) write_text(record_file(out, key), to_json(record));
+            if (!is_there()) throw std::runtime_error(record_file(out, key).string() + ": is no whole record");
             const std::scoped_lock guard(lock);
             ++outcome.graded, in_a_row = 0;
-        } catch (const std::runtime_error& error) {
+        } catch (const std::exception& error) {
             const std::scoped_lock guard(lock);
             ++in_a_row, outcome.troubles.push_back(fmt::format("{}: {}", entry->path, error.what()));
         }
         const std::scoped_lock guard(lock);
         line.show(outcome.graded + int(outcome.troubles.size()), int(list.size()), entry->path);
     });
-    if (const int left = int(list.size()) - outcome.graded - int(outcome.troubles.size()); left > 0)
-        outcome.troubles.push_back(fmt::format("{} more, since nothing went well any more", left));
+    if (!left.empty()) outcome.troubles.push_back(fmt::format("{}: nothing went well any more", fmt::join(left, ", ")));
     return outcome;
 }
 

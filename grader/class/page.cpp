@@ -196,9 +196,10 @@ std::string class_page(const std::vector<Result>& results, const std::string& ti
         index_of(sections, handout), html(title), counted(results.size()), count, html(made_with(results)),
         short_number(count ? sum / count : 0), short_number(most));
     for (const Section& section : sections) text += shown(section);
-    return text +
-           "<p class=\"soft\">Tables: <a href=\"class.csv\">class.csv</a>, <a href=\"canvas.csv\">canvas.csv</a>, <a "
-           "href=\"moodle.csv\">moodle.csv</a>.</p></main></body></html>\n";
+    text += "<p class=\"soft\">Tables: <a href=\"class.csv\">class.csv</a>";
+    for (const auto& [system, file] : {std::pair("Canvas", "canvas.csv"), {"Moodle", "moodle.csv"}})
+        if (has_any(results, system)) text += fmt::format(", <a href=\"{0}\">{0}</a>", file);
+    return text + ".</p></main></body></html>\n";
 }
 
 }  // namespace grade::course

@@ -35,6 +35,17 @@ std::vector<TableRow> rows_of(const std::vector<Result>& results) {
     return rows;
 }
 
+/// "; not read: hw1-ada.zip, hw1-bob" of those that are so; empty: none is.
+std::string named(const char* what, const std::vector<Result>& results, bool (*is_so)(const Result&)) {
+    constexpr std::size_t most = 20;
+    std::string text;
+    std::size_t count = 0;
+    for (const Result& result : results)
+        if (is_so(result) && ++count <= most) text += (count > 1 ? ", " : "") + printable(result.path, 100);
+    if (count > most) text += fmt::format(" and {} more", count - most);
+    return text.empty() ? text : fmt::format("; {}: {}", what, text);
+}
+
 /// Only what has changed: thousands of pages are not written again for one.
 void write_changed(const fs::path& file, const std::string& text) {
     if (read_text(file, 256u << 20) != text) write_text(file, text);
@@ -65,8 +76,11 @@ void write_class(const fs::path& out, const std::vector<Result>& results, const 
     }
     const std::vector<TableRow> rows = rows_of(results);
     write_changed(out / "class.csv", csv_table(rows));
-    write_changed(out / "canvas.csv", canvas_table(rows));
-    write_changed(out / "moodle.csv", moodle_table(rows));
+    for (const auto& [name, table] : {std::pair("canvas.csv", canvas_table(rows)), {"moodle.csv", moodle_table(rows)}})
+        if (table.empty())
+            fs::remove(out / name);
+        else
+            write_changed(out / name, table);
     write_changed(out / "index.html", class_page(results, title, handout));
     write_list(out, results, title);
 }
@@ -90,7 +104,11 @@ std::string class_table(const std::vector<Result>& results) {
     }
     text += fmt::format("{}, {} graded", counted(results.size()), count);
     if (count > 0) text += fmt::format("; mean {} of {}", short_number(sum / count), short_number(most));
-    return text + "\n";
+    text += named("cannot be read", results, [](const Result& result) { return !result.fault.empty(); });
+    text += named("not graded yet", results, is_open) + "\n";
+    if (!has_any(results, "Canvas") && !has_any(results, "Moodle"))
+        text += "No table for Canvas or Moodle: no name holds an ID of theirs. class.csv has the points.\n";
+    return text;
 }
 
 }  // namespace grade::course

@@ -97,6 +97,7 @@ std::optional<Record> find_record(const fs::path& out, const Result& result) {
         Record record = read_record(file);
         if (!record.is_complete()) return std::nullopt;
         record.submission = result.path, record.notes = result.notes;
+        record.student = result.student.name, record.student_id = result.student.id;
         add_pictures(pictures_file(out, result.key), record);
         return record;
     } catch (const rt::InputError&) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -21,6 +22,14 @@ struct Result {
     std::map<std::string, Fingerprint> prints;  // by fragment: of those that are no blanks
     std::optional<Record> record;               // none: not graded, or not yet
 };
+
+/// It can be graded, and is not.
+inline bool is_open(const Result& result) { return !result.record && result.fault.empty(); }
+
+/// Whether anybody's name is one of this system.
+inline bool has_any(const std::vector<Result>& results, const char* system) {
+    return std::ranges::any_of(results, [=](const Result& result) { return result.student.system == system; });
+}
 
 /// "1 submission", "2 submissions".
 std::string counted(std::size_t submissions);

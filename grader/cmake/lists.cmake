@@ -39,12 +39,14 @@ function(make_lists folder)
     string(REGEX REPLACE "#[^\n]*" "" text "${text}")
     string(REGEX MATCHALL "{[^}]*name *= *\"[A-Za-z0-9_]+\"" assigned "${text}")
     list(TRANSFORM assigned REPLACE ".*\"([A-Za-z0-9_]+)\"$" "\\1")
+    # what is declared nowhere is told by who reads the assignment: strip_solution, with line and column
+    set(undeclared ${assigned})
+    list(REMOVE_ITEM undeclared ${declared})
+    list(REMOVE_ITEM assigned "" ${undeclared})
 
     file(GLOB checked RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}/checks CONFIGURE_DEPENDS checks/*.cpp)
     list(TRANSFORM checked REPLACE "\\.cpp$" "")
 
-    expect_in(assigned declared
-        "starter/rt/fragments.h: does not declare the fragment NAME of assignment.toml; expected it, on one line")
     file(GLOB solved RELATIVE ${PROJECT_SOURCE_DIR}/solution CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/solution/*.cpp)
     list(TRANSFORM solved REPLACE "\\.cpp$" "")
     expect_in(declared solved

@@ -174,6 +174,10 @@ Record record_of(const std::string& text, const std::string& path) {
     const Node submission = top.object("submission"), assignment = top.object("assignment");
     record.submission = submission.text("name"), record.sha256 = submission.text("sha256");
     record.notes = submission.texts("notes");
+    if (submission.json.contains("student")) {
+        const Node student = submission.object("student");
+        record.student = student.text("name"), record.student_id = student.text("id");
+    }
     record.title = assignment.text("title");
     for (const Node& part : assignment.objects("parts"))
         record.parts.push_back({part.text("name"), part.text("title")});

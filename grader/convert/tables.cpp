@@ -10,6 +10,7 @@
 #include "convert/words.h"
 #include "report/escape.h"
 #include "report/terminal.h"
+#include "rt/files/scene_reader.h"
 
 namespace grade {
 
@@ -65,7 +66,24 @@ std::string feedback(const Record& record) {
 }
 
 TableRow row_of(const Record& record) {
-    return {student_of(std::filesystem::path(record.submission).filename().string()), &record, ""};
+    Student student = student_of(std::filesystem::path(record.submission).filename().string());
+    if (!record.student.empty()) student.name = record.student, student.id = record.student_id;
+    return {student, &record, ""};
+}
+
+bool keep(std::vector<TableRow>& rows, const char* system) {
+    std::erase_if(rows, [=](const TableRow& row) { return row.student.system != system; });
+    return !rows.empty();
+}
+
+/// A table for a system, which must know the student.
+std::string known(const std::string& table, const Record& record, const char* system, const char* example) {
+    if (table.empty())
+        throw rt::InputError(
+            fmt::format("{}: the name holds no ID of {}'s, by which it takes grades; expected one such "
+                        "as {}, or --to csv",
+                        record.submission, system, example));
+    return table;
 }
 
 }  // namespace
@@ -106,7 +124,8 @@ std::string csv_table(const std::vector<TableRow>& rows) {
     return text;
 }
 
-std::string canvas_table(const std::vector<TableRow>& rows) {
+std::string canvas_table(std::vector<TableRow> rows) {
+    if (!keep(rows, "Canvas")) return {};
     const Record* first = first_of(rows);
     std::string text =
         line_of_csv({"Student", "ID", "SIS User ID", "SIS Login ID", "Section", first ? first->title : "points"});
@@ -116,7 +135,8 @@ std::string canvas_table(const std::vector<TableRow>& rows) {
     return text;
 }
 
-std::string moodle_table(const std::vector<TableRow>& rows) {
+std::string moodle_table(std::vector<TableRow> rows) {
+    if (!keep(rows, "Moodle")) return {};
     std::string text =
         line_of_csv({"Identifier", "Full name", "Status", "Grade", "Maximum Grade", "Grade can be changed",
                      "Last modified (submission)", "Last modified (grade)", "Feedback comments"});
@@ -129,8 +149,12 @@ std::string moodle_table(const std::vector<TableRow>& rows) {
 
 std::string csv(const Record& record) { return csv_table({row_of(record)}); }
 
-std::string canvas(const Record& record) { return canvas_table({row_of(record)}); }
+std::string canvas(const Record& record) {
+    return known(canvas_table({row_of(record)}), record, "Canvas", "doejane_12345_67890_work.zip");
+}
 
-std::string moodle(const Record& record) { return moodle_table({row_of(record)}); }
+std::string moodle(const Record& record) {
+    return known(moodle_table({row_of(record)}), record, "Moodle", "'Jane Doe_12345_assignsubmission_file_'");
+}
 
 }  // namespace grade

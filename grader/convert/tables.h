@@ -21,10 +21,11 @@ std::string cell_of_csv(const std::string& text);
 /// Everything: a column for each fragment, seed and hash included.
 std::string csv_table(const std::vector<TableRow>& rows);
 
-/// What Canvas's gradebook imports: students by their ID, and the points of one assignment.
-std::string canvas_table(const std::vector<TableRow>& rows);
+/// What Canvas's gradebook imports: its students by their ID, and the points of one assignment. Empty: no name holds an
+/// ID of Canvas's; another system's number would be another student's.
+std::string canvas_table(std::vector<TableRow> rows);
 
-/// What Moodle's "upload grading worksheet" imports: participants by their number.
-std::string moodle_table(const std::vector<TableRow>& rows);
+/// What Moodle's "upload grading worksheet" imports: its participants by their number. Empty: as above.
+std::string moodle_table(std::vector<TableRow> rows);
 
 }  // namespace grade

@@ -162,6 +162,17 @@ void add_machines(const fs::path& kit, const fs::path& folder) {
     }
 }
 
+/// What has been handed out is not changed by a later call, whatever has changed since.
+void require_empty(const fs::path& project, const fs::path& folder) {
+    if (!fs::exists(folder) || fs::is_empty(folder)) return;
+    std::string what;
+    if (const auto there = read_text(folder / "assignment.toml"))
+        what = there == read_text(project / "assignment.toml")
+                   ? ": a kit of this assignment.toml"
+                   : ": a kit of another assignment.toml than today's, which stays as it is";
+    throw rt::InputError(fmt::format("{}: is not empty{}; expected a new folder", folder.string(), what));
+}
+
 }  // namespace
 
 std::string kind_of_machine() {
@@ -172,8 +183,7 @@ std::string kind_of_machine() {
 
 void hand_out(const fs::path& project, const Assignment& assignment, const fs::path& built_toolchain,
               const fs::path& folder, const std::vector<fs::path>& others, For whom) {
-    if (fs::exists(folder) && !fs::is_empty(folder))
-        throw rt::InputError(fmt::format("{}: is not empty; expected a new folder", folder.string()));
+    require_empty(project, folder);
     const Toolchain built = read_toolchain(built_toolchain);
     const fs::path program =
         built.archives.front().parent_path() / (whom == For::students ? "grade_kit" : "grade_installed");

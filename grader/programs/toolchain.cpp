@@ -200,7 +200,10 @@ Toolchain read_toolchain(const fs::path& path) try {
 }
 
 Assignment assignment_of(const Toolchain& chain) {
-    return read_assignment((chain.source / "assignment.toml").string());
+    // a kit has no sources; an author's may be newer than the build
+    std::vector<std::string> known = fragments_in((chain.source / "solution").string());
+    for (const auto& [name, object] : chain.solution_objects) known.push_back(name);
+    return read_assignment((chain.source / "assignment.toml").string(), known);
 }
 
 fs::path own_toolchain() {

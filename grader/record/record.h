@@ -123,7 +123,8 @@ struct GradingLimits {
 
 struct Record {
     std::string submission, title;
-    std::string sha256;  // of the lines "HASH  NAME.cpp" of its fragments
+    std::string student, student_id;  // who handed it in, as a class knows them; empty: its name says
+    std::string sha256;               // of the lines "HASH  NAME.cpp" of its fragments
     std::uint64_t seed = 0;
     std::string date;  // when it began, UTC: "2026-01-31T12:00:00Z"
     std::string sandbox, command;

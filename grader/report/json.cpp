@@ -123,6 +123,7 @@ std::string to_json(const Record& record) {
     json["complete"] = record.is_complete();
     json["date"] = record.date;
     json["submission"] = {{"name", record.submission}, {"sha256", record.sha256}, {"notes", record.notes}};
+    if (!record.student.empty()) json["submission"]["student"] = {{"name", record.student}, {"id", record.student_id}};
     json["assignment"] = assignment_json(record);
     json["grader"] = grader_json(record);
     json["command"] = record.command;

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <iterator>
 #include <map>
@@ -173,7 +174,8 @@ void ProgressLine::show(int done, int all, const std::string& doing) {
     if (!on_ && !(long_work_ && between && now >= next_)) return;
     const double elapsed = std::chrono::duration<double>(now - start_).count();
     std::string left;
-    if (between && (elapsed > 1 || !on_)) left = fmt::format(", about {:.0f} s left", elapsed * (all - done) / done);
+    // what is done in the first moments are the quickest steps, which tell nothing of the others
+    if (between && elapsed > 2) left = fmt::format(", about {:.0f} s left", std::ceil(elapsed * (all - done) / done));
     if (!on_) {
         next_ = now + std::chrono::seconds(10);
         fmt::print(stderr, "{} of {}{}\n", done, all, left);

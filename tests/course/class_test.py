@@ -71,13 +71,13 @@ def grade_killed(command, out, kills, longest):
             expect(record_at(path)["complete"], "a record is not whole")
     expect(killed > 0, "it was never killed")
     print(f"killed {killed} times", flush=True)
-    return run(command)
+    return run(command, 1)
 
 
 def check_small(grade, work):
     export, out = work / "export", work / "out"
     small_class(export)
-    said = run([grade, "class", export, "-o", out, "--seed", "5", "--jobs", "2"])
+    said = run([grade, "class", export, "-o", out, "--seed", "5", "--jobs", "2"], 1)
     table = {row["student"]: row for row in rows(out / "class.csv")}
     points = {name: row["points"] for name, row in table.items()}
     expected = {"doejane": "2", "roejim": "2", "Zoë Müller": "2", "jsmith": "2", "'=Eve \"E\" <b>": "0", "alice": "3", "bob": "3",
@@ -88,14 +88,19 @@ def check_small(grade, work):
     expect(table["'=Eve \"E\" <b>"]["id"] == "4711", "Gradescope's number of a student")
     expect("cannot be unpacked" in table["broken"]["notes"] and "holds no fragment" in table["carol"]["notes"], "what is wrong")
     expect(str(work) not in (out / "class.csv").read_text(), "a path of this machine in the table")
-    expect("9 submissions, 7 graded" in said, f"the table on the terminal: {said}")
-    expect(re.search(r"^[1-6] of 7, about \d+ s left$", said, re.MULTILINE), f"where there is no terminal nobody hears how far it is: {said}")
+    expect("9 submissions, 7 graded" in said and "; cannot be read: hw1-broken.zip, hw1-carol\n" in said, f"the terminal: {said}")
+    expect(re.search(r"^[1-6] of 7(, about [1-9]\d* s left)?$", said, re.MULTILINE), f"where there is no terminal nobody hears how far it is: {said}")
     eve = record_at(out / "submissions/submission_9.json")
     moved = next(f for f in eve["fragments"] if f["name"] == "moved")
     expect("there is Moved.cpp: rename it" in moved["message"], f"a name that is nearly right: {moved['message']}")
     possible, *canvas = rows(out / "canvas.csv")
-    expect({row["ID"] for row in canvas} >= {"12345", "222"} and "Points Possible" in possible["Student"], "Canvas's table")
-    expect("Participant 77" in {row["Identifier"] for row in rows(out / "moodle.csv")}, "Moodle's table")
+    expect([row["ID"] for row in canvas] == ["12345", "222"] and "Points Possible" in possible["Student"], "Canvas's table")
+    expect([row["Identifier"] for row in rows(out / "moodle.csv")] == ["Participant 77"], "Moodle's table")
+    for path in (out / "submissions").glob("*.json"):
+        run([grade, "convert", path, "--to", "csv", "-o", work / "one.csv"])
+        row, = rows(work / "one.csv")
+        expect(row == table[row["student"]], f"{path.name}: another row than the class has: {row}")
+    expect("no ID of Moodle's" in run([grade, "convert", out / "submissions/hw1-bob.json", "--to", "moodle"], 2), "whom Moodle does not know")
     expect((out / "submissions/Zoë_Müller_77_assignsubmission_file_.html").is_file(), "a page's name has lost letters")
     page = (out / "index.html").read_text()
     expect("<b>" not in re.sub(r"<b>[\d.]+</b>", "", page) and "&lt;b&gt;" in page, "a name's markup in the page")
@@ -106,31 +111,39 @@ def check_small(grade, work):
         expect((out / link).is_file(), f"the page links {link}, which is not there")
 
     # again: nothing is graded; one at a time, in parts, and killed: the same
-    expect("0 graded now, 7 as before" in (said := run([grade, "class", export, "-o", out])), f"graded again: {said}")
+    expect("0 graded now, 7 as before" in (said := run([grade, "class", export, "-o", out], 1)), f"graded again: {said}")
     one = work / "one"
-    run([grade, "class", export, "-o", one, "--seed", "5", "--jobs", "1"])
+    run([grade, "class", export, "-o", one, "--seed", "5", "--jobs", "1"], 1)
     expect(outcome(one) == outcome(out), "another outcome with one job")
     for part in ("1/2", "2/2"):
         run([grade, "class", export, "-o", work / f"part{part[0]}", "--seed", "5", "--shard", part])
     expect("not graded yet" in (work / "part1/class.csv").read_text(), "a part of the class is all of it")
     run([grade, "merge", work / "half", work / "part1"], 3)
-    run([grade, "merge", work / "whole", work / "part1", work / "part2"])
+    run([grade, "merge", work / "whole", work / "part1", work / "part2"], 1)
     expect(outcome(work / "whole") == outcome(out), "another outcome in two parts")
     (work / "killed/records").mkdir(parents=True)
     grade_killed([grade, "class", export, "-o", work / "killed", "--seed", "5", "--jobs", "1"], work / "killed", 2, 0.2)
     expect(outcome(work / "killed") == outcome(out), "another outcome after SIGKILL")
 
-    # a record that a full disk has cut off is graded again
+    # one that cannot be written costs its submission alone, and the same call grades it
     first = sorted((one / "records").glob("*.json"))[0]
+    first.unlink()
+    first.mkdir()
+    said = run([grade, "class", export, "-o", one], 3)
+    expect(re.search(r"9 submissions, 6 graded.*; not graded yet: \S", said) and "not graded: " in said, f"one that failed: {said}")
+    first.rmdir()
+    expect("1 graded now, 6 as before" in run([grade, "class", export, "-o", one], 1), "what failed is not graded by the same call")
+
+    # a record that a full disk has cut off is graded again
     first.write_text(first.read_text()[:500])
-    expect("1 graded now, 6 as before" in run([grade, "class", export, "-o", one]), "a broken record is taken")
+    expect("1 graded now, 6 as before" in run([grade, "class", export, "-o", one], 1), "a broken record is taken")
     expect(outcome(one) == outcome(out), "another outcome after a broken record")
 
     # a regrade
     (export / "hw1-alice/starter/fragments/phong.cpp").write_text((BLANKS / "phong.cpp").read_text())
     folder(export / "hw1-carol", {"moved.cpp": text("moved")})
     after = work / "after"
-    run([grade, "class", export, "-o", after, "--seed", "5"])
+    run([grade, "class", export, "-o", after, "--seed", "5"], 1)
     said = run([grade, "compare", out, after, "--better", work / "better.csv"], 1)
     expect("alice: 0, was 3 (-3)" in said and "phong: not started, was passed" in said, f"compare: {said}")
     expect("carol: 2, was none (+2)" in said and "1 rise, 1 fall, 7 as before" in said, f"compare: {said}")
@@ -164,7 +177,7 @@ def trial_class(at):
                 '---\nsubmission_9:\n  :submitters:\n  - :name: "=HYPERLINK(\\"h\\\\\\u00e9\\x41\\")"\n    :sid: \'it\'\'s\'\n'})
     folder(at / "submission_9", {"moved.cpp": text("moved")})
     folder(at / "Em Pty_114_assignsubmission_file_", {path.name: path.read_text() for path in BLANKS.glob("*.cpp")})
-    archive(at / "nearly_62345_67899_work.zip", {"Phong.cpp": text("phong"), "hit-sphere.cpp": text("hit_sphere")})
+    archive(at / "Near Ly_115_assignsubmission_file_work.zip", {"Phong.cpp": text("phong"), "hit-sphere.cpp": text("hit_sphere")})
     # a zip, and a file of it once more; a zip that came through half
     folder(at / "Both Ways_113_assignsubmission_file_", {"moved.cpp": blank})
     archive(at / "Both Ways_113_assignsubmission_file_/all.zip", {"moved.cpp": text("moved"), "mirror_direction.cpp": text("mirror_direction")})
@@ -176,14 +189,14 @@ def trial_class(at):
 def check_trial(grade, work):
     export, out = work / "trial", work / "trial-out"
     trial_class(export)
-    said = run([grade, "class", export, "-o", out, "--seed", "5", "--jobs", "2"])
+    said = run([grade, "class", export, "-o", out, "--seed", "5", "--jobs", "2"], 1)
     table = {row["student"]: row for row in rows(out / "class.csv")}
     points = {name: row["points"] for name, row in table.items()}
     worth = {f["name"]: f["max_points"] for f in record_at(out / "submissions/submission_9.json")["fragments"]}
     total = lambda *names: f"{sum(worth[name] for name in names):g}"
     hyperlink = '\'=HYPERLINK("h\\éA")'
     expected = {"Jane Doe": total("moved"), "Ty Ped": "", "kimpat": total("phong", "hit_sphere", "moved"),
-                "twoatt": total("mirror_direction"), "nowork": "", hyperlink: total("moved"), "nearly": "0", "hw1-link": "",
+                "twoatt": total("mirror_direction"), "nowork": "", hyperlink: total("moved"), "Near Ly": "0", "hw1-link": "",
                 "Both Ways": total("moved", "mirror_direction"), "half": "", "Em Pty": "0"}
     expect(points == expected, f"points are {points}, expected {expected}")
     expect(table[hyperlink]["id"] == "it's", f"an apostrophe in YAML: {table[hyperlink]['id']}")
@@ -192,19 +205,20 @@ def check_trial(grade, work):
     everything = total(*worth)
     expect(moodle["Em Pty"] == f"0 of {everything} points\nall fragments 0 of {everything}: not started",
            f"what is said of a hand-in without a line: {moodle['Em Pty']}")
-    for who in ("nearly", "Jane Doe"):
+    for who in ("Near Ly", "Jane Doe"):
         expect(moodle[who].count(": not in the submission") == 1, f"what is said of what is missing: {moodle[who]}")
     for who, what in [("kimpat", "kimpat_42345_100000_moved-2.cpp was taken, the latest; not kimpat_42345_99999_moved-3.cpp"),
                       ("kimpat", "not kimpat_42345_67896_moved.cpp"), ("twoatt", "there is Moved.cpp: rename it to moved.cpp"),
-                      ("nearly", "phong: not in the submission; there is Phong.cpp: rename it to phong.cpp"),
-                      ("nearly", "there is hit-sphere.cpp: rename it to hit_sphere.cpp"),
+                      ("Near Ly", "phong: not in the submission; there is Phong.cpp: rename it to phong.cpp"),
+                      ("Near Ly", "there is hit-sphere.cpp: rename it to hit_sphere.cpp"),
                       ("nowork", "essay.pdf: is neither source nor an archive"), ("Ty Ped", "typed into Moodle"),
                       ("Both Ways", "what is in all.zip/ was taken: it holds more fragments"),
                       ("half", "cannot be unpacked: it is cut off"), ("hw1-link", "hw1-link: is a link")]:
         for where, words in [("class.csv", table[who]["notes"]), ("the terminal", said), ("the page", page)]:
             expect(what in words, f"{who}: {where} does not say: {what}: {words if where != 'the page' else ''}")
-        if not points[who]:
+        if not points[who] and who in moodle:
             expect(what in moodle[who], f"{who}: moodle.csv does not say: {what}")
+    expect(set(moodle) == {"Jane Doe", "Ty Ped", "Em Pty", "Near Ly", "Both Ways"}, f"whom Moodle knows: {set(moodle)}")
     expect("nowork" in {row["Student"] for row in rows(out / "canvas.csv")}, "who has no points is not in Canvas's table")
     expect(table["Jane Doe"]["notes"] == "", f"a note where there is nothing to know: {table['Jane Doe']['notes']}")
     expect("11 submissions, 7 graded" in said, f"how many: {said}")
@@ -226,7 +240,7 @@ def check_whose(grade, work):
     folder(theirs, {"assignment.toml": mine.replace("points = 2", "points = 5"), "deep/moved.cpp": text("moved")})
     folder(copy, {"assignment.toml": mine, "moved.cpp": text("moved")})
     words = f"{theirs / 'assignment.toml'} is another one"
-    graded = lambda place: run([grade, "class", copy, "-o", work / "whose", "--seed", "5"], cwd=place)
+    graded = lambda place: run([grade, "class", copy, "-o", work / "whose", "--seed", "5"], 1, cwd=place)
     expect((said := graded(theirs / "deep")).count(words) == 1, f"whose assignment counts: {said}")
     for place in (copy, ROOT, work):
         expect("another one" not in (said := graded(place)), f"told in {place}: {said}")
@@ -239,6 +253,7 @@ def check_pictures(grade, work):
     folder(export / "hw1-pia", {"phong.cpp": text("phong").replace("material.shininess *", "material.shininess / 2 *")})
     command = [grade, "class", export, "-o", out, "--seed", "5"]
     run(command)
+    expect(not (out / "canvas.csv").exists() and "canvas.csv" not in (out / "index.html").read_text(), "a table for Canvas without an ID")
     page, record = out / "submissions/hw1-pia.html", next((out / "records").glob("*.json"))
     bare, written = page.read_text(), record.stat().st_mtime_ns
     expect("data:image/png" not in bare, "pictures that nobody asked for")

@@ -150,7 +150,7 @@ def rows_of(text):
     return list(csv.DictReader(io.StringIO(text, newline="")))
 
 
-def check_tables(convert, record):
+def check_tables(convert, file, record):
     row, = rows_of(convert("csv"))
     expect(float(row["points"]) == record["score"] and row["seed"] == "7", "CSV: points, seed")
     expect(all(float(row[f["name"]]) == round(f["points"], 2) for f in record["fragments"]), "CSV: a column for each fragment")
@@ -158,11 +158,15 @@ def check_tables(convert, record):
     expect(list(row)[:5] == ["Student", "ID", "SIS User ID", "SIS Login ID", "Section"], "Canvas: columns")
     expect(possible["Student"].strip() == "Points Possible", "Canvas: no row of possible points")
     expect(row["ID"] == "12345" and float(row[list(row)[5]]) == record["score"], "Canvas: student and points")
-    row, = rows_of(convert("moodle"))
+    moodles = json.loads(file.read_text())
+    moodles["submission"]["name"] = "Jane Doe_12345_assignsubmission_file_"
+    (file.parent / "moodle.json").write_text(json.dumps(moodles))
+    expect("no ID of Moodle's" in run([GRADE, "convert", file, "--to", "moodle"], 2), "a Canvas ID for Moodle's participant")
+    row, = rows_of(moodle := run([GRADE, "convert", file.parent / "moodle.json", "--to", "moodle"]))
     expect(set(row) >= {"Identifier", "Full name", "Grade", "Maximum Grade", "Feedback comments"}, "Moodle: columns")
     expect(row["Identifier"] == "Participant 12345" and float(row["Grade"]) == record["score"], "Moodle: participant and grade")
-    for kind in ("csv", "canvas", "moodle"):
-        for row in csv.reader(io.StringIO(convert(kind), newline="")):
+    for kind, text in [("csv", convert("csv")), ("canvas", convert("canvas")), ("moodle", moodle)]:
+        for row in csv.reader(io.StringIO(text, newline="")):
             expect(not any(len(cell) > 1 and cell[0] in "=+-@\t" for cell in row), f"{kind}: a formula")
 
 
@@ -194,7 +198,7 @@ def main():
         check_junit(work / "out.junit", record)
         check_actions(convert("actions"), convert("annotations"), record)
         check_classroom(convert("classroom50"), record)
-        check_tables(convert, record)
+        check_tables(convert, file, record)
         page = convert("html")
         expect("<script>alert" not in page and all(f'id="{name}"' in page for name in names), "the page")
         table = convert("terminal")

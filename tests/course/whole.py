@@ -14,7 +14,7 @@ import time
 from classes import archive, outcome, records, text
 from helpers import BLANKS, ROOT, SOLUTION, expect, record_at, run, variant
 
-FORMATS = "gradescope prairielearn junit actions annotations classroom50 csv canvas moodle html terminal".split()
+FORMATS = "gradescope prairielearn junit actions annotations classroom50 csv canvas html terminal".split()
 PARTS = 2
 
 
@@ -108,7 +108,7 @@ def grade_disturbed(grade, export, work, kills, longest):
                 mounted.append(out)
             killed += sum(kill(command, out, draw, longest) for _ in range(kills // PARTS))
             run(command)
-        run([grade, "merge", work / "merged", *outs])
+        run([grade, "merge", work / "merged", *outs], 1)
     finally:
         for out in mounted:
             shutil.copytree(out, work / f"{out.name}-kept")
@@ -155,7 +155,7 @@ def with_other_points(grade, work):
 
 def check_points_changed(grade, export, out, work):
     """Who passes the two rises or falls by that, and nothing else changes."""
-    run([*with_other_points(grade, work), "class", export, "-o", work / "regraded", "--seed", "5"])
+    run([*with_other_points(grade, work), "class", export, "-o", work / "regraded", "--seed", "5"], 1)
     said = run([grade, "compare", out, work / "regraded"], 1)
     changed = collections.Counter()
     for path in sorted((out / "submissions").glob("*.json")):
@@ -173,7 +173,7 @@ def check_points_changed(grade, export, out, work):
 def check_whole(grade, work, size, kills, filled, fewer):
     export, out = work / "class", work / "graded"
     different = make_class(export, size, filled, fewer)
-    said, cpu, clock = timed([grade, "class", export, "-o", out, "--seed", "5"])
+    said, cpu, clock = timed([grade, "class", export, "-o", out, "--seed", "5"], 1)
     cores, load = os.cpu_count(), os.getloadavg()[0]
     expect(f"{size} submissions, {size - 1} graded" in said, f"the class: {said[-500:]}")
     print(f"{re.search('.* submissions, .* graded.*', said)[0]}; {clock:.0f} s by the clock on {cores} cores at a load of {load:.0f}", flush=True)

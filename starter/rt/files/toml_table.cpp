@@ -95,7 +95,9 @@ struct Table::Inside {
     bool repeated = false;  // [[key]]
 
     std::string name() const {
-        return key.empty() ? "the file" : repeated ? fmt::format("[[{}]]", key) : fmt::format("[{}]", key);
+        if (key.empty()) return "the file";
+        if (repeated && table->is_inline()) return fmt::format("an entry of '{}'", key);
+        return repeated ? fmt::format("[[{}]]", key) : fmt::format("[{}]", key);
     }
     const toml::node* find(std::string_view key, bool required) const;
     Real checked(const toml::node& node, std::string_view key, const Limits& limits) const;
@@ -269,16 +271,20 @@ Table Table::table(std::string_view key) const {
     return inside_->inner(node ? *node->as_table() : empty, outer + std::string(key), false);
 }
 
-std::vector<Table> Table::tables(std::string_view key) const {
+std::vector<Table> Table::tables(std::string_view key, bool required) const {
     const toml::node* node = inside_->find(key, false);
     std::vector<Table> tables;
+    const bool is_outermost = inside_->key.empty();
+    const std::string name = (is_outermost ? "" : inside_->key + '.') + std::string(key);
+    const std::string expected =
+        is_outermost ? fmt::format("[[{}]], once for each", key) : fmt::format("{} = [{{ ... }}, ...]", key);
+    if (!node && required) fail(key, fmt::format("'{}' is missing in {}", key, inside_->name()), expected);
     if (!node) return tables;
-    const std::string expected = fmt::format("[[{}]], once for each", key);
     if (!node->is_array()) fail(key, fmt::format("'{}' is {}", key, type_of(*node)), expected);
     for (const toml::node& element : *node->as_array()) {
         if (!element.is_table())
             inside_->fail_at(element, fmt::format("'{}' holds {}", key, type_of(element)), expected);
-        tables.push_back(inside_->inner(*element.as_table(), std::string(key), true));
+        tables.push_back(inside_->inner(*element.as_table(), name, true));
     }
     return tables;
 }

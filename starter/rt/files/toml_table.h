@@ -69,7 +69,7 @@ public:
     Table table(std::string_view key) const;
 
     /// The tables [[key]].
-    std::vector<Table> tables(std::string_view key) const;
+    std::vector<Table> tables(std::string_view key, bool required = false) const;
 
     /// Throws "file:line:column: wrong; expected ...", at the key, or at the table if the key is not there.
     [[noreturn]] void fail(std::string_view key, const std::string& wrong, const std::string& expected) const;
