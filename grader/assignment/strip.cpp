@@ -85,7 +85,7 @@ std::map<std::string, std::string> make_starter(const std::string& solution, con
     std::map<std::string, std::string> files;
     for (const auto& path : sources(solution)) {
         const Marked file = find_region(text_of(path), path.string());
-        files[path.filename().string()] = asked.count(path.stem().string()) ? blank(file) : filled(file);
+        files[path.filename().string()] = asked.contains(path.stem().string()) ? blank(file) : filled(file);
     }
     return files;
 }
@@ -93,7 +93,7 @@ std::map<std::string, std::string> make_starter(const std::string& solution, con
 std::vector<std::string> drift(const std::map<std::string, std::string>& expected, const std::string& folder) {
     std::vector<std::string> lines;
     for (const auto& path : sources(folder))
-        if (!expected.count(path.filename().string()))
+        if (!expected.contains(path.filename().string()))
             lines.push_back(path.string() + ":1:1: no such fragment in the solution");
     for (const auto& [name, text] : expected) {
         const fs::path path = fs::path(folder) / name;
@@ -115,7 +115,7 @@ std::vector<std::string> drift(const std::map<std::string, std::string>& expecte
 void write_starter(const std::map<std::string, std::string>& files, const std::string& folder) {
     fs::create_directories(folder);
     for (const auto& path : sources(folder))
-        if (!files.count(path.filename().string())) fs::remove(path);
+        if (!files.contains(path.filename().string())) fs::remove(path);
     for (const auto& [name, text] : files) {
         const fs::path path = fs::path(folder) / name;
         if (fs::exists(path) && text_of(path) == text) continue;  // its date stays, and what is built from it

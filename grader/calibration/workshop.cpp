@@ -20,7 +20,7 @@ std::string stamp(const fs::path& source, const std::vector<std::string>& fragme
     std::vector<fs::path> files;
     std::vector<std::string> folders{"starter/rt",    "solution",          "scenes",
                                      "grader/checks", "grader/statistics", "grader/child"};
-    if (fragment.empty()) folders.push_back("grader/judging");
+    if (fragment.empty()) folders.emplace_back("grader/judging");
     for (const std::string& folder : folders)
         for (const auto& entry : fs::recursive_directory_iterator(source / folder)) {
             const fs::path& path = entry.path();

@@ -142,7 +142,7 @@ Check density_of_samples() {
     const auto direction_of = of_call<rt::light_sample>([](const LightSample& s) { return s.direction; });
     for (const auto& [kind, name] : {std::pair(Emitter::Kind::quad, "a quad"), std::pair(Emitter::Kind::disc, "a disc"),
                                      std::pair(Emitter::Kind::sphere, "a sphere")}) {
-        kinds.push_back([kind = kind](Generator& draw, vec2 u) {
+        kinds.emplace_back([kind = kind](Generator& draw, vec2 u) {
             const Emitter light = emitter(draw, kind);
             const vec3 axis = kind == Emitter::Kind::sphere ? direction(draw) : rt::unit(rt::normal(light));
             return row(light, rt::center(light) + between(draw, 1, 3) * tilted(draw, axis, between(draw, 0, 1)), u);

@@ -37,7 +37,7 @@ void compare_with_last(Record& record, const std::filesystem::path& file) {
     for (const FragmentRecord& fragment : record.fragments) {
         auto& before = last[fragment.name];
         const std::string verdict = in_words(fragment.verdict);
-        if (before.is_object() && before.value("verdict", "").size() > 0) {
+        if (before.is_object() && !before.value("verdict", "").empty()) {
             const double gained = fragment.points - before.value("points", 0.0);
             const std::string was = before.value("verdict", "");
             if (gained != 0 || was != verdict)

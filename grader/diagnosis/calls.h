@@ -80,19 +80,12 @@ inline bool counts(const Layout& result, const Field& part, const Row& a, const 
     return is_measure(part) || (!is_void(result, a) && !is_void(result, b));
 }
 
-inline bool is_equal(const Layout& result, const Row& a, const Row& b) {
-    if (is_void(result, a) && is_void(result, b)) return true;
-    for (const Field& part : result.parts)
-        if (!is_equal(part, a, b)) return false;
-    return true;
-}
-
 inline bool is_alike(const Layout& result, const Row& a, const Row& b, double within) {
     if (is_void(result, a) && is_void(result, b)) return true;
-    for (const Field& part : result.parts)
-        if (!is_equal(part, a, b, within)) return false;
-    return true;
+    return std::ranges::all_of(result.parts, [&](const Field& part) { return is_equal(part, a, b, within); });
 }
+
+inline bool is_equal(const Layout& result, const Row& a, const Row& b) { return is_alike(result, a, b, equal_within); }
 
 /// Whether an answer, which may be too short, is that one.
 inline bool is_answer(const Layout& result, const Row& answer, const Row& wanted) {

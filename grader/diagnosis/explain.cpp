@@ -24,9 +24,9 @@ namespace {
 
 /// The calls, of which only those parts are told that an answer to a wrong call depends on.
 Calls with_parts_that_matter(Calls calls, const Ask& mine, const Ask& right) {
-    const Calls wrong = only_wrong(calls);
-    if (wrong.size() == 0) return calls;
-    const auto depends = dependences(wrong, calls, mine, right);
+    const Calls some = only_wrong(calls);
+    if (some.size() == 0) return calls;
+    const auto depends = dependences(some, calls, mine, right);
     for (std::size_t i = 0; i < depends.size(); ++i)
         calls.told[i] = calls.told[i] && (depends[i].mine > 0 || depends[i].right > 0);
     return calls;
@@ -121,6 +121,9 @@ private:
         bool right_otherwise = false;
         relation_ = surest_relation(many_calls_, ask_mine_, ask_right_, sampled_, right_otherwise);
         if (right_otherwise) return false;
+        // what is said to be wrong with a place may be another way to one that is as good, with another measure
+        if (sampled_ && relation_ && relation_->kind == Relation::Kind::named_mistake && is_place_right())
+            relation_.reset();
         if (source) {
             const std::string unused = sampled_ ? unused_numbers(all_, depends_) : "";
             add_repair(relation_, many_calls_, source(), unused.empty() ? independence(all_, depends_) : unused);
@@ -131,6 +134,15 @@ private:
             finding_.by_repair = relation_->by_repair;
         }
         return true;
+    }
+
+    /// Whether samples lie elsewhere, spread as the right ones are.
+    bool is_place_right() const {
+        Calls places = all_;
+        std::erase_if(places.result.parts, std::not_fn(is_place));
+        if (places.result.parts.empty() || places.result.parts.size() == all_.result.parts.size()) return false;
+        const bool is_elsewhere = only_wrong(places).size() > 0;
+        return is_elsewhere && !spread_of(places, places, mine_, right_);
     }
 
     /// Whether it is broken in few calls: then it may follow from what is wrong in all.

@@ -68,13 +68,13 @@ bool is_direction(const std::string& name) {
 /// Lengths, products, and distances of what is alike.
 void add_vectors(const std::vector<Vector>& vectors, std::vector<Quantity>& all) {
     for (std::size_t a = 0; a < vectors.size(); ++a) {
-        const Vector v = vectors[a];
+        const Vector& v = vectors[a];
         if (v.mirror >= 0) continue;
         all.push_back(length(
             v.name, [=](const Row& row, const Layout& l, const Row& out) { return glm::length(v.at(row, l, out)); },
             v.own ? std::optional(v.part) : std::nullopt));
         for (std::size_t b = a + 1; b < vectors.size(); ++b) {
-            const Vector w = vectors[b];
+            const Vector& w = vectors[b];
             if (w.mirror >= 0 && !v.own) continue;
             all.push_back(product(v.name + ", " + w.name, [=](const Row& row, const Layout& l, const Row& out) {
                 return rt::dot(v.at(row, l, out), w.at(row, l, out));

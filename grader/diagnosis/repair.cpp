@@ -173,7 +173,7 @@ private:
     }
 
     /// Pairs of simple ones at different places.
-    std::vector<Edit> two(const std::vector<Mistake>& changes) {
+    static std::vector<Edit> two(const std::vector<Mistake>& changes) {
         constexpr std::size_t most = 400;
         std::vector<Edit> simple, pairs;
         for (const Mistake& change : changes)

@@ -1,9 +1,8 @@
 #include "judging/finding.h"
 
-#include <time.h>
-
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <memory>
 
 #include "diagnosis/explain.h"

@@ -90,7 +90,7 @@ std::string now() {
     std::tm parts{};
     gmtime_r(&time, &parts);
     char text[32];
-    return std::string(text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts));
+    return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts)};
 }
 
 }  // namespace grade

@@ -44,7 +44,7 @@ bool make_header(const Toolchain& chain, const fs::path& folder) {
     const fs::path draft = compiled.string() + fmt::format(".{}-{:08x}.tmp", getpid(), std::random_device()());
     std::vector<std::string> command{chain.compiler.string()};
     command.insert(command.end(), chain.compile.begin(), chain.compile.end());
-    command.push_back("-w");
+    command.emplace_back("-w");
     for (const fs::path& include : chain.includes) command.insert(command.end(), {"-I", include.string()});
     command.insert(command.end(), {"-x", "c++-header", header.string(), "-o", draft.string()});
     Limits limits;

@@ -208,10 +208,10 @@ Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const 
             return {true, own, {}, first_warnings(compiler.err, source.string(), shown)};
         }
         // groups of sections that other objects hold as well must go before their symbols become private
-        step = run(sandbox, tool({"/bin/sh", "-c",
-                                  "/usr/bin/ld -r --force-group-allocation \"$1\" -o \"$2\" && "
-                                  "/usr/bin/objcopy --remove-section=.linker-options \"$4\" \"$2\" \"$3\"",
-                                  "sh", compiled.string(), merged.string(), own.string(),
+        static const std::string merge =
+            "/usr/bin/ld -r --force-group-allocation \"$1\" -o \"$2\" && "
+            "/usr/bin/objcopy --remove-section=.linker-options \"$4\" \"$2\" \"$3\"";
+        step = run(sandbox, tool({"/bin/sh", "-c", merge, "sh", compiled.string(), merged.string(), own.string(),
                                   "--keep-global-symbol=" + symbol->second},
                                  work));
         if (step.good())

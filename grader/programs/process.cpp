@@ -163,7 +163,7 @@ Process::~Process() {
     for (int* end : {&in_, &out_, &err_, &results_, &watch_}) close_one(*end);
 }
 
-void Process::kill_all() {
+void Process::kill_all() const {
     kill(-pid_, SIGKILL);
     kill(pid_, SIGKILL);
 }

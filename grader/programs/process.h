@@ -75,7 +75,7 @@ private:
     /// At a deadline: whether it has hardly wanted a processor in the last so many seconds, or computed through more
     /// than a half of them since it met the first one, which no limit on its CPU time has stopped.
     bool is_over(double seconds);
-    void kill_all();
+    void kill_all() const;
 
     Limits limits_;
     int pid_ = -1, watch_ = -1;  // watch: readable when the program has ended

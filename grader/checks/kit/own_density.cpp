@@ -88,7 +88,8 @@ Check density_of_warp(const RowWith& row_with, const OwnDensity& of) {
         return *middle;
     };
     Check check = own_density(row_with, of);
-    check.statistics.push_back(
+    check.statistics.insert(  // it says more
+        check.statistics.begin(),
         {.id = "V3",
          .what = "how far apart neighbours of the unit square come",
          .measure = stretched,
@@ -97,7 +98,6 @@ Check density_of_warp(const RowWith& row_with, const OwnDensity& of) {
          .exact = true,
          .hint = always("numbers u side by side give answers far apart: is an angle in degrees where cos and sin take "
                         "radians? One turn is 2 pi")});
-    std::ranges::rotate(check.statistics, check.statistics.end() - 1);  // it says more
     return check;
 }
 
