@@ -78,7 +78,7 @@ struct Frame {
     double at_y(double value) const { return top + tall * (1 - std::clamp(y.share(value), 0.0, 1.0)); }
 };
 
-/// From the corner down to the border that is met first; its name stands over its end, so that it does not pass through.
+/// From the corner down to the border that is met first. Its name stands over its end, where no line passes.
 std::string guide_line(const Guide& guide, const Frame& frame) {
     if (!(frame.corner_y > 0)) return {};
     const double from_x = std::log10(frame.corner_x), from_y = std::log10(frame.corner_y);
