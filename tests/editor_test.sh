@@ -20,6 +20,9 @@ for name in ("tasks.json", "launch.json"):
 for pattern, schema in files["settings.json"]["evenBetterToml.schema.associations"].items():
     assert pathlib.Path(schema).exists(), schema
     assert any(re.fullmatch(pattern, f"/project/{p}") for p in pathlib.Path(".").rglob("*.toml")), pattern
+    if "scene" in schema:
+        other = [p for p in pathlib.Path("scenes").rglob("*.toml") if not re.fullmatch(pattern, f"/project/{p}")]
+        assert not other, other
 container = json.loads(pathlib.Path(".devcontainer/devcontainer.json").read_text())
 assert (pathlib.Path(".devcontainer") / container["build"]["dockerfile"]).exists(), container["build"]
 extensions = container["customizations"]["vscode"]["extensions"]

@@ -68,6 +68,15 @@ def check_tables(page, lines):
         expect(count == width, f"{page}:{number}:1", f"a row of {count} cells; expected {width}, as its table's first row")
 
 
+def check_formulas(where, line):
+    """GitHub reads Markdown first, formulas then: a backslash before punctuation is gone by then, and _ may be emphasis."""
+    for formula in re.findall(r"\$\$.*?\$\$|\$[^$]+\$", re.sub(r"`[^`]*`", "", line)):
+        lost = re.findall(r"\\[^A-Za-z\s]", formula)
+        expect(not lost, where, f"{' '.join(lost)} in a formula; expected words, or code outside of it")
+        emphasis = re.search(r"[^\w\s]_\w.*\w_[^\w\s]", formula)
+        expect(not emphasis, where, f"{formula}: emphasis from _ to _; expected letters before both, or braces behind")
+
+
 def check_rest(page, text, lines):
     for number, line in enumerate(lines, 1):
         where = f"{page}:{number}:1"
@@ -75,6 +84,7 @@ def check_rest(page, text, lines):
         bare = re.sub(r"`[^`]*`|\$\$.*?\$\$", "", line)
         expect(bare.count("$") % 2 == 0, where, "a formula without end; expected $ twice in the line")
         expect(not re.search(r"[.;:] \* ", bare), where, "a list within a line; expected a line for each item")
+        check_formulas(where, line)
     for tag in ("details", "summary"):
         expect(text.count(f"<{tag}>") == text.count(f"</{tag}>"), f"{page}:1:1", f"<{tag}> without end; expected as many </{tag}>")
 

@@ -80,6 +80,8 @@ const std::vector<std::pair<std::string, std::string>> no_scenes = {
     {shape("albedo", "type = \"mesh\"\nfile = \"bad_face.obj\"\n"), "bad_face.obj:4:7: a face has vertex 4; expected "},
     {shape("albedo", "type = \"mesh\"\nfile = \"bad_face.obj\"\nscale = [1, 0, 1]\n"),
      "s.toml:10:13: 'scale' is 0; expected "},
+    {shape("albedo", "type = \"mesh\"\nfile = \"bad_face.obj\"\nscale = \"twice\"\n"),
+     "s.toml:10:9: 'scale' is a string; expected [x, y, z], or one number for all three"},
 };
 
 /// The message of the InputError that the text earns; empty: it is a scene.

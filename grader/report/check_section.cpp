@@ -153,8 +153,8 @@ std::string pictures(const CheckRecord& check) {
 
 std::string check_section(const CheckRecord& check, bool fragment_passes, Told& told) {
     const bool folded = check.verdict == Verdict::passed || is_not_run(check);
-    std::string text = fmt::format("<details class=\"check{}\"{}><summary><h4>{}</h4>{}</summary>\n",
-                                   folded ? "" : " is_open", folded ? "" : " open", html(check.name), badge(check));
+    std::string text = fmt::format("<details class=\"check\"{}><summary><h4>{}</h4>{}</summary>\n",
+                                   folded ? "" : " open", html(check.name), badge(check));
     std::string found;
     if (is_not_run(check))
         found = fmt::format("<p class=\"soft\">{}</p>\n", html(check.message));

@@ -39,8 +39,13 @@ document.addEventListener("keydown", event => {
     name.focus({ preventScroll: true });
 });
 
-// In print, what is not passed is whole, and the rest as it is seen: folded, or by the button above unfolded.
-window.addEventListener("beforeprint", () => { for (const check of all("details.check.is_open")) check.open = true; });
+// In print all is unfolded, also where the browser does not know the rule in page.css.
+let folded = [];
+window.addEventListener("beforeprint", () => {
+    folded = all("details:not([open])");
+    for (const details of folded) details.open = true;
+});
+window.addEventListener("afterprint", () => { for (const details of folded) details.open = false; });
 
 // Yours over the right one: a border that is drawn across, or both in turn; and the radiance below the pointer, read off
 // the previews. Those have 8 bits: two digits, and what is white there may be brighter.

@@ -78,16 +78,19 @@ struct Frame {
     double at_y(double value) const { return top + tall * (1 - std::clamp(y.share(value), 0.0, 1.0)); }
 };
 
-/// From the corner down to the border that is met first.
+/// From the corner down to the border that is met first. Its name stands over its end, where no line passes.
 std::string guide_line(const Guide& guide, const Frame& frame) {
     if (!(frame.corner_y > 0)) return {};
     const double from_x = std::log10(frame.corner_x), from_y = std::log10(frame.corner_y);
     const double to_x = std::min(frame.x.high, from_x + (frame.y.low - from_y) / guide.slope);
     const double to_y = from_y + (to_x - from_x) * guide.slope;
     const double x = frame.at_x(std::pow(10, to_x)), y = frame.at_y(std::pow(10, to_y));
-    return fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"#888\" stroke-dasharray=\"2 3\"/>\n",
-                       frame.at_x(frame.corner_x), frame.at_y(frame.corner_y), x, y) +
-           text(x - 3, y - 5, "end", guide.name, "font-size=\"11\" fill=\"#666\"");
+    const double begin_x = frame.at_x(frame.corner_x), begin_y = frame.at_y(frame.corner_y);
+    constexpr double room = 28, above = 6;
+    const double name_y = y - (y - begin_y) / (x - begin_x) * room - above;
+    return fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"#888\" stroke-dasharray=\"2 3\"/>\n", begin_x,
+                       begin_y, x, y) +
+           text(x - room, name_y, "start", guide.name, "font-size=\"11\" fill=\"#666\"");
 }
 
 std::string grid(const Frame& frame) {

@@ -50,6 +50,8 @@ std::string value(const KeyWords& key) {
             return "`[x, y]`" + range(key.limits);
         case Kind::color:
             return "colour" + range(key.limits);
+        case Kind::factors:
+            return "a number or `[x, y, z]`" + range(key.limits);
         case Kind::choice:
             return fmt::format("`\"{}\"`", fmt::join(rt::sampler_names, "\"`, `\""));
         case Kind::table:
@@ -106,6 +108,7 @@ std::string value_schema(const KeyWords& key) {
         case Kind::pair:
             return array_schema(whole, 2);
         case Kind::color:
+        case Kind::factors:
             return fmt::format(R"("anyOf": [{{{}}}, {{{}}}])", number, array_schema(number, 3));
         case Kind::choice:
             return fmt::format(R"("enum": ["{}"])", fmt::join(rt::sampler_names, "\", \""));

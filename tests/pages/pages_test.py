@@ -256,25 +256,56 @@ def check_radiance(page):
         expect(abs(value - of_tile) <= 0.5 * of_tile + 1e-3, f"compare: {shown!r} where {words!r}")
 
 
+def check_rows(browser, page_file):
+    """Where a row of statistics is a block, verdicts stand below each other, and numbers begin in a line of their own."""
+    for width in (320, 768, 1100):
+        page = new_page(browser, viewport={"width": width, "height": 900})
+        page.goto(page_file.as_uri())
+        page.evaluate("for (const d of document.querySelectorAll('details')) d.open = true")
+        rows = page.evaluate("""[...document.querySelectorAll('.statistics tr:has(td)')].map(row => {
+            const box = cell => row.querySelector(cell).getBoundingClientRect();
+            return [box('.verdict').left, box('.number').top - Math.max(box('td').bottom, box('.verdict').top)];
+        })""")
+        expect(len({left for left, _ in rows}) == 1, f"rows at {width}: verdicts begin at {sorted({left for left, _ in rows})}")
+        expect(all(below >= 0 for _, below in rows), f"rows at {width}: numbers beside what they are of")
+        page.close()
+
+
+def check_unfolded(page, how):
+    """Everything that is folded on the screen is read on paper."""
+    lost = page.evaluate("""[...document.querySelectorAll('main details:not(nav *) > :not(summary, .compare)')].filter(
+        e => e.textContent.trim() && !e.checkVisibility({ contentVisibilityAuto: true })).map(e => e.textContent.slice(0, 40))""")
+    expect(not lost, f"print, {how}: folded: {lost[:3]}")
+
+
 def check_print(browser, page_file):
+    context = browser.new_context(java_script_enabled=False)
+    page = new_page(context)
+    page.goto(page_file.as_uri())
+    page.emulate_media(media="print")
+    expect(page.locator("#phong table").first.is_visible(), "print, without script: a check that passes is unfolded")
+    check_unfolded(page, "without script")
+    context.close()
     page = new_page(browser)
     page.goto(page_file.as_uri())
     page.evaluate("for (const d of document.querySelectorAll('details.check')) d.open = false")
     page.evaluate("window.dispatchEvent(new Event('beforeprint'))")
-    opened = page.evaluate("[...document.querySelectorAll('details.check')].map(d => [d.open, !d.querySelector('.badge.passed')])")
+    folded = page.locator("main details:not([open])").count()
+    expect(folded == 0, f"print: {folded} folds are closed")
+    page.evaluate("window.dispatchEvent(new Event('afterprint'))")
+    expect(page.locator("details.check[open]").count() == 0, "print: what was folded is folded again afterwards")
     page.emulate_media(media="print")
     expect(page.locator("header").bounding_box()["y"] < 100, "print: the first page begins with the score")
     kept = page.evaluate("[...document.querySelectorAll('.legend, .scale, .meter i')].map(e => getComputedStyle(e).printColorAdjust)")
     expect(set(kept) == {"exact"}, "print: legends and bars are there")
-    # what passes stays folded
-    expect(not page.locator("#phong table").first.is_visible(), "print: a check that passes is folded")
-    expect(page.locator("#shadow_ray table").first.is_visible(), "print: a check that fails is whole")
-    expect(any(is_open for is_open, _ in opened), "print: what fails is unfolded again")
+    for name in ("phong", "shadow_ray"):
+        expect(page.locator(f"#{name} table").first.is_visible(), f"print: the checks of {name}, passed or not, are whole")
+    check_unfolded(page, "with script")
     pages = len(re.findall(rb"/Type\s*/Page\b", page.pdf(format="A4")))
     first = page.locator("#overview").bounding_box()
     expect(first["y"] < 400, "print: the overview begins on the first page")
     expect(not page.locator(".verdicts .read").first.is_visible(), "print: links take no room from hints")
-    expect(2 <= pages <= 2 * len(FRAGMENTS), f"print: {pages} pages of A4 for {len(FRAGMENTS)} fragments")
+    expect(2 <= pages <= 3 * len(FRAGMENTS), f"print: {pages} pages of A4 for {len(FRAGMENTS)} fragments")
     page.close()
 
 
@@ -360,7 +391,7 @@ def main():
             check_plain_words(browser, page_file)
         check_passing(browser, student[1])
         check_narrow_stress(browser, student[2])
-        for check in (check_without_script, check_comforts, check_words, check_print):
+        for check in (check_without_script, check_comforts, check_words, check_rows, check_print):
             check(browser, graded)
         browser.close()
     print(f"{len(faults)} faults" if faults else "all as expected")

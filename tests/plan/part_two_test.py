@@ -32,11 +32,11 @@ COMPLETE_WITH = {
     "pixel_mean": "antialiasing pixel_mean environment furnace white_ball checkerboard whitted_1980",
     "direct_light": "penumbra direct_light disc_light sphere_light many_lights bench/soft_shadow bench/untuned/forty_lamps",
     "glossy_reflection": "glossy glossy_balls gallery/gloss",
-    "translucency": "translucency gallery/frosted_glass",
+    "translucency": "translucency",
     "lens_ray": "depth_of_field bench/dof gallery/bokeh",
     "moved": "motion_blur bench/motion_blur",
     "color_bleeding": "color_bleeding bench/color_bleeding bench/untuned/tilted_room gallery/cornell gallery/motion gallery/room gallery/soft_shadows",
-    "emission_counts": "caustic emission_counts bench/glossy bench/untuned/lobes_lens bench/untuned/lens_motion_lobes gallery/caustic gallery/knot gallery/still_life",
+    "emission_counts": "caustic emission_counts bench/glossy bench/untuned/lobes_lens bench/untuned/lens_motion_lobes gallery/caustic gallery/frosted_glass gallery/knot gallery/still_life",
     "free_flight": "absorption",
     "scatter_direction": "scattering medium_furnace bench/untuned/candle gallery/candle gallery/everything",
 }

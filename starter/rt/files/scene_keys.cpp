@@ -13,7 +13,9 @@ void read_value(const Table& table, const KeyWords& key, int& value) {
 void read_value(const Table& table, const KeyWords& key, bool& value) { value = table.flag(key.name, value); }
 
 void read_value(const Table& table, const KeyWords& key, vec3& value) {
-    value = key.kind == Kind::color ? table.color(key.name, key.limits) : table.vector(key.name, key.limits);
+    value = key.kind == Kind::color     ? table.color(key.name, key.limits)
+            : key.kind == Kind::factors ? table.factors(key.name, key.limits)
+                                        : table.vector(key.name, key.limits);
 }
 
 void read_value(const Table& table, const KeyWords& key, ivec2& value) {

@@ -13,7 +13,7 @@
 /// that editors read are made of it.
 namespace rt {
 
-enum class Kind { number, whole, flag, text, vector, pair, color, choice, table };
+enum class Kind { number, whole, flag, text, vector, pair, color, factors, choice, table };
 
 /// What the file says where the scene holds something else.
 struct CameraWords {
@@ -207,7 +207,7 @@ inline constexpr Key<Disc> disc[] = {
 
 inline constexpr Key<MeshWords> mesh[] = {
     {"file", text, &MeshWords::file, any, "", "a Wavefront OBJ file: see below"},
-    {"scale", color, &MeshWords::scale, factor, "1", "first scaled, by one factor or three"},
+    {"scale", factors, &MeshWords::scale, factor, "1", "first scaled, by one factor or three"},
     {"translate", vector, &MeshWords::translate, any, "0", "then moved", "m"},
     {"smooth", flag, &MeshWords::smooth, any, "`false`",
      "`true`: normals of the file, or where it has none the mean of the faces around a vertex"},

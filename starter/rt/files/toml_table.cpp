@@ -248,6 +248,14 @@ Color Table::color(std::string_view key, const Limits& limits, std::optional<Col
     return vector(key, limits, otherwise);
 }
 
+vec3 Table::factors(std::string_view key, const Limits& limits) const {
+    const toml::node* node = inside_->find(key, true);
+    if (node->is_number()) return vec3(inside_->checked(*node, key, limits));
+    if (!node->is_array())
+        fail(key, fmt::format("'{}' is {}", key, type_of(*node)), "[x, y, z], or one number for all three");
+    return vector(key, limits);
+}
+
 int Table::choice(std::string_view key, std::span<const std::string_view> words, std::optional<int> otherwise) const {
     if (!inside_->find(key, !otherwise)) return *otherwise;
     const std::string word = text(key);

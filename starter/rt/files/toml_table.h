@@ -57,6 +57,7 @@ public:
 
     /// Three numbers, or one for all three.
     Color color(std::string_view key, const Limits& limits, std::optional<Color> otherwise = {}) const;
+    vec3 factors(std::string_view key, const Limits& limits) const;
 
     /// One of the words; returns its place in the list.
     int choice(std::string_view key, std::span<const std::string_view> words, std::optional<int> otherwise = {}) const;
