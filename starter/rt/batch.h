@@ -12,6 +12,9 @@ namespace rt {
 constexpr Index nothing = -1;  // a ray that meets no shape
 constexpr Index ended = -2;    // a lane whose path goes on elsewhere or is over
 
+/// The ray of a lane that has none: it ends before it begins, and meets nothing.
+inline const Ray no_ray{vec3(0), vec3(0, 0, 1), 0, -inf};
+
 /// Up to `lanes` paths, each with the ray it follows now. Lanes from `count` on are not in use.
 struct alignas(64) Batch {
     int count = 0;

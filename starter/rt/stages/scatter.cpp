@@ -258,8 +258,12 @@ template <WayOn way>
 
 }  // namespace
 
-void scatter_stage(const World& world, Pattern pattern, int wave, const Batch& b, const Surfaces& s, Queue& next,
-                   Chunk& chunk) {
+void scatter_stage(const Wave& w, Queue& next, Chunk& chunk) {
+    const World& world = w.world;
+    const Pattern pattern = w.pattern;
+    const int wave = w.number;
+    const Batch& b = w.batch;
+    const Surfaces& s = w.surfaces;
     const RenderPlan& plan = world.plan;
     if (!plan.specular && !plan.lobe && !plan.bounce) return;
     const Dimension choice = wave_dimension(world, wave, choice_dimension, pattern.n);
