@@ -44,6 +44,12 @@ struct alignas(64) Batch {
         origin.set(i, r.origin), direction.set(i, r.direction);
         near[i] = r.near, far[i] = r.far, shape[i] = nothing;
     }
+
+    /// Lane j goes on with the path of lane i of another batch; its ray, weight and event are set apart.
+    void continue_path(int j, const Batch& from, int i) {
+        time[j] = from.time[i], key[j] = from.key[i], sample[j] = from.sample[i], slot[j] = from.slot[i];
+        depth[j] = from.depth[i], bounce[j] = from.bounce[i], inside[j] = from.inside[i];
+    }
 };
 
 /// What the surface stage finds at the hits of a batch.

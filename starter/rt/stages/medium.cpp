@@ -85,18 +85,12 @@ void send_on(const World& world, const Numbers& turn, const Numbers& chance, con
         if (world.plan.roulette) weight = after_roulette(weight, chance.x[i]);
         if (weight == Color(0)) continue;
         const auto [to, j] = next.push();
+        to.continue_path(j, b, i);
         to.set_ray(j, {at.point.at(i), way.direction, 0, inf});
-        to.time[j] = b.time[i];
         to.weight.set(j, weight);
-        to.key[j] = b.key[i];
-        to.sample[j] = b.sample[i];
-        to.slot[j] = b.slot[i];
         to.event[j] = Index(Event::medium);
-        to.depth[j] = b.depth[i];
-        to.bounce[j] = b.bounce[i];
         to.density[j] = at.lit.material[i] == nothing ? 0 : density;
         to.way[j] = 0;
-        to.inside[j] = b.inside[i];
         ++chunk.rays[int(RayKind::medium)];
     }
 }

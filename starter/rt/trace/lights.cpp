@@ -1,6 +1,6 @@
 #include "rt/lamps/importance.h"
 #include "rt/media/phase.h"
-#include "rt/stages/outgoing.h"
+#include "rt/stages/scatter.h"
 #include "rt/trace/words.h"
 
 namespace rt {

@@ -1,4 +1,4 @@
-#include "rt/stages/outgoing.h"
+#include "rt/stages/scatter.h"
 #include "rt/trace/words.h"
 
 namespace rt {
