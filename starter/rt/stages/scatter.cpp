@@ -7,7 +7,7 @@
 ///
 ///     choose_...     which lanes go which way: where several lead on, one is chosen; mirror and glass, if there is
 ///                    nothing else, are both followed
-///     scatter_stage  way after way; follow, in follow.h, sends the rays of all lanes that go one way
+///     scatter_stage  way after way; follow, in follow.cpp, sends the rays of all lanes that go one way
 namespace rt {
 namespace {
 
@@ -23,8 +23,8 @@ void choose_ways(const Wave& wave, int begin, int end, AllLeaving& leaving) {
         const Real sum = shares.sum();
         if (sum == 0) continue;
         if (wave.world.plan.split) {
-            for (const Shares::Way& way : {shares.by_mirror(), shares.by_glass()})
-                if (way.share > 0) leaving[way.way].add(i, weight * way.weight);
+            if (shares.mirror > 0) leaving[WayOn::mirror].add(i, weight * shares.weights.mirror);
+            if (shares.glass > 0) leaving[WayOn::glass].add(i, weight * shares.weights.glass);
             continue;
         }
         const bool alone = shares.is_one();

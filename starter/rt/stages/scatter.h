@@ -21,7 +21,7 @@ struct Iors {
 inline Iors iors_of(const Material& m, bool behind) { return {behind ? m.ior : 1, behind ? 1 : m.ior}; }
 
 /// What leaves the surface of lane i towards the viewer, and with which weights.
-inline Outgoing outgoing(const Material& m, const Batch& b, const Surfaces& s, int i) {
+[[gnu::always_inline]] inline Outgoing outgoing(const Material& m, const Batch& b, const Surfaces& s, int i) {
     Real fresnel = 0;
     if (m.transmittance != Color(0)) {
         const Iors ior = iors_of(m, s.behind[i] != 0);
@@ -58,7 +58,7 @@ inline bool leads_on(const Wave& wave, int i) {
     return (wave.world.plan.specular || wave.world.plan.lobe) && wave.batch.depth[i] < wave.world.scene.depth;
 }
 
-inline Shares shares_of(const Wave& wave, int i) {
+[[gnu::always_inline]] inline Shares shares_of(const Wave& wave, int i) {
     const Material& m = wave.material(i);
     Shares shares;
     shares.sharp = m.exponent == inf;
