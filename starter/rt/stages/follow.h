@@ -2,6 +2,7 @@
 
 #include "rt/stages/stages.h"
 
+/// Which lanes go on in which way, and their rays. Nobody needs this file for the assignment.
 namespace rt {
 
 /// The lanes that go on in one way, and what each carries on.
