@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The folders of the grader are layers: a file includes files of its own folder and of those before it, of no other. No two
-of its headers declare types of one name."""
+of its headers declare types of one name. So are the renderer's folders and the files beside them, as starter/README.md
+says."""
 import pathlib
 import re
 import sys
@@ -18,7 +19,7 @@ def layer_of(folder):
 
 
 root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else "grader")
-wrong, seen = [], 0
+wrong, seen, of_renderer = [], 0, 0
 for path in sorted([*root.rglob("*.cpp"), *root.rglob("*.h")]):
     if path.parent.parent.name == "textbook":
         continue  # what wrap_forms reads
@@ -37,6 +38,22 @@ for path in sorted([*root.rglob("*.cpp"), *root.rglob("*.h")]):
         if other != folder and other not in allowed:
             wrong.append(f"{path}:{number}:1: {folder or 'the top'} includes {include[1]}; expected a file of {folder} or a layer below: "
                          f"{', '.join(sorted(allowed))}")
+# The renderer's, each with the files at its top that belong there. Headers of several include each other in one layer.
+renderer = ["answers batch elementary fragments lanes math not_started parts processor ray sampler scene", "tree", "calls lamps media plan world", "files",
+            "stages", "passes path render trace", "show"]
+layer = {name: number for number, names in enumerate(renderer) for name in names.split()}
+starter = pathlib.Path("starter/rt")
+for path in sorted([*starter.rglob("*.cpp"), *starter.rglob("*.h")]):
+    own = path.relative_to(starter).parts[0].split(".")[0]
+    if own not in layer:
+        wrong.append(f"{path}:1:1: is of no layer; expected one of {', '.join(layer)}")
+        continue
+    for number, line in enumerate(path.read_text().splitlines(), 1):
+        if include := re.match(r'#include "rt/(\w+)', line):
+            of_renderer += 1
+            if layer.get(include[1], len(renderer)) > layer[own]:
+                wrong.append(f"{path}:{number}:1: {own} includes {include[1]}; expected what is of its layer or one below: "
+                             f"{', '.join(renderer[:layer[own] + 1])}")
 # Two types of one name in one namespace are one to the linker, which takes either's functions for both.
 types = {}
 for path in sorted(root.rglob("*.h")):
@@ -53,4 +70,6 @@ for path in sorted(root.rglob("*.h")):
 print("\n".join(wrong))
 if seen < 100:
     sys.exit(f"{root}: only {seen} includes found; expected the grader's sources")
+if of_renderer < 100:
+    sys.exit(f"{starter}: only {of_renderer} includes found; expected the renderer's sources")
 sys.exit(bool(wrong))

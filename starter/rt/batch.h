@@ -12,6 +12,9 @@ namespace rt {
 constexpr Index nothing = -1;  // a ray that meets no shape
 constexpr Index ended = -2;    // a lane whose path goes on elsewhere or is over
 
+/// The ray of a lane that has none: it ends before it begins, and meets nothing.
+inline const Ray no_ray{vec3(0), vec3(0, 0, 1), 0, -inf};
+
 /// Up to `lanes` paths, each with the ray it follows now. Lanes from `count` on are not in use.
 struct alignas(64) Batch {
     int count = 0;
@@ -40,6 +43,12 @@ struct alignas(64) Batch {
     void set_ray(int i, const Ray& r) {
         origin.set(i, r.origin), direction.set(i, r.direction);
         near[i] = r.near, far[i] = r.far, shape[i] = nothing;
+    }
+
+    /// Lane j goes on with the path of lane i of another batch; its ray, weight and event are set apart.
+    void continue_path(int j, const Batch& from, int i) {
+        time[j] = from.time[i], key[j] = from.key[i], sample[j] = from.sample[i], slot[j] = from.slot[i];
+        depth[j] = from.depth[i], bounce[j] = from.bounce[i], inside[j] = from.inside[i];
     }
 };
 

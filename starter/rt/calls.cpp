@@ -1,5 +1,7 @@
 #include "rt/calls.h"
 
+#include <algorithm>
+
 namespace rt {
 
 std::vector<Calls> calls_of(const RenderPlan& plan) {
@@ -50,8 +52,9 @@ std::vector<Calls> calls_of(const RenderPlan& plan) {
     call("pixel_mean", plan.pixel);
     // whichever stage draws two numbers at once; those for the film are film_sample's
     stage("patterns");
-    call("stratified_2d",
-         cells && (plan.lens || plan.light || plan.environment_lit || plan.lobe || plan.bounce || plan.medium));
+    const std::vector<DrawnDimension> wave = wave_drawn(plan);
+    const bool pairs = std::any_of(wave.begin(), wave.end(), [](const DrawnDimension& d) { return d.numbers == 2; });
+    call("stratified_2d", cells && (plan.lens || pairs));
     return all;
 }
 

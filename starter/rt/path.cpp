@@ -58,17 +58,18 @@ void Worker::add_found(const Batch& batch, bool in_order) {
     }
 }
 
-void Worker::follow(Batch& batch, Pattern pattern, int wave) {
+void Worker::follow(Batch& batch, Pattern pattern, int number) {
+    const Wave wave{world, pattern, number, batch, surfaces};
     nearest_stage(world, batch);
     found = Colors{};
-    medium_stage(world, pattern, wave, batch, shadow, next, found, chunk);
+    medium_stage(wave, batch, shadow, next, found, chunk);
     surface_stage(world, batch, surfaces);
     emission_stage(world, batch, surfaces, found);
-    direct_stage(world, pattern, wave, batch, surfaces, shadow, found, chunk);
-    add_found(batch, wave == 0);
-    if (trace) trace_wave({world, pattern, wave, batch, surfaces}, *trace);
-    scatter_stage(world, pattern, wave, batch, surfaces, next, chunk);
-    if (trace) trace_ways({world, pattern, wave, batch, surfaces}, *trace);
+    direct_stage(wave, shadow, found, chunk);
+    add_found(batch, number == 0);
+    if (trace) trace_wave(wave, *trace);
+    scatter_stage(wave, next, chunk);
+    if (trace) trace_ways(wave, *trace);
 }
 
 void Worker::render(const std::vector<PixelWork>& pixels, int n, Sampler sampler, Color* means, int from) {

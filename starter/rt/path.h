@@ -39,7 +39,7 @@ private:
 
     Pattern pattern_for(Sampler sampler, int n);
     void first_wave(const std::vector<PixelWork>& pixels, Pattern pattern, int from);
-    void follow(Batch& batch, Pattern pattern, int wave);
+    void follow(Batch& batch, Pattern pattern, int number);
     void add_found(const Batch& batch, bool in_order);
 };
 

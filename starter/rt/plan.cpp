@@ -19,14 +19,6 @@ constexpr int deepest_split = 24;
 /// tests/bench/walks.py.
 constexpr Real fewest_scatterings = 4, fewest_bounces = 12, little = 0.5;
 
-std::vector<char> materials_in_use(const Scene& scene) {
-    std::vector<char> used(scene.materials.size(), 0);
-    for (const Shape& shape : scene.shapes) used[std::size_t(shape.material)] = 1;
-    for (const Mesh& mesh : scene.meshes)
-        if (!mesh.triangles.empty()) used[std::size_t(mesh.material)] = 1;
-    return used;
-}
-
 std::vector<int> find_lamps(const Scene& scene) {
     std::vector<int> lamps;
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
@@ -44,10 +36,8 @@ bool has_quad_lamp(const RenderPlan& plan, const Scene& scene) {
 
 /// What surfaces do with light.
 void add_materials(const Scene& scene, RenderPlan& plan) {
-    const std::vector<char> used = materials_in_use(scene);
-    for (std::size_t i = 0; i < used.size(); ++i) {
-        if (!used[i]) continue;
-        const Material& m = scene.materials[i];
+    for (const int i : materials_in_use(scene)) {
+        const Material& m = scene.materials[std::size_t(i)];
         const bool dielectric = m.transmittance != Color(0), mirror = m.reflectance != Color(0),
                    sharp = m.exponent == inf;
         plan.checker |= m.checker.has_value();
@@ -120,14 +110,23 @@ void decide_roulette(const Scene& scene, RenderPlan& plan) {
                                        : too_short;
 }
 
+/// What lamps would light, if they are sampled.
+struct LitByLamps {
+    bool surfaces, lobes, media;
+};
+
+LitByLamps lit_by_lamps(const RenderPlan& plan, const Scene& scene) {
+    if (plan.lamps.empty()) return {false, false, false};
+    return {plan.diffuse || plan.phong, plan.lobe, scatters_into_the_open(scene)};
+}
+
 /// Whether lamps are sampled, and how.
 void decide_lamps(const Scene& scene, RenderPlan& plan) {
-    const bool lobe = plan.lobe && !plan.lamps.empty(), lit = (plan.diffuse || plan.phong) && !plan.lamps.empty();
-    const bool media = scatters_into_the_open(scene) && !plan.lamps.empty();
-    if (lobe || lit || media) plan.ways = choose_ways(scene, plan.lamps);
-    plan.weigh = lobe && plan.ways.multiple_importance.on;
-    plan.media_lit = media && plan.ways.media_lit.on;
-    plan.light = lit || plan.weigh || plan.media_lit;
+    const LitByLamps lit = lit_by_lamps(plan, scene);
+    if (lit.surfaces || lit.lobes || lit.media) plan.ways = choose_ways(scene, plan.lamps);
+    plan.weigh = lit.lobes && plan.ways.multiple_importance.on;
+    plan.media_lit = lit.media && plan.ways.media_lit.on;
+    plan.light = lit.surfaces || plan.weigh || plan.media_lit;
     plan.solid_angle = plan.light && plan.ways.solid_angle.on && has_quad_lamp(plan, scene);
     plan.one_lamp = plan.light && plan.ways.one_lamp.on && plan.lamps.size() > 1;
 }
@@ -136,21 +135,9 @@ void decide_lamps(const Scene& scene, RenderPlan& plan) {
 void number_pairs(RenderPlan& plan) {
     plan.pairs.assign(std::size_t(plan.camera_dimensions + plan.wave_dimensions + most_new_dimensions), -1);
     int next = 0;
-    const auto number_at = [&](std::size_t place, bool drawn) {
-        if (drawn) plan.pairs[place] = next++;
-    };
-    number_at(pixel_dimension, plan.pixel);
-    number_at(lens_dimension, plan.lens);
-    number_at(time_dimension, plan.time);
+    for (const DrawnDimension& d : camera_drawn(plan)) plan.pairs[std::size_t(d.dimension)] = next++;
     const int before = next;
-    const auto number = [&](int dimension, bool drawn) { number_at(plan.place(dimension), drawn); };
-    for (int light = light_dimension; light < plan.wave_dimensions; ++light) number(light, plan.light);
-    number(environment_dimension, plan.environment_lit);
-    number(lobe_dimension, plan.lobe || plan.bounce);
-    number(choice_dimension, plan.choice);
-    number(flight_dimension, plan.medium);
-    number(phase_dimension, plan.medium);
-    number(roulette_dimension, plan.roulette);
+    for (const DrawnDimension& d : wave_drawn(plan)) plan.pairs[plan.place(d.dimension)] = next++;
     plan.pairs_of_wave = next - before;
 }
 
@@ -162,18 +149,18 @@ std::string row(const char* what, bool on, const std::string& yes, const std::st
 /// How lamps are sampled, and why.
 std::string describe_lamps(const RenderPlan& plan, const Scene& scene) {
     const LampWays& ways = plan.ways;
-    const bool quad = plan.light && has_quad_lamp(plan, scene), several = plan.light && plan.lamps.size() > 1,
-               lobe = plan.lobe && !plan.lamps.empty();
-    const bool media = scatters_into_the_open(scene) && !plan.lamps.empty();
+    const LitByLamps lit = lit_by_lamps(plan, scene);
+    const bool quad = plan.light && has_quad_lamp(plan, scene), several = plan.light && plan.lamps.size() > 1;
     return row("solid angle", plan.solid_angle, "of quads: " + ways.solid_angle.why,
                quad ? "quads by area: " + ways.solid_angle.why : "no quad that is sampled") +
            row("one lamp", plan.one_lamp, "chosen at each point: " + ways.one_lamp.why,
                several ? "all at each point: " + ways.one_lamp.why : "no two lamps") +
            row("weigh", plan.weigh, "lamps against glossy lobes: " + ways.multiple_importance.why,
-               lobe ? "lobes alone find lamps: " + ways.multiple_importance.why : "no glossy lobe, or no emitter") +
+               lit.lobes ? "lobes alone find lamps: " + ways.multiple_importance.why
+                         : "no glossy lobe, or no emitter") +
            row("media lit", plan.media_lit, "lamps against scatterings: " + ways.media_lit.why,
-               media ? "paths alone find lamps: " + ways.media_lit.why
-                     : "no medium that scatters behind a boundary of ior 1, or no emitter");
+               lit.media ? "paths alone find lamps: " + ways.media_lit.why
+                         : "no medium that scatters behind a boundary of ior 1, or no emitter");
 }
 
 std::string describe_integrals(const RenderPlan& plan, const Scene& scene) {
@@ -230,11 +217,14 @@ std::string describe_stages(const RenderPlan& plan, const Scene& scene) {
 /// The dimensions of one sample that are drawn, and the rays.
 std::string describe_costs(const RenderPlan& plan, const Scene& scene) {
     const Sampling& sampling = plan.sampling;
-    const int camera = 2 * plan.pixel + 2 * plan.lens + plan.time;
+    const auto numbers = [](const std::vector<DrawnDimension>& drawn) {
+        int sum = 0;
+        for (const DrawnDimension& d : drawn) sum += d.numbers;
+        return sum;
+    };
     const int lamps = plan.light ? plan.one_lamp ? 1 : int(plan.lamps.size()) : 0;
-    const int wave = 2 * lamps + plan.one_lamp + 2 * plan.environment_lit + 2 * (plan.lobe || plan.bounce) +
-                     plan.choice + 3 * plan.medium + plan.roulette;
-    const std::string text = fmt::format("dimensions       {} for the camera, {} for each wave\n", camera, wave);
+    const std::string text = fmt::format("dimensions       {} for the camera, {} for each wave\n",
+                                         numbers(camera_drawn(plan)), numbers(wave_drawn(plan)));
     const std::size_t shadow = scene.lights.size() + std::size_t(lamps) + plan.environment_lit;
     const int waves = 1 + (plan.bounce ? scene.bounces : 0);
     const int samples = sampling.passes ? 1 : sampling.samples;
@@ -245,6 +235,41 @@ std::string describe_costs(const RenderPlan& plan, const Scene& scene) {
 }
 
 }  // namespace
+
+std::vector<DrawnDimension> camera_drawn(const RenderPlan& plan) {
+    std::vector<DrawnDimension> drawn;
+    if (plan.pixel) drawn.push_back({pixel_dimension, 2});
+    if (plan.lens) drawn.push_back({lens_dimension, 2});
+    if (plan.time) drawn.push_back({time_dimension, 1});
+    return drawn;
+}
+
+std::vector<DrawnDimension> wave_drawn(const RenderPlan& plan) {
+    std::vector<DrawnDimension> drawn;
+    const auto add = [&](int dimension, int numbers, bool on) {
+        if (on) drawn.push_back({dimension, numbers});
+    };
+    for (int light = light_dimension; light < plan.wave_dimensions; ++light)
+        add(light, plan.one_lamp && light > light_dimension ? 1 : 2, plan.light);
+    add(environment_dimension, 2, plan.environment_lit);
+    add(lobe_dimension, 2, plan.lobe || plan.bounce);
+    add(choice_dimension, 1, plan.choice);
+    add(flight_dimension, 1, plan.medium);
+    add(phase_dimension, 2, plan.medium);
+    add(roulette_dimension, 1, plan.roulette);
+    return drawn;
+}
+
+std::vector<int> materials_in_use(const Scene& scene) {
+    std::vector<char> used(scene.materials.size(), 0);
+    for (const Shape& shape : scene.shapes) used[std::size_t(shape.material)] = 1;
+    for (const Mesh& mesh : scene.meshes)
+        if (!mesh.triangles.empty()) used[std::size_t(mesh.material)] = 1;
+    std::vector<int> numbers;
+    for (std::size_t i = 0; i < used.size(); ++i)
+        if (used[i]) numbers.push_back(int(i));
+    return numbers;
+}
 
 Aim aim_at(const Shape& shape, const Material& material) {
     if (material.emission == Color(0) || !material.sampled) return Aim::not_asked;

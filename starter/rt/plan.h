@@ -36,6 +36,9 @@ struct Sampling {
 enum class Aim { not_asked, possible, impossible };
 Aim aim_at(const Shape& shape, const Material& material);
 
+/// The numbers of the materials that are on anything.
+std::vector<int> materials_in_use(const Scene& scene);
+
 /// As the scene says.
 inline Sampling sampling_of(const Scene& scene) { return {scene.samples, false, scene.sampler}; }
 
@@ -95,6 +98,13 @@ struct RenderPlan {
 
     Sampling sampling;
 };
+
+/// A dimension that a plan draws, and how many random numbers it has.
+struct DrawnDimension {
+    int dimension, numbers;
+};
+std::vector<DrawnDimension> camera_drawn(const RenderPlan& plan);
+std::vector<DrawnDimension> wave_drawn(const RenderPlan& plan);
 
 RenderPlan make_plan(const Scene& scene, const Sampling& sampling);
 inline RenderPlan make_plan(const Scene& scene) { return make_plan(scene, sampling_of(scene)); }

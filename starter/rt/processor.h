@@ -1,6 +1,7 @@
 #pragma once
 
-/// The processors that a program is built for: RT_MARCH in cmake/flags.cmake.
+/// The processors that a program is built for: RT_MARCH in cmake/flags.cmake. Nobody needs this file for the
+/// assignment.
 namespace rt {
 
 /// Whether this processor is of a kind, "x86-64-v3", say, or better. "" is any.

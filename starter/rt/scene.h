@@ -19,6 +19,11 @@ struct Shape {
     vec3 velocity{0};  // [m/s]
 };
 
+/// The shape as shadow rays look for it.
+inline Emitter emitter(const Sphere& s, Color radiance) { return {Emitter::Kind::sphere, {}, {}, s, radiance}; }
+inline Emitter emitter(const Quad& q, Color radiance) { return {Emitter::Kind::quad, q, {}, {}, radiance}; }
+inline Emitter emitter(const Disc& d, Color radiance) { return {Emitter::Kind::disc, {}, d, {}, radiance}; }
+
 /// Triangles that share vertices. Has one normal a vertex, or none: then each triangle is flat.
 struct Mesh {
     std::vector<vec3> vertices;

@@ -25,15 +25,6 @@ struct Trace {
     Told& of(const Batch& b, int i) { return samples[std::size_t(b.slot[i])]; }
 };
 
-/// What stages work on: a batch of rays, and what they have met.
-struct Wave {
-    const World& world;
-    Pattern pattern;
-    int number;
-    const Batch& batch;
-    const Surfaces& surfaces;
-};
-
 /// The first rays: through which point of the film, of the lens, at which time.
 void trace_camera(const World& world, const CameraWork& work, const Batch& batch, Trace& trace);
 

@@ -32,10 +32,6 @@ SurfaceRecord record(const Triangle& t) { return {.center = t.a, .normal = unit(
 SurfaceRecord record(const Quad& q) { return {.center = q.center, .normal = unit(cross(q.u, q.v))}; }
 SurfaceRecord record(const Disc& d) { return {.center = d.center, .normal = d.normal}; }
 
-Emitter emitter(const Sphere& s) { return {Emitter::Kind::sphere, {}, {}, s, {}}; }
-Emitter emitter(const Quad& q) { return {Emitter::Kind::quad, q, {}, {}, {}}; }
-Emitter emitter(const Disc& d) { return {Emitter::Kind::disc, {}, d, {}, {}}; }
-
 /// Where the squares or cubes of a checker begin.
 vec3 checker_origin(const Sphere& s, vec3) { return s.center; }
 vec3 checker_origin(const Triangle&, vec3 shift) { return shift; }
@@ -76,14 +72,13 @@ struct Layout {
             add(list, *s, shape.material, shape.velocity);
             if constexpr (!std::is_same_v<S, Triangle>)
                 if (std::binary_search(world.plan.lamps.begin(), world.plan.lamps.end(), int(i)))
-                    add_emitter(emitter(list.back()));
+                    add_emitter(emitter(list.back(), world.scene.materials[std::size_t(shape.material)].emission));
         }
     }
 
     /// The shape that was added last shines, and shadow rays look for it.
-    void add_emitter(Emitter light) {
+    void add_emitter(const Emitter& light) {
         SurfaceRecord& r = world.surfaces.back();
-        light.radiance = world.scene.materials[std::size_t(r.material)].emission;
         r.emitter = Index(world.emitters.size());
         r.area = area(light);
         world.emitters.push_back(light);

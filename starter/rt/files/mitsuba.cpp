@@ -76,17 +76,15 @@ std::vector<std::string> find_unsaid(const Scene& scene) {
         unsaid.emplace_back("shapes that move while the shutter is open; expected close = open, or no velocity");
     if (scene.background != Color(0))
         unsaid.emplace_back("'background', which only the camera sees; expected 'environment'");
-    const std::vector<char> used = materials_on_shapes(scene);
-    for (std::size_t i = 0; i < used.size(); ++i) {
-        if (!used[i]) continue;
-        const Material& m = scene.materials[i];
+    for (const int i : materials_in_use(scene)) {
+        const Material& m = scene.materials[std::size_t(i)];
         const auto say = [&](const char* what) {
-            unsaid.push_back(fmt::format("material \"{}\": {}", name_of_material(scene, int(i)), what));
+            unsaid.push_back(fmt::format("material \"{}\": {}", name_of_material(scene, i), what));
         };
         if (m.specular != Color(0))
             say("Phong's highlight ('specular'); expected a lobe ('reflectance' and 'exponent')");
         if (m.ambient * scene.ambient != Color(0)) say("ambient light; expected 'environment'");
-        if (m.checker && !is_on_quads_alone(scene, int(i))) say("'checker' on other shapes than quads; expected quads");
+        if (m.checker && !is_on_quads_alone(scene, i)) say("'checker' on other shapes than quads; expected quads");
         const Real share = std::max(largest(m.reflectance), largest(m.transmittance));
         if (largest_albedo(m) == Color(0) || share == 0) continue;
         // Mitsuba weighs a sample of its mixtures by the density of both parts, which a perfect mirror does not have.
@@ -123,10 +121,8 @@ MitsubaFiles to_mitsuba(const Scene& scene, const std::string& stem) {
         "value=\"{}\"/></integrator>\n",
         paths.media ? "volpath" : "path", paths.max_depth);
     out.xml += camera(scene, world) + lights(scene);
-    const std::vector<char> used = materials_on_shapes(scene);
-    for (std::size_t i = 0; i < used.size(); ++i) {
-        if (!used[i]) continue;
-        const Material& m = scene.materials[i];
+    for (const int i : materials_in_use(scene)) {
+        const Material& m = scene.materials[std::size_t(i)];
         out.xml += "  " + mitsuba_surface(m, fmt::format("material{}", i)) + "\n";
         if (has_medium(m)) out.xml += "  " + mitsuba_medium(m.medium, fmt::format("medium{}", i)) + "\n";
     }

@@ -3,24 +3,16 @@
 #include <cmath>
 
 #include "rt/files/mitsuba_parts.h"
+#include "rt/plan.h"
 
 namespace rt {
-
-std::vector<char> materials_on_shapes(const Scene& scene) {
-    std::vector<char> used(scene.materials.size(), 0);
-    for (const Shape& shape : scene.shapes) used[std::size_t(shape.material)] = 1;
-    for (const Mesh& mesh : scene.meshes) used[std::size_t(mesh.material)] = 1;
-    return used;
-}
 
 MitsubaPaths mitsuba_paths(const Scene& scene, std::vector<std::string>& unsaid) {
     MitsubaPaths paths;
     bool diffuse = false, specular = false, scatters = false, searched = false, found = false;
     Real brightest = 0;
-    const std::vector<char> used = materials_on_shapes(scene);
-    for (std::size_t i = 0; i < used.size(); ++i) {
-        if (!used[i]) continue;
-        const Material& m = scene.materials[i];
+    for (const int i : materials_in_use(scene)) {
+        const Material& m = scene.materials[std::size_t(i)];
         diffuse |= largest_albedo(m) != Color(0);
         specular |= m.reflectance != Color(0) || m.transmittance != Color(0);
         scatters |= has_medium(m) && m.medium.albedo != Color(0);

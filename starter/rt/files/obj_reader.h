@@ -4,6 +4,7 @@
 
 #include "rt/scene.h"
 
+/// Nobody needs this file for the assignment.
 namespace rt {
 
 /// Reads the triangles of a Wavefront OBJ file; faces with more corners must be convex. Groups and materials are

@@ -6,6 +6,7 @@
 
 #include "rt/math.h"
 
+/// Nobody needs this file for the assignment.
 namespace rt {
 
 /// Splits a polygon into triangles, each three places in the list of its corners; a convex one as a fan about its first

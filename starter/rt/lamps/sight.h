@@ -4,6 +4,7 @@
 
 #include "rt/scene.h"
 
+/// What is seen, as far as a plan must know it. Nobody needs this file for the assignment.
 namespace rt {
 
 /// A point of a surface that is seen.

@@ -13,8 +13,8 @@
 namespace rt {
 namespace {
 
-/// A way to sample lamps.
-struct Way {
+/// How lamps are sampled.
+struct Technique {
     bool angle = false, one = false, weighed = false;
 };
 
@@ -53,6 +53,21 @@ Quad as_quad(const Emitter& lamp, vec3 p) {
     return {center(lamp), half * frame.x, half * frame.y};
 }
 
+/// Calls f with the ways from a point to the middles of the parts of a lamp, all of one area, and with the cosine there
+/// times the way's length: below 0, where the lamp does not shine.
+template <class F>
+void for_parts(const Emitter& lamp, vec3 p, F f) {
+    constexpr int side = 4;
+    const Quad quad = as_quad(lamp, p);
+    const vec3 n = unit(cross(quad.u, quad.v));
+    for (int k = 0; k < side * side; ++k) {
+        const vec2 at{(2 * (k % side) + 1.0) / side - 1, (2 * (k / side) + 1.0) / side - 1};
+        const vec3 to = quad.center + at.x * quad.u + at.y * quad.v - p;
+        f(to, -dot(n, to));
+    }
+}
+constexpr int parts = 16;
+
 /// What a lamp of radiance 1 sends to a point.
 struct Light {
     Real mean = 0;    // irradiance
@@ -62,23 +77,18 @@ struct Light {
 };
 
 Light light_of(const Emitter& lamp, const Point& p) {
-    constexpr int side = 4;
-    const Quad quad = as_quad(lamp, p.place);
-    const vec3 n = unit(cross(quad.u, quad.v));
     const bool lobe = p.material->exponent < inf && p.material->reflectance != Color(0);
-    const Real whole = area(lamp), part = whole / (side * side);
+    const Real whole = area(lamp), part = whole / parts;
     Real angle = 0, by_area = 0, by_angle = 0;
     Light light;
-    for (int k = 0; k < side * side; ++k) {
-        const vec2 at{(2 * (k % side) + 1.0) / side - 1, (2 * (k / side) + 1.0) / side - 1};
-        const vec3 to = quad.center + at.x * quad.u + at.y * quad.v - p.place;
+    for_parts(lamp, p.place, [&](vec3 to, Real facing) {
         const Real square = dot(to, to), cosine = dot(p.normal, to) / std::sqrt(square);
-        const Real seen = -dot(n, to) / (square * std::sqrt(square));
-        if (!(cosine > 0 && seen > 0)) continue;
+        const Real seen = facing / (square * std::sqrt(square));
+        if (!(cosine > 0 && seen > 0)) return;
         angle += part * seen, light.mean += part * cosine * seen;
         by_area += part * whole * sqr(cosine * seen), by_angle += part * sqr(cosine) * seen;
         if (lobe) light.share += part * seen * lobe_density(p.material->exponent, unit(to), p.normal, p.to_viewer);
-    }
+    });
     light.within = std::max<Real>(by_area - sqr(light.mean), 0);
     if (lamp.kind == Emitter::Kind::quad) light.excess = std::max<Real>(by_area - angle * by_angle, 0);
     if (lobe) light.share = glm::mix(std::min<Real>(light.share, 1), std::min<Real>(angle / (2 * pi), 1), unforeseen);
@@ -162,7 +172,7 @@ Survey survey_of(const Scene& scene, const std::vector<Emitter>& lamps) {
     return s;
 }
 
-Real noise_of(const Survey& s, Way w) {
+Real noise_of(const Survey& s, Technique w) {
     const Real by_area = w.one ? s.of_one : s.of_all, excess = w.one ? s.excess_of_one : s.excess_of_all,
                lobes = !w.weighed ? s.of_lobes
                        : w.one    ? s.of_lobes_and_one
@@ -170,7 +180,7 @@ Real noise_of(const Survey& s, Way w) {
     return s.for_any + (std::max<Real>(by_area - w.angle * excess, 0) + lobes) / s.square;
 }
 
-Real cost_of(const Survey& s, Way w) {
+Real cost_of(const Survey& s, Technique w) {
     const Real lamps = w.one ? 1 : s.lamps, quads = w.one ? s.quads / s.lamps : s.quads;
     const Real at_each = cost_of_lamp * lamps + w.angle * cost_of_angle * quads + w.one * cost_of_choice;
     return 1 + ((w.weighed ? s.either : s.matt) * at_each + w.weighed * s.glossy * cost_of_weight * lamps) / s.points;
@@ -178,16 +188,11 @@ Real cost_of(const Survey& s, Way w) {
 
 /// The share of all directions in which a lamp is seen.
 Real share_of_directions(const Emitter& lamp, vec3 p) {
-    constexpr int side = 4;
-    const Quad quad = as_quad(lamp, p);
-    const vec3 n = unit(cross(quad.u, quad.v));
     Real angle = 0;
-    for (int k = 0; k < side * side; ++k) {
-        const vec2 at{(2 * (k % side) + 1.0) / side - 1, (2 * (k / side) + 1.0) / side - 1};
-        const vec3 to = quad.center + at.x * quad.u + at.y * quad.v - p;
+    for_parts(lamp, p, [&](vec3 to, Real facing) {
         const Real square = dot(to, to);
-        angle += area(lamp) / (side * side) * std::max<Real>(-dot(n, to), 0) / (square * std::sqrt(square));
-    }
+        angle += area(lamp) / parts * std::max<Real>(facing, 0) / (square * std::sqrt(square));
+    });
     return std::min<Real>(angle / (4 * pi), 0.5);
 }
 
@@ -215,32 +220,21 @@ Real noise_in_media(const Scene& scene, const std::vector<Emitter>& lamps) {
     return all > 0 ? noise / all : 0;
 }
 
-Emitter emitter_of(const Scene& scene, int lamp) {
-    const Shape& shape = scene.shapes[std::size_t(lamp)];
-    Emitter emitter;
-    if (const auto* quad = std::get_if<Quad>(&shape.geometry)) emitter.quad = *quad;
-    if (const auto* disc = std::get_if<Disc>(&shape.geometry)) emitter.kind = Emitter::Kind::disc, emitter.disc = *disc;
-    if (const auto* sphere = std::get_if<Sphere>(&shape.geometry))
-        emitter.kind = Emitter::Kind::sphere, emitter.sphere = *sphere;
-    emitter.radiance = scene.materials[std::size_t(shape.material)].emission;
-    return emitter;
-}
-
 /// What the scene says of each choice, or what is to be the case.
 struct Said {
     std::optional<bool> angle, one, weighed;
 
-    bool allows(Way w) const {
+    bool allows(Technique w) const {
         return angle.value_or(w.angle) == w.angle && one.value_or(w.one) == w.one &&
                weighed.value_or(w.weighed) == w.weighed;
     }
 };
 
-Way best_way(const Survey& s, const Said& said) {
-    Way best{said.angle.value_or(false), said.one.value_or(false), said.weighed.value_or(false)};
+Technique best_way(const Survey& s, const Said& said) {
+    Technique best{said.angle.value_or(false), said.one.value_or(false), said.weighed.value_or(false)};
     Real least = inf;
     for (int k = 0; k < 8; ++k) {
-        const Way w{(k & 1) != 0, (k & 2) != 0, (k & 4) != 0};
+        const Technique w{(k & 1) != 0, (k & 2) != 0, (k & 4) != 0};
         const Real time = s.square > 0 ? noise_of(s, w) * cost_of(s, w) : k;
         if (said.allows(w) && time < least) least = time, best = w;
     }
@@ -248,7 +242,7 @@ Way best_way(const Survey& s, const Said& said) {
 }
 
 /// Why a way is better than another.
-std::string reason(const Survey& s, Way way, Way other) {
+std::string reason(const Survey& s, Technique way, Technique other) {
     if (!(s.square > 0)) return "no light of theirs is seen";
     return fmt::format("otherwise {:.2g} times the variance at {:.2g} times the cost",
                        noise_of(s, other) / noise_of(s, way), cost_of(s, other) / cost_of(s, way));
@@ -260,15 +254,15 @@ void choose_at_surfaces(const Scene& scene, const std::vector<Emitter>& lamps, L
     if (!said.one && (few || many)) said.one = many;
     Survey s;
     if (!said.angle || !said.one || !said.weighed) s = survey_of(scene, lamps);
-    const Way best = best_way(s, said);
-    const auto way = [&](std::optional<bool> by_scene, bool on, bool Way::*choice) -> LampWays::Way {
-        Way other = best;
+    const Technique best = best_way(s, said);
+    const auto way = [&](std::optional<bool> by_scene, bool on, bool Technique::*choice) -> LampWays::Way {
+        Technique other = best;
         other.*choice = !on;
         return {on, by_scene ? "the scene says so" : reason(s, best, other)};
     };
-    ways.solid_angle = way(scene.solid_angle, best.angle, &Way::angle);
-    ways.one_lamp = way(scene.one_lamp, best.one, &Way::one);
-    ways.multiple_importance = way(scene.multiple_importance, best.weighed, &Way::weighed);
+    ways.solid_angle = way(scene.solid_angle, best.angle, &Technique::angle);
+    ways.one_lamp = way(scene.one_lamp, best.one, &Technique::one);
+    ways.multiple_importance = way(scene.multiple_importance, best.weighed, &Technique::weighed);
     if (!scene.one_lamp && few) ways.one_lamp.why = fmt::format("worth it from {} lamps", fewest_to_choose);
     if (!scene.one_lamp && many) ways.one_lamp.why = fmt::format("there are more than {}", most_to_take);
 }
@@ -277,7 +271,14 @@ void choose_at_surfaces(const Scene& scene, const std::vector<Emitter>& lamps, L
 
 LampWays choose_ways(const Scene& scene, const std::vector<int>& lamps) {
     std::vector<Emitter> emitters;
-    for (const int lamp : lamps) emitters.push_back(emitter_of(scene, lamp));
+    for (const int lamp : lamps) {
+        const Shape& shape = scene.shapes[std::size_t(lamp)];
+        const Color radiance = scene.materials[std::size_t(shape.material)].emission;
+        const auto add = [&](const auto& s) {
+            if constexpr (!std::is_same_v<decltype(s), const Triangle&>) emitters.push_back(emitter(s, radiance));
+        };
+        std::visit(add, shape.geometry);
+    }
     LampWays ways;
     choose_at_surfaces(scene, emitters, ways);
     const Real in_media = scene.media_lit ? 0 : noise_in_media(scene, emitters),

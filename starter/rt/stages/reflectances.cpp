@@ -1,6 +1,6 @@
 #include "rt/stages/reflectances.h"
 
-#include "rt/stages/outgoing.h"
+#include "rt/stages/scatter.h"
 
 namespace rt {
 namespace {

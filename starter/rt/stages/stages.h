@@ -36,6 +36,35 @@ void camera_stage(const World& world, const CameraWork& work, Batch& batch, Chun
 void draw_2d(Pattern pattern, Dimension dimension, const Bits* keys, const int* samples, int count, Numbers& numbers);
 void draw_1d(Pattern pattern, Dimension dimension, const Bits* keys, const int* samples, int count, Numbers& numbers);
 
+/// A dimension of the pattern, by its place in the plan.
+inline Dimension camera_dimension(const World& world, int dimension, int n) {
+    return {Bits(dimension), world.plan.pairs[std::size_t(dimension)], n};
+}
+
+inline Dimension wave_dimension(const World& world, int wave, int dimension, int n) {
+    const RenderPlan& plan = world.plan;
+    return {plan.number(wave, dimension), plan.pairs[plan.place(dimension)] + wave * plan.pairs_of_wave, n};
+}
+
+/// What the later stages work on: a batch of rays, and what they have met.
+struct Wave {
+    const World& world;
+    Pattern pattern;
+    int number;  // 0: the camera's rays
+    const Batch& batch;
+    const Surfaces& surfaces;
+
+    const Material& material(int i) const { return world.scene.materials[std::size_t(surfaces.material[i])]; }
+
+    /// The numbers of lanes up to `count` in a dimension of the waves.
+    void draw_2d(int dimension, int count, Numbers& u) const {
+        rt::draw_2d(pattern, wave_dimension(world, number, dimension, pattern.n), batch.key, batch.sample, count, u);
+    }
+    void draw_1d(int dimension, int count, Numbers& u) const {
+        rt::draw_1d(pattern, wave_dimension(world, number, dimension, pattern.n), batch.key, batch.sample, count, u);
+    }
+};
+
 /// The digits of an orthogonal array of n samples, with which draws take a third of the time for lanes that have the
 /// samples of a pixel in order, as the camera's do.
 std::vector<LaneDigits> digits_of_lanes(int n);
@@ -71,8 +100,9 @@ inline Real left_around(const World& world, Bits inside, Real distance) {
 
 /// Ends the lanes that are scattered inside a medium before they meet a surface; their new rays go to next. Adds the
 /// light that is scattered straight from the lamps, as it arrives at the film. shadow is a scratch batch.
-void medium_stage(const World& world, Pattern pattern, int wave, Batch& batch, Batch& shadow, Queue& next,
-                  Colors& found, Chunk& chunk);
+///
+/// batch  the wave's
+void medium_stage(const Wave& wave, Batch& batch, Batch& shadow, Queue& next, Colors& found, Chunk& chunk);
 
 /// Points, normals and materials of the hits.
 void surface_stage(const World& world, const Batch& batch, Surfaces& surfaces);
@@ -87,12 +117,10 @@ std::optional<Real> share_of_found(const World& world, const SurfaceRecord& lamp
 
 /// Adds the light that the surfaces reflect straight from the lights, as it arrives at the film. shadow is a scratch
 /// batch.
-void direct_stage(const World& world, Pattern pattern, int wave, const Batch& batch, const Surfaces& surfaces,
-                  Batch& shadow, Colors& found, Chunk& chunk);
+void direct_stage(const Wave& wave, Batch& shadow, Colors& found, Chunk& chunk);
 
 /// Sends on the paths that mirrors, glass, lobes and diffuse surfaces continue; their new rays go to next.
-void scatter_stage(const World& world, Pattern pattern, int wave, const Batch& batch, const Surfaces& surfaces,
-                   Queue& next, Chunk& chunk);
+void scatter_stage(const Wave& wave, Queue& next, Chunk& chunk);
 
 /// The mean of one pixel's samples; or the sample, where there is one.
 Color film_stage(const World& world, const Color* radiance, const Real* weight, int n);
@@ -138,16 +166,6 @@ inline Met met_by(const Index* numbers) {
 template <class F>
 auto with_flag(bool flag, F f) {
     return flag ? f(std::true_type{}) : f(std::false_type{});
-}
-
-/// A dimension of the pattern, by its place in the plan.
-inline Dimension camera_dimension(const World& world, int dimension, int n) {
-    return {Bits(dimension), world.plan.pairs[std::size_t(dimension)], n};
-}
-
-inline Dimension wave_dimension(const World& world, int wave, int dimension, int n) {
-    const RenderPlan& plan = world.plan;
-    return {plan.number(wave, dimension), plan.pairs[plan.place(dimension)] + wave * plan.pairs_of_wave, n};
 }
 
 }  // namespace rt

@@ -23,11 +23,9 @@ void tell_medium(const Wave& wave, int i, Told& told) {
     const Index medium = wave.world.plan.medium ? wave.world.regions.medium(b.inside[i]) : nothing;
     if (medium == nothing) return;
     const Scene& scene = wave.world.scene;
-    Numbers flight;
-    draw_1d(wave.pattern, wave_dimension(wave.world, wave.number, flight_dimension, wave.pattern.n), b.key, b.sample,
-            b.count, flight);
-    const Real t = free_flight(scene.materials[std::size_t(medium)].medium.extinction, flight.x[i]);
-    tell(told, "free_flight", "in {}, u {}: {} m{}", name_of_material(scene, medium), text(flight.x[i]), text(t),
+    const Real u = number_of(wave, i, flight_dimension);
+    const Real t = free_flight(scene.materials[std::size_t(medium)].medium.extinction, u);
+    tell(told, "free_flight", "in {}, u {}: {} m{}", name_of_material(scene, medium), text(u), text(t),
          b.shape[i] == ended ? ", before any surface" : ", beyond the surface");
     if (b.shape[i] == ended) trace_scattered(wave, i, medium, b.origin.at(i) + t * b.direction.at(i), told);
 }

@@ -35,6 +35,18 @@ inline const char* hit_name(const World& world, Index shape) {
                                         : "hit disc";
 }
 
+/// The random numbers of lane i in a dimension of the waves.
+inline vec2 numbers_of(const Wave& wave, int i, int dimension) {
+    Numbers u;
+    wave.draw_2d(dimension, wave.batch.count, u);
+    return u.at(i);
+}
+inline Real number_of(const Wave& wave, int i, int dimension) {
+    Numbers u;
+    wave.draw_1d(dimension, wave.batch.count, u);
+    return u.x[i];
+}
+
 /// What lights the surface of lane i: lamps of all kinds, each with its shadow ray.
 void trace_lights(const Wave& wave, int i, Told& told);
 
