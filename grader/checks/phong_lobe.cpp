@@ -12,7 +12,7 @@ using rt::DirectionSample;
 /// N Var/mean^2 of a lobe that is seen head on, of the BRDF (n + 2)/2pi cos^n times the cosine, over the density.
 Statistic noise_of_lobe(double n) {
     return {.id = "V1",
-            .what = "noise of a lobe seen head on, N Var/mean^2 over 1/((n + 1)(n + 3))",
+            .what = "variance of a lobe seen head on, N Var/mean^2 over 1/((n + 1)(n + 3))",
             .measure =
                 [n](const Observation& seen) {
                     Moments estimate;
@@ -25,7 +25,7 @@ Statistic noise_of_lobe(double n) {
             .truth = 1,
             .delta0 = 0.001,
             .delta = 0.3,
-            .hint = by_ratio("the noise of a lobe seen head on", {{0, "are all directions one?"}},
+            .hint = by_ratio("the variance of a lobe seen head on", {{0, "are all directions one?"}},
                              "are directions drawn from the density that is returned?")};
 }
 

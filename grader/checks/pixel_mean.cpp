@@ -142,12 +142,12 @@ Check thin_lamps(Generator& random) {
         return off / due;
     };
     statistics.push_back(of_picture({.id = "G2",
-                                     .what = "noise of these pixels, over that of so many independent samples",
+                                     .what = "variance of these pixels, over that of so many independent samples",
                                      .number = noise,
                                      .delta = 0.6,
                                      .hint = [](double value, double) {
                                          return fmt::format(
-                                             "pixels have {:.3g} times the noise of their samples' mean: {}", value,
+                                             "pixels have {:.3g} times the variance of their samples' mean: {}", value,
                                              value > 10 ? "does one sample alone count?" : "do all samples count?");
                                      }}));
     return render_check("thin_lamps", {scene, samples, "random"}, statistics);

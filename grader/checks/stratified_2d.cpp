@@ -204,12 +204,12 @@ Check edge_noise(Generator& random) {
         "edge_noise", {scene, samples, "stratified"},
         {of_picture(
             {.id = "G2",
-             .what = "noise at edges, over that of independent samples",
+             .what = "variance at edges, over that of independent samples",
              .number = noise,
              .truth = 0.2,
              .delta = 0.25,
              .delta0 = 0.1,
-             .hint = with_value("the noise at edges is {:.2g} of that of independent samples; cells leave about 0.2 "
+             .hint = with_value("the variance at edges is {:.2g} of that of independent samples; cells leave about 0.2 "
                                 "with 16 samples: does each sample fall in a cell of its own, anywhere in it?")})});
 }
 

@@ -102,17 +102,18 @@ Check slanted_edges(Generator& random) {
                                                 [=](const rt::Image& image) { return spread(image, across); }));
     statistics.push_back(of_picture(
         {.id = "G2",
-         .what = "noise of the pixels on an edge, over that of independent samples",
+         .what = "variance of the pixels on an edge, over that of independent samples",
          .number = [=](const rt::Image& image) { return edge_dispersion(image, upright, 32, lamp, samples); },
          .truth = 0.25,
          .delta = 0.35,
          .delta0 = 0.15,
          .hint =
              [](double value, double) {
-                 const char* words = value > 0.8 ? "pixels on an edge have {:.3g} times the noise of independent "
-                                                   "samples: each sample must fall in a cell of its own"
-                                                 : "pixels on an edge are {:.3g} times as noisy as independent samples "
-                                                   "make them; expected about 0.25";
+                 const char* words = value > 0.8
+                                         ? "pixels on an edge have {:.3g} times the variance of independent "
+                                           "samples: each sample must fall in a cell of its own"
+                                         : "pixels on an edge have {:.3g} times the variance that independent samples "
+                                           "leave; expected about 0.25";
                  return fmt::format(fmt::runtime(words), value);
              }}));
     return render_check("slanted_edges", {scene, samples, "stratified"}, statistics);

@@ -22,11 +22,11 @@ Statistic own_numbers(const Region& region, int samples, const std::string& what
     };
     return of_picture(
         {.id = "G1",
-         .what = "share of the noise that pixels have in common: of the picture, a row, a column",
+         .what = "share of the variance that pixels have in common: of the picture, a row, a column",
          .number = [=](const rt::Image& image) { return sharing(image, region, samples).sum(); },
          .truth = 0,
          .delta = 0.4,
-         .hint = with_value("pixels share {:.3g} of their noise: is one " + what + " drawn for many pixels?"),
+         .hint = with_value("pixels share {:.3g} of their variance: is one " + what + " drawn for many pixels?"),
          .cause = cause});
 }
 
