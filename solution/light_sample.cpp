@@ -6,8 +6,8 @@ namespace rt {
 ///
 ///     density per solid angle = density per area x distance^2 / cos(angle at the light)
 ///
-/// light    light.kind tells the shape: a quad or a disc shines from its front side, a sphere from its outside; its
-///          center(), normal() and area() are in parts.h
+/// light    light.kind tells the shape: a quad or a disc shines from its front side, a sphere from its outside;
+///          center(light), normal(light) and area(light) are in parts.h
 /// p        point of a surface [world]
 /// u        random point of the unit square, 0 <= u < 1
 /// returns  unit direction from p to the point of the light [world], its distance [m] and the density of the direction

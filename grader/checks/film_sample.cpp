@@ -217,9 +217,11 @@ Checks check_film_sample(Generator& random) {
             }
         return rows;
     });
-    const auto ends = rows_of(64, [](Generator& draws) {
-        const Extent pixel = any_pixel(draws);
-        const int count = whole_between(draws, 1, 9), i = whole_between(draws, 0, count - 1);
+    const auto ends = rows_of(96, [](Generator& draws) {  // of large pictures as well
+        Extent pixel = any_pixel(draws);
+        const vec2 right_and_down(whole_between(draws, 0, 4000), whole_between(draws, 0, 4000));
+        pixel.low += right_and_down, pixel.high += right_and_down;
+        const int count = whole_between(draws, 1, 6), i = whole_between(draws, 0, count - 1);
         return row(pixel, i, count, end_of_square(draws));
     });
     // one pixel, drawn again and again: only u changes

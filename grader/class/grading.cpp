@@ -106,7 +106,9 @@ Outcome grade_all(const std::vector<Entry>& entries, const std::vector<Result>& 
             submission.name.clear();  // the record is one of texts, whosever they are
             Record record = grade_submission(submission, assignment, chain, checks, settings);
             if (way.pictures) write_pictures(out, key, record);
-            const auto is_there = [&] { return find_record(out, {.path = entry->path, .key = key}).has_value(); };
+            const auto is_there = [&out = out, path = entry->path, name = key] {
+                return find_record(out, {.path = path, .key = name}).has_value();
+            };
             // one that is there stays as it is: it lacked pictures
             if (!is_there()) write_text(record_file(out, key), to_json(record));
             if (!is_there()) throw std::runtime_error(record_file(out, key).string() + ": is no whole record");

@@ -31,7 +31,7 @@ double worse_error(double a, double b) {
 std::vector<rt::vec2> grid(int n) {
     std::vector<rt::vec2> points;
     for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j) points.push_back({(i + 0.5) / n, (j + 0.5) / n});
+        for (int j = 0; j < n; ++j) points.emplace_back((i + 0.5) / n, (j + 0.5) / n);
     return points;
 }
 

@@ -22,7 +22,7 @@ Exact3 refracted(vec3 d, vec3 n, double from, double to) {
 
 Exact reflectance(double cosine, double from, double to) {
     const Exact e1 = from, e2 = to, c1 = cosine, cosine2 = 1 - e1 * e1 / (e2 * e2) * (1 - c1 * c1);
-    if (cosine2 < 0) return Exact(1);
+    if (cosine2 < 0) return 1;
     if (from == to) return 0;
     const Exact c2 = sqrt(cosine2), s = (e1 * c1 - e2 * c2) / (e1 * c1 + e2 * c2),
                 p = (e2 * c1 - e1 * c2) / (e2 * c1 + e1 * c2);

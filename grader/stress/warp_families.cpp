@@ -76,8 +76,8 @@ std::vector<vec2> borders(double x) {
     if (x < 1e-3) places.insert(places.end(), {0.0, 0.5, almost_one});
     std::vector<vec2> points;
     for (const double a : places)
-        for (const double b : places) points.push_back({std::min(a, almost_one), std::min(b, almost_one)});
-    for (int turn = 0; turn < 64; ++turn) points.push_back({std::min(1 - x, almost_one), (turn + 0.37) / 64});
+        for (const double b : places) points.emplace_back(std::min(a, almost_one), std::min(b, almost_one));
+    for (int turn = 0; turn < 64; ++turn) points.emplace_back(std::min(1 - x, almost_one), (turn + 0.37) / 64);
     return points;
 }
 

@@ -67,7 +67,7 @@ std::vector<Mesh> loose_triangles(const Scene& scene) {
         mesh.material = shape.material;
         const int first = int(mesh.vertices.size());
         mesh.vertices.insert(mesh.vertices.end(), {t->a, t->b, t->c});
-        mesh.triangles.push_back({first, first + 1, first + 2});
+        mesh.triangles.emplace_back(first, first + 1, first + 2);
     }
     std::erase_if(meshes, [](const Mesh& m) { return m.triangles.empty(); });
     return meshes;

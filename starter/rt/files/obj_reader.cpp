@@ -46,8 +46,8 @@ struct Reading {
     std::vector<vec3> vertices, normals;  // a normal that is no number is 0, which is none
     vec3 exact{0};                        // of the line that the library reads now
     struct Corner {
-        int vertex, normal;  // -1: none
-        auto operator<=>(const Corner&) const = default;
+        int vertex, normal;                               // -1: none
+        auto operator<=>(const Corner&) const = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 is wrong here
     };
     std::vector<std::array<Corner, 3>> triangles;
 

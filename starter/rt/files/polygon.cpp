@@ -29,7 +29,7 @@ std::vector<vec2> flattened(const std::vector<vec3>& corners, const std::vector<
     if (!(length(area) > straight)) return {};
     const Frame frame = frame_about(normal);
     std::vector<vec2> flat;
-    for (const vec3 p : scaled) flat.push_back({dot(p, frame.x), dot(p, frame.y)});
+    for (const vec3 p : scaled) flat.emplace_back(dot(p, frame.x), dot(p, frame.y));
     return flat;
 }
 

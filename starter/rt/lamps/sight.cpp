@@ -26,7 +26,7 @@ struct Sight {
         const vec3 p = origin + t * direction - d.center;
         return {dot(p, p) <= sqr(d.radius) ? t : inf, d.normal};
     }
-    std::pair<Real, vec3> meets(const Triangle&) const { return {inf, vec3(0)}; }
+    static std::pair<Real, vec3> meets(const Triangle&) { return {inf, vec3(0)}; }
 
 private:
     Real to_plane(vec3 center, vec3 n) const { return dot(center - origin, n) / dot(direction, n); }
