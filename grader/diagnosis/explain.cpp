@@ -23,13 +23,13 @@ namespace grade {
 namespace {
 
 /// The calls, of which only those parts are told that an answer to a wrong call depends on.
-Calls with_parts_that_matter(Calls calls, const Ask& mine, const Ask& right) {
-    const Calls some = only_wrong(calls);
-    if (some.size() == 0) return calls;
-    const auto depends = dependences(some, calls, mine, right);
+Calls with_parts_that_matter(Calls all, const Ask& mine, const Ask& right) {
+    const Calls some = only_wrong(all);
+    if (some.size() == 0) return all;
+    const auto depends = dependences(some, all, mine, right);
     for (std::size_t i = 0; i < depends.size(); ++i)
-        calls.told[i] = calls.told[i] && (depends[i].mine > 0 || depends[i].right > 0);
-    return calls;
+        all.told[i] = all.told[i] && (depends[i].mine > 0 || depends[i].right > 0);
+    return all;
 }
 
 /// The call of a finding, in words, and as it can be pasted into a program and into a shell.
