@@ -121,9 +121,6 @@ private:
         bool right_otherwise = false;
         relation_ = surest_relation(many_calls_, ask_mine_, ask_right_, sampled_, right_otherwise);
         if (right_otherwise) return false;
-        // what is said to be wrong with a place may be another way to one that is as good, with another measure
-        if (sampled_ && relation_ && relation_->kind == Relation::Kind::named_mistake && is_place_right())
-            relation_.reset();
         if (source) {
             const std::string unused = sampled_ ? unused_numbers(all_, depends_) : "";
             add_repair(relation_, many_calls_, source(), unused.empty() ? independence(all_, depends_) : unused);
@@ -134,15 +131,6 @@ private:
             finding_.by_repair = relation_->by_repair;
         }
         return true;
-    }
-
-    /// Whether samples lie elsewhere, spread as the right ones are.
-    bool is_place_right() const {
-        Calls places = all_;
-        std::erase_if(places.result.parts, std::not_fn(is_place));
-        if (places.result.parts.empty() || places.result.parts.size() == all_.result.parts.size()) return false;
-        const bool is_elsewhere = only_wrong(places).size() > 0;
-        return is_elsewhere && !spread_of(places, places, mine_, right_);
     }
 
     /// Whether it is broken in few calls: then it may follow from what is wrong in all.
