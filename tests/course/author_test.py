@@ -9,7 +9,8 @@ Runs the page's own blocks, in their order, in a copy of the tree and of its bui
 
 The copy is mounted over the tree for these commands alone, since a build holds the paths of its sources. Sections whose
 heading ends in "(long)" are followed with --all alone. Exit status 77: nothing can be mounted here, or the page's
-fragments are there.
+fragments are there. With --names nothing is run: what its tables of files, and the calls of its checks, name must stand in
+the files that they link to.
 """
 
 import argparse
@@ -105,12 +106,36 @@ class Walk:
             (self.tree / words[1]).write_text(text)
 
 
+def names_that_are_not_there(text):
+    """Of the rows "| [file](path) | `name` ... |", and of calls in the page's C++ of checks."""
+    missing, there = [], set()
+    for number, line in enumerate(text.splitlines(), 1):
+        row = re.match(r"\| \[\w+\.h\]\(([\w/.]+\.h)\) \|(.*)\|$", line)
+        if row:
+            words = set(re.findall(r"\w+", (PAGE.parent / row[1]).read_text()))
+            there |= words
+            named = {name for code in re.findall(r"`([^`]+)`", row[2]) for name in re.findall(r"^[a-z_]+(?=$|[(<])", code)}
+            missing += [f"{number}:1: `{name}` is not in {row[1]}" for name in sorted(named - words)]
+    assert there, "no table of files was found"
+    for number, fence, code in (block for blocks in sections(text).values() for block in blocks):
+        if fence[0] == "cpp" and fence[1:] and fence[1].startswith("grader/checks/"):
+            own = set(re.findall(r"\w+(?= = )", code)) | set(re.findall(r"^\w+ (\w+)\(", code, re.M))
+            called = set(re.findall(r"(?<![\w:.>])[a-z_]+(?=[(<])", code)) - own - {"if", "for"}
+            missing += [f"{number}:1: {name} of {fence[1]} is in none of the files of the table" for name in sorted(called - there)]
+    return missing
+
+
 def main():
     words = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     words.add_argument("build", type=pathlib.Path)
     words.add_argument("--all", action="store_true", help="also the sections that take long")
+    words.add_argument("--names", action="store_true", help="only whether the names in its tables are there")
     words.add_argument("sections", nargs="*", help="only those with one of these words in their heading")
     words = words.parse_intermixed_args()
+    if words.names:
+        for line in (missing := names_that_are_not_there(PAGE.read_text())):
+            print(f"{PAGE.relative_to(ROOT)}:{line}")
+        sys.exit(bool(missing))
     page = sections(PAGE.read_text())
     made = re.findall(r"grade new fragment (\w+)", PAGE.read_text())
     if there := [name for name in made if (ROOT / f"solution/{name}.cpp").exists()]:
