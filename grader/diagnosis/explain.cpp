@@ -24,9 +24,9 @@ namespace {
 
 /// The calls, of which only those parts are told that an answer to a wrong call depends on.
 Calls with_parts_that_matter(Calls all, const Ask& mine, const Ask& right) {
-    const Calls some = only_wrong(all);
-    if (some.size() == 0) return all;
-    const auto depends = dependences(some, all, mine, right);
+    const Calls wrong = only_wrong(all);
+    if (wrong.size() == 0) return all;
+    const auto depends = dependences(wrong, all, mine, right);
     for (std::size_t i = 0; i < depends.size(); ++i)
         all.told[i] = all.told[i] && (depends[i].mine > 0 || depends[i].right > 0);
     return all;
@@ -110,7 +110,7 @@ public:
 
 private:
     void tell(const How& how) {
-        finding_.how = how.words, finding_.of_numbers = how.of_numbers, beside_place_ = how.beside_place;
+        finding_.how = how.words, finding_.of_numbers = how.of_numbers, is_elsewhere_ = how.is_elsewhere;
     }
 
     /// False: other random numbers give these answers.
@@ -214,7 +214,7 @@ private:
     void add_example(const WrongCalls& region, bool is_one_right) {
         std::size_t left = 4000, left_of_own = 400'000;
         if (not_numbers_ > 0) return add_nan_example(region);
-        const bool is_elsewhere = beside_place_ || (relation_ && (relation_->other_numbers || relation_->is_elsewhere));
+        const bool is_elsewhere = is_elsewhere_ || (relation_ && (relation_->other_numbers || relation_->is_elsewhere));
         const Ask mine = limited(ask_mine_, left),
                   right = is_elsewhere ? at_own_places(all_, mine, limited(ask_right_, left_of_own))
                                        : limited(ask_right_, left);
@@ -261,7 +261,7 @@ private:
     std::optional<Relation> relation_;
     std::optional<Broken> broken_;
     Finding finding_;
-    bool beside_place_ = false;
+    bool is_elsewhere_ = false;
 };
 
 }  // namespace

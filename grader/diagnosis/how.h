@@ -9,7 +9,7 @@ namespace grade {
 struct How {
     std::string words;
     std::string of_numbers{};   // of these, what is said of answers that are numbers
-    bool beside_place = false;  // the sample is as good as the solution's, which lies elsewhere
+    bool is_elsewhere = false;  // the sample is as good as the solution's, which lies elsewhere
 };
 
 How how_of(const Relation& relation);

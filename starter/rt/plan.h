@@ -42,6 +42,11 @@ std::vector<int> materials_in_use(const Scene& scene);
 /// As the scene says.
 inline Sampling sampling_of(const Scene& scene) { return {scene.samples, false, scene.sampler}; }
 
+/// What lamps would light, if they are sampled.
+struct LitByLamps {
+    bool surfaces = false, lobes = false, media = false;
+};
+
 /// What a scene needs, decided before the first ray; nothing else decides. An integral that is off draws no random
 /// number, casts no ray and has no dimension in the sampling pattern.
 struct RenderPlan {
@@ -77,9 +82,11 @@ struct RenderPlan {
     bool diffuse = false, ambient = false;
     bool mirrors = false, glass = false, glossy = false, translucent = false;  // and the depth of paths allows for them
 
-    std::vector<int> lamps;  // the shapes that shadow rays look for, by their places in the scene
-    LampWays ways;           // why they are sampled so
-    std::string ends_early;  // why paths that carry little end at random, or why not
+    LitByLamps lit;
+    bool quad_lamps = false;  // some that are sampled are quads
+    std::vector<int> lamps;   // the shapes that shadow rays look for, by their places in the scene
+    LampWays ways;            // why they are sampled so
+    std::string ends_early;   // why paths that carry little end at random, or why not
 
     // the dimensions of one sample: where each integral's random numbers start
     int camera_dimensions = 0;  // pixel, lens, time
