@@ -39,7 +39,7 @@ for path in sorted([*root.rglob("*.cpp"), *root.rglob("*.h")]):
             wrong.append(f"{path}:{number}:1: {folder or 'the top'} includes {include[1]}; expected a file of {folder} or a layer below: "
                          f"{', '.join(sorted(allowed))}")
 # The renderer's, each with the files at its top that belong there. Headers of several include each other in one layer.
-renderer = ["answers batch elementary fragments lanes math not_started parts processor ray sampler scene", "tree", "calls lamps media plan world", "files",
+renderer = ["answers batch elementary fragments lanes math not_started parts processor ray sampler scene", "tree", "calls lamps media plan plan_described world", "files",
             "stages", "passes path render trace", "show"]
 layer = {name: number for number, names in enumerate(renderer) for name in names.split()}
 starter = pathlib.Path("starter/rt")
