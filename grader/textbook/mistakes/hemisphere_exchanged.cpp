@@ -1,4 +1,4 @@
-// says: sine and cosine exchanged in the direction
+// says, reordered: the sine over pi as the density, where the cosine is the z of the direction (or sine and cosine are exchanged in the direction alone)
 DirectionSample cosine_hemisphere(vec2 u) {
     const Real sine = std::sqrt(u.x);
     const Real cosine = std::sqrt(1 - u.x);
