@@ -187,7 +187,7 @@ struct Flight {
 Finding found(const Flight& flight) {
     const Rows rows = calls([](Generator& random) { return row(between(random, 0.5, 3), between(random, 0.1, 0.9)); });
     return explain(declared("free_flight"), rows, flight.ask(), answers("free_flight"),
-                   [&] { return std::optional(flight.editable()); });
+                   {[&] { return std::optional(flight.editable()); }});
 }
 
 }  // namespace

@@ -78,8 +78,10 @@ public:
         }
     }
 
-    Finding run(const std::function<std::optional<Editable>()>& source) {
-        if (are_near(all_)) finding_.how = in_single_precision(all_);
+    Finding run(const Recompiled& source) {
+        const auto in_double = wrong_ > 0 && source.in_double ? source.in_double() : std::nullopt;
+        if (in_double) finding_.how = by_double(all_, *in_double);
+        if (are_near(all_) && finding_.how.empty()) finding_.how = in_single_precision(all_);
         if (are_near(all_) && finding_.how.empty()) finding_.how = small_offsets(all_);
         if (wrong_ == 0) return finding_;
         if (!look_for_relation(source)) return {};
@@ -114,16 +116,17 @@ private:
     }
 
     /// False: other random numbers give these answers.
-    bool look_for_relation(const std::function<std::optional<Editable>()>& source) {
+    bool look_for_relation(const Recompiled& source) {
         depends_ = dependences(all_, all_, mine_, right_);
         for (const Dependence& d : depends_) all_.told.push_back(d.mine > 0 || d.right > 0);
         many_calls_ = crossed(all_, mine_, right_);
         bool right_otherwise = false;
         relation_ = surest_relation(many_calls_, ask_mine_, ask_right_, sampled_, right_otherwise);
         if (right_otherwise) return false;
-        if (source) {
+        if (source.editable) {
             const std::string unused = sampled_ ? unused_numbers(all_, depends_) : "";
-            add_repair(relation_, many_calls_, source(), unused.empty() ? independence(all_, depends_) : unused);
+            add_repair(relation_, many_calls_, source.editable(),
+                       unused.empty() ? independence(all_, depends_) : unused);
         }
         finding_.sampled = sampled_;
         if (is_exact(relation_)) {
@@ -267,7 +270,7 @@ private:
 }  // namespace
 
 Finding explain(const Signature& signature, const Rows& rows, const Ask& ask, const Ask& ask_right,
-                const std::function<std::optional<Editable>()>& source) try {
+                const Recompiled& source) try {
     return Explanation(signature, rows, ask, ask_right).run(source);
 } catch (const std::out_of_range&) {
     return {};  // an answer that is too short

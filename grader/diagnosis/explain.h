@@ -1,17 +1,24 @@
 #pragma once
 
 #include "diagnosis/calls.h"
+#include "diagnosis/precision.h"
 #include "diagnosis/repair.h"
 #include "record/record.h"
 
 namespace grade {
 
+/// A fragment compiled from other texts than its own; each is made at the first call. None: it cannot be made.
+struct Recompiled {
+    std::function<std::optional<Editable>()> editable{};   // with expressions that can be changed
+    std::function<std::optional<InDouble>()> in_double{};  // none as well where it has no `float`
+};
+
 /// What calls of a fragment show about its mistake: the same for every fragment, from its declaration alone. Asks both
 /// for no more than a second's worth of calls. Nothing is found where the fragment gives no answers.
 ///
 /// rows    calls that its checks make
-/// source  makes the fragment with expressions that can be changed, at the first call; none: it cannot be made
+/// source  the fragment compiled from other texts
 Finding explain(const Signature& signature, const Rows& rows, const Ask& mine, const Ask& right,
-                const std::function<std::optional<Editable>()>& source = {});
+                const Recompiled& source = {});
 
 }  // namespace grade

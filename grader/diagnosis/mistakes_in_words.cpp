@@ -30,6 +30,8 @@ std::string other_number(const textbook::Node& node, const Mistake& mistake) {
             return number_in_words(scalar_functions[f].value(x));
         case Made::tolerance:
             return number_in_words(tolerance_functions[f].value(x));
+        case Made::share:
+            return number_in_words(share_functions[f].value(x));
         case Made::limit:
             return number_in_words(limit_functions[f].value(x));
         default:

@@ -1,5 +1,7 @@
 #include "diagnosis/precision.h"
 
+#include <fmt/format.h>
+
 namespace grade {
 
 namespace {
@@ -46,6 +48,17 @@ std::string in_single_precision(const Calls& calls) {
     constexpr int enough = 8;
     if (floats < enough || 2 * longer < floats) return seven_digits;
     return "every number of the answers has the 7 digits of single precision: is `float` used? `Real` is double";
+}
+
+std::string by_double(const Calls& calls, const InDouble& source) {
+    const Rows answers = source.ask(calls.rows);
+    if (answers.size() != calls.size()) return {};
+    for (std::size_t k = 0; k < calls.size(); ++k)
+        if (!is_equal(calls.result, answers[k], calls.right[k])) return {};
+    return fmt::format(
+        "with `double` in place of `float` in line {}, every answer is right: single precision has 7 digits, and "
+        "fewer are left where numbers cancel",
+        source.line);
 }
 
 }  // namespace grade

@@ -10,4 +10,13 @@ namespace grade {
 /// all differ from these from the seventh digit on. Empty: neither holds.
 std::string in_single_precision(const Calls& calls);
 
+/// A fragment with `double` in place of each `float`.
+struct InDouble {
+    Ask ask;
+    int line;  // of its first `float`
+};
+
+/// Says so where that is all it takes; else empty.
+std::string by_double(const Calls& calls, const InDouble& source);
+
 }  // namespace grade

@@ -8,6 +8,7 @@
 #include "diagnosis/explain.h"
 #include "files/files.h"
 #include "judging/experiment.h"
+#include "textbook/in_double.h"
 #include "textbook/source.h"
 
 namespace grade {
@@ -86,7 +87,11 @@ Rows calls_of(const std::string& fragment, const std::vector<Check>& checks, std
         Generator generator(replicate_seed(seed + i, own[i], Stream::submission, 0));
         const Rows rows = std::get<Probe>(own[i].experiment).inputs(generator);
         const std::size_t count = std::min(rows.size(), most_calls / own.size() + 1);
-        for (std::size_t k = 0; k < count; ++k) all.push_back(rows[k * rows.size() / count]);
+        // one of each so many, not the first: rows of several kinds may take turns
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::size_t first = k * rows.size() / count, next = (k + 1) * rows.size() / count;
+            all.push_back(rows[first + (7 * k + 3) % (next - first)]);
+        }
     }
     return all;
 }
@@ -108,7 +113,7 @@ Rows telling_calls(const std::string& fragment, const std::vector<Check>& checks
     constexpr std::size_t more_times = 8;
     Rows calls = calls_of(fragment, checks, seed, most_calls);
     std::ptrdiff_t count = std::ranges::count(are_wrong(signature, calls, mine, right), true);
-    if (count == 0 || count >= few) return calls;
+    if (count >= few) return calls;
     Rows more = calls_of(fragment, checks, seed + seeds, more_times * most_calls);
     const std::vector<bool> wrong = are_wrong(signature, more, mine, right);
     for (std::size_t k = 0; k < wrong.size() && count < enough; ++k)
@@ -141,7 +146,7 @@ std::optional<Editable> editable_of(Programs& programs, const std::string& fragm
     const auto read = textbook::needs_preprocessor(text) ? programs.preprocessed(fragment) : std::optional(text);
     if (!read) return std::nullopt;
     textbook::EditableSource source = textbook::editable(*read);
-    const auto program = programs.with_text(fragment, source.text);
+    const auto program = programs.with_text(fragment, source.text, "editable");
     if (!program) return std::nullopt;
     const std::size_t most = std::max<std::size_t>(16, source.nodes.size());
     const auto edited = [fragment, most](Runner& runner, const Rows& calls) {
@@ -151,6 +156,16 @@ std::optional<Editable> editable_of(Programs& programs, const std::string& fragm
                     asking(*program, programs.sandbox(), meshes, seconds, edited)};
 } catch (const std::exception&) {
     return std::nullopt;
+}
+
+/// The fragment with doubles in place of floats; none: it has none, or cannot be compiled so.
+std::optional<InDouble> in_double_of(Programs& programs, const std::string& fragment, const fs::path& meshes,
+                                     double& seconds, const std::shared_ptr<std::size_t>& width) {
+    const auto widened = textbook::in_double(programs.text(fragment));
+    const auto program = widened ? programs.with_text(fragment, widened->text, "in_double") : std::nullopt;
+    if (!program) return std::nullopt;
+    return InDouble{asking(*program, programs.sandbox(), meshes, seconds, answers_to(fragment, width, false)),
+                    widened->line};
 }
 
 }  // namespace
@@ -170,7 +185,8 @@ Finding find_cause(Programs& programs, const Toolchain& chain, const std::string
               right = asking(programs.with({}).program, sandbox, meshes, seconds, answers_to(fragment, width, true));
     Rows calls = telling_calls(fragment, checks, seed, *signature, mine, right);
     if (not_finite) add_not_finite(calls, calls_of(fragment, checks, seed, most_of_all), mine, right);
-    const auto source = [&] { return editable_of(programs, fragment, meshes, seconds); };
+    const Recompiled source{[&] { return editable_of(programs, fragment, meshes, seconds); },
+                            [&] { return in_double_of(programs, fragment, meshes, seconds, width); }};
     const Ask again = asking(own, sandbox, meshes, seconds, answers_to(fragment, width, false));
     Finding finding;
     if (!calls.empty() && keeps_something(calls, mine, again))

@@ -156,8 +156,9 @@ std::optional<fs::path> Programs::checked(const std::string& fragment) const {
     return compiled_again(with_sanitizers(chain_), fragment, text(fragment), "checked");
 }
 
-std::optional<fs::path> Programs::with_text(const std::string& fragment, const std::string& text) const {
-    return compiled_again(chain_, fragment, text, "editable");
+std::optional<fs::path> Programs::with_text(const std::string& fragment, const std::string& text,
+                                            const std::string& how) const {
+    return compiled_again(chain_, fragment, text, how);
 }
 
 std::optional<std::string> Programs::preprocessed(const std::string& fragment) const {

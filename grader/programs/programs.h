@@ -75,7 +75,10 @@ public:
     std::optional<fs::path> checked(const std::string& fragment) const;
 
     /// The program with this fragment compiled from another text. None: it does not compile.
-    std::optional<fs::path> with_text(const std::string& fragment, const std::string& text) const;
+    ///
+    /// how  names the text: one of another name stays as it is
+    std::optional<fs::path> with_text(const std::string& fragment, const std::string& text,
+                                      const std::string& how) const;
 
     /// The text of a fragment with its own macros put in. None: the preprocessor cannot.
     std::optional<std::string> preprocessed(const std::string& fragment) const;

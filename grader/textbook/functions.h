@@ -78,6 +78,11 @@ inline constexpr Function limit_functions[] = {
     {"1e9 * {}", 1.05, [](double x) { return 1e9 * x; }, ": values beyond it are promised"},
 };
 
+/// Of a constant just below 1.
+inline constexpr Function share_functions[] = {
+    {"1", 1.05, [](double) { return 1.0; }, ": values up to 1 are promised"},
+};
+
 /// Of both coordinates of a pair.
 inline constexpr Function pair_functions[] = {
     {"{}", 1.15, [](double x) { return x; }},

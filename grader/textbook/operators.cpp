@@ -49,7 +49,11 @@ std::vector<std::string> functions_for(const std::string& name) {
         {"max", {"min"}},          {"floor", {"ceil", "round"}},
         {"ceil", {"floor"}},       {"acos", {"asin", "cos"}},
         {"asin", {"acos", "sin"}}, {"log", {"exp", "log2", "log10"}},
-        {"exp", {"log"}},
+        {"exp", {"log"}},          {"log2", {"log"}},
+        {"log10", {"log"}},        {"exp2", {"exp"}},
+        {"round", {"floor"}},      {"trunc", {"floor"}},
+        {"atan", {"tan"}},         {"cbrt", {"sqrt"}},
+        {"fmin", {"fmax"}},        {"fmax", {"fmin"}},
     };
     constexpr std::string_view standard = "std::";
     const bool is_standard = name.starts_with(standard);

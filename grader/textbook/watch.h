@@ -26,6 +26,7 @@ enum class Made {
     number,
     tolerance,
     limit,
+    share,
     pair,
     exchanged,  // the numbers of a pair
     vector,

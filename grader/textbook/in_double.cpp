@@ -1,0 +1,54 @@
+#include "textbook/in_double.h"
+
+#include <set>
+#include <string_view>
+
+#include "textbook/tokens.h"
+
+namespace grade::textbook {
+
+namespace {
+
+/// "sqrt" of "sqrtf".
+bool is_function_of_float(std::string_view name) {
+    static const std::set<std::string_view> all{"sqrtf", "sinf",   "cosf",   "tanf",  "asinf",  "acosf",
+                                                "atanf", "atan2f", "expf",   "logf",  "powf",   "fabsf",
+                                                "fminf", "fmaxf",  "floorf", "ceilf", "roundf", "hypotf"};
+    constexpr std::string_view standard = "std::";
+    if (name.starts_with(standard)) name.remove_prefix(standard.size());
+    return all.contains(name);
+}
+
+/// "0.5" of "0.5f"; not 0xf.
+bool is_constant_of_float(const Token& token) {
+    const char last = token.text.back();
+    return token.kind == Token::Kind::number && (last == 'f' || last == 'F') && !token.text.starts_with("0x");
+}
+
+std::string widened(const Token& token) {
+    if (is_constant_of_float(token) || (token.kind == Token::Kind::name && is_function_of_float(token.text)))
+        return token.text.substr(0, token.text.size() - 1);
+    if (token.kind != Token::Kind::name) return token.text;
+    if (token.text == "float") return "double";
+    // in the namespace rt, vec3 has doubles
+    for (const std::string_view vector : {"vec2", "vec3"})
+        if (token.text == "glm::" + std::string(vector)) return "glm::d" + std::string(vector);
+    return token.text;
+}
+
+}  // namespace
+
+std::optional<Widened> in_double(const std::string& text) {
+    Widened all{"", 0};
+    std::size_t copied = 0;
+    for (const Token& token : tokens_of(text)) {
+        const std::string other = token.kind == Token::Kind::end ? token.text : widened(token);
+        if (other == token.text) continue;
+        all.text += text.substr(copied, token.from - copied) + other, copied = token.to;
+        if (all.line == 0) all.line = token.line;
+    }
+    all.text += text.substr(copied);
+    return all.line > 0 ? std::optional(all) : std::nullopt;
+}
+
+}  // namespace grade::textbook
