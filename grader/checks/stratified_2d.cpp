@@ -118,7 +118,7 @@ Check cells(const std::string& name, const std::vector<int>& numbers, double gre
                                  .says = "points fall outside the unit square, 0 <= x < 1"});
     inside.cause = rounded_up;
     Statistic area = about_cells(
-        numbers, "area of a cell, off 1/n by its share", 0.05,
+        numbers, "area of a cell, off 1/n by its share", 0.01,
         "a cell does not have the area 1/n: is u stretched over the cell, and is the number of columns a whole number, "
         "not an integer division?",
         [](const std::vector<CellBox>& all, std::size_t i) {

@@ -71,6 +71,7 @@ std::optional<Relation> FormSearch::two() {
             if (left_ == 0) return std::nullopt;
             if (!explain_all(all[a], all[b])) continue;
             Relation both{asked_.words_of(all[a]) + ", and " + asked_.words_of(all[b]), Relation::Kind::change};
+            both.of_two = true;
             both.cost = all[a].cost + all[b].cost, both.by_textbook = true;
             return both;
         }

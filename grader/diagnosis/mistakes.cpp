@@ -196,12 +196,15 @@ private:
         add_functions(i, scalar_functions, is_constant && !is_answer ? 0.4 : 0, Made::number);
         constexpr double small = 0.01, near_one = 0.9, large = 50;
         const double value = is_constant ? std::strtod(nodes_[i].text.c_str(), nullptr) : 1;
-        if (value > 0 && value <= small) add_functions(i, tolerance_functions, 0, Made::tolerance);
+        const bool is_tolerance = is_constant && value > 0 && value <= small;
+        if (is_tolerance) add_functions(i, tolerance_functions, 0, Made::tolerance);
         if (value >= large) add_functions(i, limit_functions, 0, Made::limit);
         if (is_constant && value >= near_one && value < 1) add_functions(i, share_functions, 0, Made::share);
-        for (const OtherValue& other : others_)
-            if (is_number(other.kind) && other.name != nodes_[i].name)
-                add_functions_of_two(i, other, of_two_scalars, Made::number_with);
+        for (const OtherValue& other : others_) {
+            if (!is_number(other.kind) || other.name == nodes_[i].name) continue;
+            add_functions_of_two(i, other, of_two_scalars, Made::number_with);
+            if (is_tolerance) add_functions_of_two(i, other, relative_tolerances, Made::tolerance_with);
+        }
     }
 
     void add_pair(std::size_t i) {

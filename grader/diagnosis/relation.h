@@ -29,6 +29,7 @@ struct Relation {
     double share = 1;              // of what is wrong that is explained
     // explained exactly by a change of arguments, of a textbook's expression; put right by one of the fragment's own
     bool by_arguments = false, by_textbook = false, by_repair = false;
+    bool of_two = false;                  // of two mistakes at once
     bool is_constant = false;             // a part of the answer is always the same, which says nothing of a cause
     bool only_where_not_nothing = false;  // it is looked for where the right answer is not 0 or inf alone
     bool others_remain = false;           // in which something else is wrong

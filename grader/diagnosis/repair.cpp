@@ -145,7 +145,8 @@ private:
             for (const std::size_t k : *some)
                 if (edits = right_in(edits, k); edits.empty()) return std::nullopt;
         const Edit& best = *std::ranges::min_element(edits, {}, &Edit::cost);
-        return Repair{words_of(best) + ", every answer is right", line_of(best)};
+        constexpr double simple = 1.6;
+        return Repair{words_of(best) + ", every answer is right", line_of(best), 1, best.cost() <= simple};
     }
 
     /// The one with which most of the wrong calls are right, and all others stay so.
@@ -230,12 +231,27 @@ std::optional<Repair> repair_of(const Calls& calls, const Editable& source, bool
     return calls.size() == 0 ? std::nullopt : Repairs(calls, source).run(only_one);
 }
 
+namespace {
+
+/// Whether all wrong answers are one: whatever gives that one explains them.
+bool are_one_answer(const Calls& calls) {
+    const Calls wrong = only_wrong(calls);
+    return std::ranges::all_of(wrong.mine,
+                               [&](const Row& row) { return is_equal(calls.result, row, wrong.mine.front()); });
+}
+
+}  // namespace
+
 void add_repair(std::optional<Relation>& relation, const Calls& calls, const std::optional<Editable>& source,
                 const std::string& known) {
     const bool is_cause = is_exact(relation) && !relation->is_constant;
     const auto repair = source ? repair_of(calls, *source, is_cause) : std::nullopt;
     if (!repair) return;
     const bool is_all = repair->share == 1;
+    const bool is_by_chance =
+        is_exact(relation) && relation->has_change() && !relation->calls.empty() && are_one_answer(calls);
+    const bool is_less_simple = is_exact(relation) && relation->of_two && repair->is_simple;
+    if (is_all && (is_by_chance || is_less_simple)) relation.reset();
     if (is_exact(relation)) {
         if (!is_all && is_cause) return;
         relation->by_repair = is_all;

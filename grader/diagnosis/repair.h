@@ -16,9 +16,10 @@ struct Editable {
 
 /// A change of one expression, or of two, after which the fragment gives the right answers.
 struct Repair {
-    std::string words;  // "with `a * b` in place of `a + b` in line 12, every answer is right"
-    int line = 0;       // of the first change
-    double share = 1;   // of the wrong calls that it puts right
+    std::string words;       // "with `a * b` in place of `a + b` in line 12, every answer is right"
+    int line = 0;            // of the first change
+    double share = 1;        // of the wrong calls that it puts right
+    bool is_simple = false;  // of one expression, and simpler than two mistakes that explain as much
 };
 
 /// The simplest one; none: there is none. It breaks no right answer.

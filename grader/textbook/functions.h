@@ -66,11 +66,25 @@ inline constexpr Function scalar_functions[] = {
     {"pow({}, 4)", 2, [](double x) { return x * x * x * x; }},
 };
 
+struct TwoScalars {
+    const char* words;
+    double cost;
+    double (*value)(double, double);
+};
+
 /// Of a small or a large constant, such as a tolerance or a limit.
 inline constexpr Function tolerance_functions[] = {
     {"{} / 1e3", 1.05, [](double x) { return x / 1e3; }, ": a tolerance must be small beside what is compared"},
+    {"{} / 1e4", 1.05, [](double x) { return x / 1e4; }, ": a tolerance must be small beside what is compared"},
     {"{} / 1e6", 1.05, [](double x) { return x / 1e6; }, ": a tolerance must be small beside what is compared"},
+    {"{} / 1e8", 1.05, [](double x) { return x / 1e8; }, ": a tolerance must be small beside what is compared"},
     {"{} / 1e9", 1.05, [](double x) { return x / 1e9; }, ": a tolerance must be small beside what is compared"},
+    {"10 * {}", 1.15, [](double x) { return 10 * x; }},
+    {"100 * {}", 1.15, [](double x) { return 100 * x; }},
+    {"1e3 * {}", 1.15, [](double x) { return 1e3 * x; }},
+};
+inline constexpr TwoScalars relative_tolerances[] = {
+    {"1e-9 * {1}", 1.1, [](double, double y) { return 1e-9 * std::abs(y); }},
 };
 inline constexpr Function limit_functions[] = {
     {"1e3 * {}", 1.05, [](double x) { return 1e3 * x; }, ": values beyond it are promised"},
@@ -99,12 +113,6 @@ inline constexpr Function pair_functions[] = {
     {"floor({}) + 0.5", 1.6, [](double x) { return std::floor(x) + 0.5; }},
     {"(0.5, 0.5)", 1.5, [](double) { return 0.5; }},
     {"(0, 0)", 1.5, [](double) { return 0.0; }},
-};
-
-struct TwoScalars {
-    const char* words;
-    double cost;
-    double (*value)(double, double);
 };
 
 inline constexpr TwoScalars of_two_scalars[] = {

@@ -65,6 +65,9 @@ void make(const Mistake& mistake, Value::Kind kind, double* x) {
         case Made::tolerance:
             *x = tolerance_functions[f].value(*x);
             return;
+        case Made::tolerance_with:
+            *x = relative_tolerances[f].value(*x, *other_of(mistake));
+            return;
         case Made::share:
             *x = share_functions[f].value(*x);
             return;

@@ -25,6 +25,7 @@ enum class Made {
     opposite,
     number,
     tolerance,
+    tolerance_with,
     limit,
     share,
     pair,
