@@ -1,4 +1,5 @@
 
+#include "diagnosis/calls_made.h"
 #include "diagnosis/repair.h"
 #include "explained.h"
 #include "textbook/edits.h"
@@ -135,10 +136,11 @@ namespace {
 /// A free flight as a student may write it, with its expressions as a build puts them: `sign * log(1 - u) / down`,
 /// where `down` must be the extinction.
 struct Flight {
-    double sign = -1, power = 1, more = 0;
+    double sign = -1, power = 1, more = 0, from = 1;  // 0: by u itself, which is as good
 
     double operator()(double extinction, double u) const {
-        const double left = textbook::at(1, textbook::binary<std::minus<>, std::plus<>>(1, 1.0, textbook::at(0, u)));
+        const double rest = textbook::binary<std::minus<>, std::plus<>>(1, from, textbook::at(0, u));
+        const double left = textbook::at(1, std::abs(rest));
         const double log = textbook::at(2, sign * std::log(left));
         const double down = textbook::at(3, std::pow(extinction, power) + more * std::sin(u));
         return textbook::at(4, textbook::binary<textbook::Quotient, std::multiplies<>>(4, log, down));
@@ -202,6 +204,22 @@ TEST_CASE("what must stand in a student's own expression is told, with its line"
     CHECK_THAT(sign.how, ContainsSubstring("sign"));
     CHECK_THAT(sign.how, ContainsSubstring("line "));
     CHECK(found(Flight{}).how.empty());
+}
+
+TEST_CASE("what must stand where samples lie elsewhere than the solution's") {
+    const Rows rows = calls([](Generator& random) { return row(between(random, 0.5, 3), between(random, 0.1, 0.9)); });
+    const auto repair = [&](const Flight& flight) {
+        const Calls all = compared(declared("free_flight"), rows, flight.ask(), answers("free_flight"));
+        Calls told = all;
+        told.told.assign(all.layouts.front().parts.size(), true);
+        const auto found = repair_of_spread(told, flight.editable(), answers("free_flight"));
+        return found ? found->words : "";
+    };
+    CHECK_THAT(repair({-1, 2, 0, 0}), ContainsSubstring("in place of `down` in line 5") &&
+                                          ContainsSubstring("the samples are spread as they must be"));
+    CHECK(repair({-1, 1, 0, 0}).empty());      // right, elsewhere
+    CHECK(repair({-1, 1, 0.3, 0}) != "");      // `extinction`
+    CHECK(repair({-1, 1.5, 0.3, 7}).empty());  // no change of one expression
 }
 
 TEST_CASE("a program that gives no answers, or too few, is no repair") {

@@ -63,6 +63,8 @@ bool are_near(const Calls& all) {
     return true;
 }
 
+constexpr std::size_t most_of_spread = 4000;  // of the solution's answers
+
 /// An explanation of one fragment, as it is made.
 class Explanation {
 public:
@@ -125,8 +127,8 @@ private:
         if (right_otherwise) return false;
         if (source.editable) {
             const std::string unused = sampled_ ? unused_numbers(all_, depends_) : "";
-            add_repair(relation_, many_calls_, source.editable(),
-                       unused.empty() ? independence(all_, depends_) : unused);
+            editable_ = source.editable();
+            add_repair(relation_, many_calls_, editable_, unused.empty() ? independence(all_, depends_) : unused);
         }
         finding_.sampled = sampled_;
         if (is_exact(relation_)) {
@@ -144,6 +146,7 @@ private:
 
     /// How wrong answers come about, where they are not nearly right.
     void tell_how() {
+        if (tell_repair_of_spread()) return;
         constexpr double most = 0.9;
         const bool is_nothing = !relation_ || relation_->explains == Relation::Explains::nothing;
         if (finding_.how.empty() && !is_exact(relation_)) finding_.how = in_single_precision(all_);
@@ -156,6 +159,18 @@ private:
         if (finding_.how.empty() && is_nothing) finding_.how = independence(all_, depends_);
         if (finding_.how.empty() && relation_) tell(how_of(*relation_));
         if (finding_.how.empty()) finding_.how = wrong_answers(all_);
+    }
+
+    /// Of samples that lie elsewhere than the solution's, what must stand in the source: no call says it.
+    bool tell_repair_of_spread() {
+        const bool is_known = !finding_.how.empty() || is_exact(relation_) || (relation_ && relation_->by_repair);
+        if (!sampled_ || is_known || !editable_) return false;
+        std::size_t left = most_of_spread;
+        const auto repair = repair_of_spread(all_, *editable_, limited(ask_right_, left));
+        if (!repair) return false;
+        finding_.how = broken_ ? broken_->words + "; " + repair->words : repair->words;
+        finding_.of_numbers = repair->words, finding_.by_repair = true;
+        return true;
     }
 
     /// Where a relation explains a part of the answer alone: what in most of these calls no right answer has.
@@ -263,6 +278,7 @@ private:
     std::vector<Dependence> depends_;
     std::optional<Relation> relation_;
     std::optional<Broken> broken_;
+    std::optional<Editable> editable_;
     Finding finding_;
     bool is_elsewhere_ = false;
 };

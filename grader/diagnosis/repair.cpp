@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/expressions.h"
-#include "diagnosis/mistakes.h"
+#include "diagnosis/edits_in_words.h"
+#include "diagnosis/integrals.h"
 #include "diagnosis/quantities.h"
 #include "diagnosis/surest.h"
 
@@ -21,14 +21,6 @@ constexpr std::size_t most_at_once = 2'000;                  // rows in one fram
 constexpr std::size_t most_rows = 400'000;                   // in all
 constexpr double least_share = 0.5;                          // of the wrong calls
 constexpr double dearest_alone = 1.5, dearest_of_two = 1.3;  // of one that puts most right; of each of two
-
-/// One change, or two.
-struct Edit {
-    const Mistake* first = nullptr;
-    const Mistake* second = nullptr;
-
-    double cost() const { return first->cost + (second ? second->cost : 0); }
-};
 
 class Repairs {
 public:
@@ -49,7 +41,52 @@ public:
         return of_most(one);
     }
 
+    /// See repair_of_spread.
+    std::optional<Repair> of_spread(const Ask& right) {
+        const auto rough = Integrals::of(calls_, right, 1, 6, 0.15), fine = Integrals::of(calls_, right, 4, 20, 0.04);
+        if (!rough || !fine || !see()) return std::nullopt;
+        if (const auto as_it_is = answers({Edit{}}, fine->rows()); as_it_is.empty() || fine->are_right(as_it_is[0]))
+            return std::nullopt;
+        const std::vector<Mistake> changes = mistakes_in(all_, arguments_, told_);  // the simplest first
+        const std::size_t at_once = most_at_once / rough->rows().size() + 1;
+        for (std::size_t from = 0; from < changes.size() && asked_ < most_rows; from += at_once) {
+            std::vector<Edit> edits;
+            for (std::size_t i = from; i < std::min(changes.size(), from + at_once); ++i)
+                edits.push_back({&changes[i]});
+            const std::vector<Rows> all = answers(edits, rough->rows());
+            for (std::size_t i = 0; i < all.size(); ++i) {
+                if (!rough->are_right(all[i])) continue;
+                const auto again = answers({edits[i]}, fine->rows());
+                if (!again.empty() && fine->are_right(again[0]))
+                    return Repair{in_words(all_, edits[i]) + ", the samples are spread as they must be",
+                                  line_of(all_, edits[i])};
+            }
+        }
+        return std::nullopt;
+    }
+
 private:
+    /// Of each edit, to all of these calls; empty: the program has ended.
+    std::vector<Rows> answers(const std::vector<Edit>& edits, const Rows& calls) {
+        Rows rows;
+        for (const Edit& edit : edits)
+            for (const Row& row : calls) {
+                textbook::EditedCall one{source_.nodes.size(), false, {}, row};
+                for (const Quantity& quantity : quantities_)
+                    one.more.push_back(quantity.value(row, calls_.layouts.front(), {}));
+                rows.push_back(textbook::row_of(one, edit.first ? &edit.first->made : nullptr, nullptr));
+            }
+        asked_ += rows.size();
+        const Rows all = source_.ask(rows);
+        std::vector<Rows> of_each;
+        if (all.size() != rows.size()) return of_each;
+        for (std::size_t i = 0; i < edits.size(); ++i) {
+            const auto first = all.begin() + std::ptrdiff_t(i * calls.size());
+            of_each.emplace_back(first, first + std::ptrdiff_t(calls.size()));
+        }
+        return of_each;
+    }
+
     static std::vector<std::size_t> spread(const std::vector<std::size_t>& all) {
         std::vector<std::size_t> some;
         const std::size_t count = std::min(all.size(), most_of_each);
@@ -146,7 +183,7 @@ private:
                 if (edits = right_in(edits, k); edits.empty()) return std::nullopt;
         const Edit& best = *std::ranges::min_element(edits, {}, &Edit::cost);
         constexpr double simple = 1.6;
-        return Repair{words_of(best) + ", every answer is right", line_of(best), 1, best.cost() <= simple};
+        return Repair{in_words(all_, best) + ", every answer is right", line_of(all_, best), 1, best.cost() <= simple};
     }
 
     /// The one with which most of the wrong calls are right, and all others stay so.
@@ -168,9 +205,9 @@ private:
         constexpr double nearly_all = 0.99;  // at most: some call stays wrong
         const double share = some.empty() ? 0 : std::min(double(put_right[best]) / double(wrong_.size()), nearly_all);
         if (share < least_share) return std::nullopt;
-        return Repair{fmt::format("{}, {:.0f} % of the wrong answers are right", words_of(some[best]),
+        return Repair{fmt::format("{}, {:.0f} % of the wrong answers are right", in_words(all_, some[best]),
                                   std::floor(100 * share + 1e-9)),
-                      line_of(some[best]), share};
+                      line_of(all_, some[best]), share};
     }
 
     /// Pairs of simple ones at different places.
@@ -187,34 +224,6 @@ private:
         return pairs;
     }
 
-    int line_of(const Edit& edit) const { return all_.node(edit.first->made.nodes.front()).line; }
-
-    std::string words_of(const Edit& edit) const {
-        std::string words = words_of(*edit.first);
-        return "with " + words + (edit.second ? ", and " + words_of(*edit.second) : "");
-    }
-
-    std::string words_of(const Mistake& change) const {
-        const textbook::Node& node = all_.node(change.made.nodes.front());
-        const bool is_everywhere = change.made.nodes.size() > 1;
-        const std::string words = in_place(shown(changed_in_words(all_, change)), shown(written_in_words(all_, change)),
-                                           is_everywhere ? "" : which_in_words(all_, change));
-        if (is_everywhere) return words + " everywhere";
-        const std::string where = fmt::format("{} in line {}", words, node.line);
-        return node.context == node.text || node.context.size() > longest
-                   ? where
-                   : fmt::format("{}, `{}`", where, shown(node.context));
-    }
-
-    /// A student's text, as it can be printed.
-    static std::string shown(std::string text) {
-        std::ranges::replace_if(
-            text, [](unsigned char c) { return c < ' ' || c > '~' || c == '`'; }, '?');
-        return text.size() > longest ? text.substr(0, longest) + "..." : text;
-    }
-
-    static constexpr std::size_t longest = 100;  // text that is repeated
-
     const Calls& calls_;
     const Editable& source_;
     std::vector<std::size_t> wrong_, right_, others_;  // calls: some of either kind, and the rest of both
@@ -229,6 +238,10 @@ private:
 
 std::optional<Repair> repair_of(const Calls& calls, const Editable& source, bool only_one) {
     return calls.size() == 0 ? std::nullopt : Repairs(calls, source).run(only_one);
+}
+
+std::optional<Repair> repair_of_spread(const Calls& calls, const Editable& source, const Ask& right) {
+    return calls.size() == 0 ? std::nullopt : Repairs(calls, source).of_spread(right);
 }
 
 namespace {

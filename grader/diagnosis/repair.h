@@ -27,6 +27,10 @@ struct Repair {
 /// only_one  of one expression, after which every answer is right
 std::optional<Repair> repair_of(const Calls& calls, const Editable& source, bool only_one);
 
+/// The simplest change of one expression after which samples are spread as they must be, wherever each of them lies;
+/// none: there is none, or they are so.
+std::optional<Repair> repair_of_spread(const Calls& calls, const Editable& source, const Ask& right);
+
 /// Where in the fragment's own source the mistake is, and where no relation says all, what it is.
 ///
 /// known  what else is known then

@@ -1,0 +1,114 @@
+#include "diagnosis/integrals.h"
+
+#include <algorithm>
+
+namespace grade {
+
+namespace {
+
+/// The places of u in a row; empty: there is none. Numbers of the sample among n are drawn with it.
+std::vector<std::size_t> numbers_of(const Layout& arguments) {
+    std::vector<std::size_t> places;
+    for (const Field& part : arguments.parts)
+        if (part.name == "u")
+            for (std::size_t c = 0; c < size_of(part.kind); ++c) places.push_back(part.at + c);
+    return places;
+}
+
+/// Where the number of the sample, or that of all samples, stands; none: there is no such argument.
+std::optional<std::size_t> place_of(const Layout& arguments, std::string_view name) {
+    const auto part = std::ranges::find(arguments.parts, name, &Field::name);
+    return part == arguments.parts.end() ? std::nullopt : std::optional(part->at);
+}
+
+/// The call with numbers of a grid; of samples in cells, with each sample.
+Rows over_grid(const Row& call, const std::vector<std::size_t>& u, std::optional<std::size_t> sample, int samples,
+               std::size_t side) {
+    Rows rows;
+    const std::size_t count = u.size() == 1 ? side * side : side;
+    const auto middle = [&](std::size_t i) { return (double(i) + 0.5) / double(count); };
+    for (int one = 0; one < samples; ++one)
+        for (std::size_t i = 0; i < side * side; ++i) {
+            rows.push_back(call);
+            if (sample) rows.back()[*sample] = one;
+            rows.back()[u[0]] = middle(i % count);
+            if (u.size() > 1) rows.back()[u[1]] = middle(i / count);
+        }
+    return rows;
+}
+
+}  // namespace
+
+std::optional<Integrals> Integrals::of(const Calls& calls, const Ask& right, std::size_t bases, std::size_t side,
+                                       double close) {
+    Integrals all;
+    all.result_ = calls.result, all.close_ = close;
+    const std::vector<std::size_t> u = numbers_of(calls.layouts.front());
+    const auto sample = place_of(calls.layouts.front(), "i");
+    const auto count = sample ? place_of(calls.layouts.front(), "n") : std::nullopt;
+    if (u.empty() || u.size() > 2 || (sample && !count)) return std::nullopt;
+    for (std::size_t base = 0; base < bases; ++base) {
+        Row call = calls.rows[base * calls.size() / bases];
+        constexpr int few = 5;  // cells, of which columns hold different numbers
+        if (count) call[*count] = few;
+        const Rows rows =
+            over_grid(call, u, sample, sample ? few : 1, sample ? std::max<std::size_t>(side / 2, 2) : side);
+        all.each_ = rows.size();
+        all.rows_.insert(all.rows_.end(), rows.begin(), rows.end());
+    }
+    const Rows due = right(all.rows_);
+    if (due.empty() || due.size() != all.rows_.size()) return std::nullopt;
+    all.width_ = due.front().size();
+    const bool in_several_ways =
+        std::ranges::any_of(calls.layouts.front().parts, [](const Field& part) { return part.kind == Kind::choice; });
+    for (const Field& part : all.result_.parts)
+        for (std::size_t c = 0; c < size_of(part.kind); ++c) {
+            const std::size_t at = part.at + c;
+            const bool is_number = std::ranges::all_of(due, [&](const Row& row) { return std::isfinite(row[at]); });
+            const bool is_density = part.name == "density";
+            if (is_density ? in_several_ways : is_measure(part))
+                all.measures_.push_back(at), all.is_density_ = is_density;
+            else if (is_number)
+                all.places_.push_back(at);
+        }
+    for (std::size_t base = 0; base < bases; ++base) all.due_.push_back(all.moments(due, base));
+    return all;
+}
+
+std::vector<Integrals::Moment> Integrals::moments(const Rows& answers, std::size_t base) const {
+    std::vector<Moment> all;
+    std::size_t next = 0;
+    const auto add = [&](double x) {
+        if (next == all.size()) all.emplace_back();
+        all[next].mean += x / double(each_), all[next].square += x * x / double(each_), ++next;
+    };
+    for (std::size_t k = base * each_; k < (base + 1) * each_; ++k) {
+        const Row& row = answers[k];
+        const auto measure = [&](std::size_t at) { return is_density_ ? (row[at] > 0 ? 1 / row[at] : 0) : row[at]; };
+        next = 0;
+        for (const std::size_t at : measures_) add(measure(at));
+        const double share = measures_.empty() ? 1 : measure(measures_.front());
+        for (std::size_t i = 0; i < places_.size(); ++i) {
+            const double x = share == 0 ? 0 : share * row[places_[i]];  // a sample that does not count may be anywhere
+            add(x);
+            for (std::size_t j = 0; j <= i; ++j) add(x == 0 ? 0 : x * row[places_[j]]);
+        }
+    }
+    return all;
+}
+
+bool Integrals::are_right(const Rows& answers) const {
+    if (answers.size() != rows_.size()) return false;
+    for (const Row& row : answers)
+        if (row.size() != width_) return false;
+    for (std::size_t base = 0; base < due_.size(); ++base) {
+        const std::vector<Moment> all = moments(answers, base);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const double scale = std::sqrt(due_[base][i].square) + 1e-9;
+            if (!(std::abs(all[i].mean - due_[base][i].mean) <= close_ * scale)) return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace grade

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+
+#include "diagnosis/calls.h"
+
+namespace grade {
+
+/// What the samples of some calls integrate over all random numbers u: their measure, where they are, and where they
+/// are squared. Samples that are right integrate what the solution's do, wherever each of them lies.
+///
+/// The measure is the weight, or 1 / density of a lamp, which may be sampled in several ways, or 1; else a density is
+/// one more coordinate. The random numbers are a grid.
+class Integrals {
+public:
+    /// Of a fragment with random numbers; none: it has none, or what the solution integrates is no number.
+    ///
+    /// calls  whose arguments are taken, `bases` of them
+    /// side   of the grid
+    /// close  how far off an integral may be, as a share of the integrand's root mean square
+    static std::optional<Integrals> of(const Calls& calls, const Ask& right, std::size_t bases, std::size_t side,
+                                       double close);
+
+    const Rows& rows() const { return rows_; }
+    /// Whether these are right: an answer for each row.
+    bool are_right(const Rows& answers) const;
+
+private:
+    struct Moment {
+        double mean = 0, square = 0;
+    };
+    std::vector<Moment> moments(const Rows& answers, std::size_t base) const;
+
+    Layout result_;
+    Rows rows_;
+    std::size_t each_ = 0, width_ = 0;  // rows of a base; numbers of an answer
+    double close_ = 0;
+    std::vector<std::size_t> places_, measures_;  // numbers of an answer
+    bool is_density_ = false;
+    std::vector<std::vector<Moment>> due_;  // of each base
+};
+
+}  // namespace grade
