@@ -44,6 +44,31 @@ TEST_CASE("of a lamp of one kind, the others' fields are not told") {
     CHECK(quarter.how.find("disc") == quarter.how.npos);
 }
 
+TEST_CASE("what is wrong with each vector of a shape alike is told of the first, and the others are named") {
+    // a quad with half of both edges, as in the example
+    const Ask half_edges = answers("light_sample", [](Row& in) {
+        RowReader reader(in);
+        auto lamp = read(reader, Tag<rt::Emitter>{});
+        lamp.quad.u *= 0.5, lamp.quad.v *= 0.5;
+        const Row changed = row(lamp);
+        std::ranges::copy(changed, in.begin());
+    });
+    CHECK_THAT(found("light_sample", lamps(), half_edges).how,
+               ContainsSubstring("as if it had `light.quad.u / 2` in place of `light.quad.u`, and the same for "
+                                 "`light.quad.v`"));
+    const Ask mirrored = answers("hit_triangle", [](Row& in) {
+        for (std::size_t at = 0; at < 9; ++at) in[at] *= -1;
+    });
+    const Rows aimed = calls([](Generator& random) {
+        const rt::vec3 a = box(random, -2, 2), b = box(random, -2, 2), c = box(random, -2, 2);
+        const rt::vec3 from = box(random, -4, 4), at = (chance(random, 0.5) ? 1.0 : -1.0) * (a + b + c) / 3.0;
+        return row(rt::Triangle{a, b, c}, rt::Ray{from, at - from, 0, rt::inf});
+    });
+    CHECK_THAT(found("hit_triangle", aimed, mirrored).how,
+               ContainsSubstring("`-triangle.a` in place of `triangle.a`, and the same for `triangle.b` and "
+                                 "`triangle.c`"));
+}
+
 TEST_CASE("a change that spoils right calls is no cause") {
     const Rows cells = calls([](Generator& random) {
         const int n = std::array{4, 5, 9, 11}[std::size_t(whole_between(random, 0, 3))];

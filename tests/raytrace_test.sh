@@ -10,6 +10,9 @@ failed() { echo "FAILED: $*"; failures=$((failures + 1)); }
 
 small=(--size 32x24 --samples 4)
 expect 0 "32 x 24 pixels, 4 samples a pixel" raytrace $scene -o "$work/a.exr" "${small[@]}"
+expect 0 "1200 camera" raytrace scenes/camera.toml -o "$work/a.exr" --size 40x15 --samples 1
+expect 0 "; 600 pixels are rendered twice" raytrace scenes/camera.toml -o "$work/a.exr" --size 40x15 --samples 1
+expect 0 "3600 camera; 600 pixels are rendered twice" raytrace scenes/camera.toml -o "$work/a.exr" --size 40x30 --samples 2
 expect 0 "3 x 2 pixels" raytrace $scene -o "$work/crop.exr" "${small[@]}" --crop 5,6,3,2
 expect 0 "camera" raytrace $scene --plan
 expect 0 "hit_sphere " raytrace $scene --pixel 128,128

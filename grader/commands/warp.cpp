@@ -13,14 +13,15 @@ namespace grade {
 
 namespace {
 
-constexpr int count = 4000, side = 240;
+constexpr int count = 3000, side = 480, wide = 2;  // as scenes/render_pictures and tests/variants/pictures.toml have it
 
-/// White on black, y up.
+/// White on black, y up, two pixels wide.
 rt::Image dots(const Rows& answers) {
     rt::Image image(side, side);
     for (const Row& answer : answers) {
-        const rt::vec2 at = (rt::vec2(answer[0], -answer[1]) + 1.1) / 2.2 * double(side);
-        if (at.x >= 0 && at.y >= 0 && at.x < side && at.y < side) image.at(int(at.x), int(at.y)) = rt::Color(1);
+        const rt::vec2 at = (rt::vec2(answer[0], -answer[1]) + 1.1) / 2.2 * double(side) - double(wide / 2);
+        if (!(at.x >= 0 && at.y >= 0 && at.x < side - wide && at.y < side - wide)) continue;
+        for (int k = 0; k < wide * wide; ++k) image.at(int(at.x) + k % wide, int(at.y) + k / wide) = rt::Color(1);
     }
     return image;
 }
@@ -64,7 +65,7 @@ int draw_warp(const std::string& fragment, const Rows& calls, Programs& programs
     }
     const Rows &a = std::get<Rows>(own), &b = std::get<Rows>(right);
     rt::write_png(out.string(), side_by_side({dots(a), dots(b)}), 1);
-    fmt::print("{}: {} random u in the square from -1 to 1, seen from above: yours, the right ones\n", out.string(),
+    fmt::print("{}: {} random u in the square from -1.1 to 1.1, seen from above: yours, the right ones\n", out.string(),
                count);
     return 0;
 }

@@ -17,15 +17,18 @@ void Changes::add_joint() {
         // a place is no direction
         std::erase_if(group, [&](std::size_t i) { return name(i).ends_with("center") || name(i).ends_with("eye"); });
         if (group.size() < 2) continue;
-        std::string names;
-        for (const std::size_t i : group) names += (names.empty() ? "`" : ", `") + name(i) + "`";
+        const std::string first = name(group.front());
+        std::string names = "`" + first + "`", same = ", and the same for ";
+        for (std::size_t k = 1; k < group.size(); ++k) {
+            names += ", `" + name(group[k]) + "`";
+            same += (k == 1 ? "`" : k + 1 == group.size() ? " and `" : ", `") + name(group[k]) + "`";
+        }
         for (const VectorFunction& f : vector_functions) {
             if (f.cost > 1.3) continue;
-            add(fmt::format("{} in place of each of {}", filled(f.words, "itself"), names), f.cost + 0.3,
-                [group, f](Row& row, const Layout& l) {
-                    for (const std::size_t i : group) put(row, l.parts[i].at, f.value(vector_at(row, l.parts[i].at)));
-                    return true;
-                });
+            add(in_place(filled(f.words, first), first) + same, f.cost + 0.3, [group, f](Row& row, const Layout& l) {
+                for (const std::size_t i : group) put(row, l.parts[i].at, f.value(vector_at(row, l.parts[i].at)));
+                return true;
+            });
             all_.back().replaced = names;
         }
         if (group.size() < 3) continue;

@@ -23,12 +23,20 @@ std::string in_a_line(const FragmentRecord& fragment) {
     return fault.empty() || first == fault ? first : first + "; " + fault;
 }
 
+/// What is said of a fragment of which nothing is wrong.
+std::string all_pass(const FragmentRecord& fragment) {
+    const std::size_t checks = fragment.checks.size();
+    return fmt::format("<p class=\"soft\">{}: nothing is wrong.</p>\n",
+                       checks == 1 ? "Its check passes" : fmt::format("All of its {} checks pass", checks));
+}
+
 std::string fragment_section(const FragmentRecord& fragment, const std::string& handout) {
     std::string text = fmt::format(
         "<section class=\"card{4}\" id=\"{0}\"><div class=\"head\"><h3>{0}</h3>{1}<span class=\"points\"><b>{2:g}</b> "
         "of {3:g}</span></div>\n",
         html(fragment.name), badge(fragment.verdict), fragment.points, fragment.max_points,
         fragment.verdict == Verdict::passed ? " is_passed" : "");
+    if (fragment.verdict == Verdict::passed) text += all_pass(fragment);
     Told told;
     const auto tell = [&](const std::string& words) {
         std::istringstream lines(words);

@@ -141,6 +141,7 @@ Rendering render(const Scene& scene, const RenderSettings& settings) {
     });
     result.stopped = settings.stop && settings.stop();
     result.rays = passes.rays;
+    result.twice = passes.control().size();
     result.bad_sample = passes.bad_sample;
     result.wall_seconds = seconds_since(start);
     result.cpu_seconds = cpu_seconds() - cpu_start;

@@ -48,6 +48,7 @@ struct Rendering {
     RayCounts rays{};
     Real wall_seconds = 0, cpu_seconds = 0;              // of rendering alone
     Real rmse = std::numeric_limits<Real>::quiet_NaN();  // estimated from pixels that are rendered twice; nan: unknown
+    std::size_t twice = 0;                               // so many of them
     std::optional<BadSample> bad_sample;                 // the first there was
 };
 

@@ -34,6 +34,7 @@ std::string report(const std::string& name, const RenderSettings& settings, cons
         if (r.rays[i] > 0) text += fmt::format("{}{} {}", comma, in_words(r.rays[i]), ray_kind_names[i]);
         if (r.rays[i] > 0) comma = ", ";
     }
+    if (known) text += fmt::format("; {} pixels are rendered twice, to estimate the error", r.twice);
     const auto samples = double(r.rays[std::size_t(RayKind::camera)]);
     text += fmt::format("\nspeed    {:.3g} M samples per CPU second\n", 1e-6 * samples / std::max(r.cpu_seconds, 1e-9));
     text += fmt::format("hash     {:016x}\n", hash_of(r.image));
