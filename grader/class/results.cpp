@@ -45,14 +45,14 @@ std::string counted(std::size_t submissions) {
     return fmt::format("{} submission{}", submissions, submissions == 1 ? "" : "s");
 }
 
-std::string key_of(const Submission& submission, const Assignment& assignment, const Setup& setup) {
+std::string key_of(const Submission& submission, const Assignment& assignment, const GradingSettings& settings) {
     std::string text = hash_of(submission.texts, assignment);
     // what could not be taken is told in the record
     for (const auto& [fragment, complaint] : submission.complaints)
         text += fmt::format("\n{}: {}", fragment, complaint);
-    const Provenance& made = setup.provenance;
-    text += fmt::format("\n{}\n{}\n{}\n{} {}\n{}", made.assignment, made.program, made.reference, setup.seed,
-                        setup.time_limit, submission.folder);
+    const Provenance& made = settings.provenance;
+    text += fmt::format("\n{}\n{}\n{}\n{} {}\n{}", made.assignment, made.program, made.reference, settings.seed,
+                        settings.time_limit, submission.folder);
     return sha256(text);
 }
 
