@@ -48,7 +48,7 @@ Record grade_as(const Record& before, const AgainArguments& arguments, const Con
     settings.seed = before.seed, settings.time_limit = before.limits.time;
     settings.provenance = find_provenance(chain), settings.command = context.command;
     ProgressLine line;
-    settings.progress = [&](int done, int all, const std::string& doing) { line.show(done, all, doing); };
+    settings.progress = line.listener();
     Record after = grade_submission(submission, assignment, chain, ready(all_checks(before.seed)), settings);
     after.notes = submission.notes;
     return after;
