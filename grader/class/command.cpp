@@ -11,6 +11,7 @@
 #include "class/grading.h"
 #include "class/report.h"
 #include "class/results.h"
+#include "convert/read_record.h"
 #include "files/files.h"
 #include "files/interrupt.h"
 #include "judging/provenance.h"
@@ -105,7 +106,7 @@ int run_merge(const MergeArguments& arguments) {
             if (result.record) {
                 if (title.empty()) title = result.record->title;
                 for (const auto file : {record_file, pictures_file})
-                    if (const auto text = read_text(file(part, result.key), 256u << 20))
+                    if (const auto text = read_text(file(part, result.key), most_record_bytes))
                         write_text(file(out, result.key), *text);
             }
             if (seen.insert(result.path).second) results.push_back(std::move(result));

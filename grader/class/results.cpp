@@ -67,7 +67,7 @@ void write_pictures(const fs::path& out, const std::string& key, const Record& r
 namespace {
 
 void add_pictures(const fs::path& file, Record& record) {
-    const auto text = read_text(file, 256u << 20);
+    const auto text = read_text(file, most_record_bytes);
     const Json parts = text ? Json::parse(*text, nullptr, false) : Json();
     if (!parts.is_object()) return;
     for (FragmentRecord& fragment : record.fragments)
@@ -107,7 +107,7 @@ std::optional<Record> find_record(const fs::path& out, const Result& result) {
 
 std::vector<Result> read_list(const fs::path& out) {
     const fs::path file = out / "class.json";
-    const auto text = read_text(file, 256u << 20);
+    const auto text = read_text(file, most_record_bytes);
     const Json json = text ? Json::parse(*text, nullptr, false) : Json();
     if (!json.is_object() || json.value("schema", "") != list_schema)
         throw rt::InputError(
