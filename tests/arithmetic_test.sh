@@ -49,5 +49,4 @@ if grep -q '\bsse\b' /proc/cpuinfo; then
     expect 0 "passed" "$grade" "$work/mine" mirror_direction --seed 1
 fi
 
-[ $failures = 0 ] && echo "all as expected"
-exit $((failures > 0))
+end

@@ -13,7 +13,6 @@
 #include "catch.h"
 #include "files/files.h"
 #include "report/plot.h"
-#include "rt/files/scene_reader.h"
 
 using namespace grade;
 using namespace grade::calibration;

@@ -1,6 +1,5 @@
 #include <regex>
 
-#include "diagnosis/diagnosis.h"
 #include "explained.h"
 
 using namespace grade;

@@ -4,14 +4,12 @@
     tests/example_test.py GRADE
 """
 
-import pathlib
 import re
 import sys
-import tempfile
 
-from helpers import end, expect, record_at, run
+from helpers import ROOT, end, expect, record_of
 
-example = pathlib.Path(__file__).resolve().parent / "example"
+example = ROOT / "tests/example"
 verdicts = ["passed", "failed", "not started", "did not build", "crashed", "timed out", "not finite"]
 
 
@@ -28,11 +26,7 @@ def table():
 
 
 def main():
-    with tempfile.TemporaryDirectory() as work:
-        file = pathlib.Path(work) / "record.json"
-        run([sys.argv[1], example, "--seed", "1", "--json", file])
-        record = record_at(file)
-
+    record = record_of([sys.argv[1], example, "--seed", "1"])
     expected = table()
     for fragment in record["fragments"]:
         verdict = expected.get(fragment["name"], "passed")

@@ -16,3 +16,9 @@ expect() {
         failures=$((failures + 1))
     fi
 }
+
+# end: of the test, by what has been counted
+end() {
+    [ $failures = 0 ] && echo "all as expected"
+    exit $((failures > 0))
+}

@@ -137,5 +137,4 @@ if [ "${2-}" = --build ]; then
     expect 0 "hash" "$whole/build/release/raytrace" scenes/phong.toml --size 8x8 -o "$work/a.exr"
 fi
 
-[ $failures = 0 ] && echo "all as expected"
-exit $((failures > 0))
+end

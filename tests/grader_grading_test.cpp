@@ -7,7 +7,6 @@
 #include "judging/grading.h"
 #include "protocol/rows.h"
 #include "report/json.h"
-#include "rt/files/scene_reader.h"
 
 using namespace grade;
 

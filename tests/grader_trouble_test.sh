@@ -55,5 +55,4 @@ if unshare -Ur sh "$work/nothing" true 2>/dev/null; then
 fi
 expect 0 "0" left
 
-[ $failures = 0 ] && echo "all as expected"
-exit $((failures > 0))
+end

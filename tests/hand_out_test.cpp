@@ -7,6 +7,7 @@
 #include "assignment/strip.h"
 #include "catch.h"
 #include "files/files.h"
+#include "files/words.h"
 #include "programs/process.h"
 #include "programs/toolchain.h"
 #include "submission/code_only.h"
@@ -16,11 +17,6 @@ using namespace grade;
 namespace {
 
 std::string text_at(const fs::path& path) { return read_text(path).value(); }
-
-std::string trimmed(const std::string& line) {
-    const auto first = line.find_first_not_of(" \t");
-    return first == line.npos ? "" : line.substr(first);
-}
 
 /// Built by the target grade_kit; where it is not, there is nothing to hand out.
 fs::path built_kit() { return fs::path(GRADE_TOOLCHAIN).parent_path() / "kit.toml"; }

@@ -2,8 +2,10 @@
 
 import json
 import pathlib
+import resource
 import subprocess
 import sys
+import tempfile
 import tomllib
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -39,18 +41,40 @@ def run(command, expected=0, **more):
     return done.stdout + done.stderr
 
 
+def cpu_seconds():
+    """Of all programs that have been run."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def parts():
+    return tomllib.loads((ROOT / "assignment.toml").read_text())["part"]
+
+
+def fragments_in_order():
+    """As assignment.toml has them, by parts."""
+    return {part["name"]: [fragment["name"] for fragment in part["fragments"]] for part in parts()}
+
+
 def points_in_order():
-    """Points by fragment, in the order of the assignment."""
-    parts = tomllib.loads((ROOT / "assignment.toml").read_text())["part"]
-    return {f["name"]: f["points"] for part in parts for f in part["fragments"] if not f.get("given", False)}
+    """Points by fragment, of those that are graded, in the order of the assignment."""
+    return {f["name"]: f["points"] for part in parts() for f in part["fragments"] if not f.get("given", False)}
+
+
+def head_of(patch):
+    """What the head of a patch of tests/variants says, by its words; "what": what the patch does."""
+    what, *lines = [line[2:] for line in patch.read_text().splitlines() if line.startswith("# ")]
+    return {"what": what, **dict(line.split(": ", 1) for line in lines)}
 
 
 def variant(patch):
-    """The fragment of a patch of tests/variants, and its text."""
-    head = dict(line[2:].split(": ", 1) for line in patch.read_text().splitlines() if line.startswith("# ") and ": " in line)
-    done = subprocess.run(["patch", "--silent", "-o", "-", SOLUTION / f"{head['fragment']}.cpp", patch],
-                          capture_output=True, text=True, check=True)
-    return head["fragment"], done.stdout
+    """The fragment of such a patch, and its text."""
+    fragment = head_of(patch)["fragment"]
+    done = subprocess.run(["patch", "--silent", "-o", "-", SOLUTION / f"{fragment}.cpp", patch],
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    if done.returncode != 0:
+        sys.exit(f"{patch}:1:1: does not apply to solution/{fragment}.cpp; expected: a patch of today's solution\n{done.stdout}")
+    return fragment, done.stdout
 
 
 def timeless(value, also=()):
@@ -62,6 +86,23 @@ def timeless(value, also=()):
 
 def record_at(path):
     return json.loads(pathlib.Path(path).read_text())
+
+
+def record_of(command, **more):
+    """The record that a grader writes, which must end well."""
+    with tempfile.TemporaryDirectory() as folder:
+        record = pathlib.Path(folder) / "record.json"
+        done = subprocess.run([str(word) for word in (*command, "--json", record)], capture_output=True, text=True, **more)
+        if done.returncode != 0:
+            sys.exit(f"{' '.join(map(str, command))} ended with {done.returncode}:\n{done.stdout}{done.stderr}")
+        return record_at(record)
+
+
+def record_of_one(grade, fragment, text, seed):
+    """What becomes of a fragment with this text among the solution's others."""
+    with tempfile.TemporaryDirectory() as folder:
+        (pathlib.Path(folder) / f"{fragment}.cpp").write_text(text)
+        return record_of([grade, folder, fragment, "--trusted", "--jobs", "1", "--seed", seed])["fragments"][0]
 
 
 def steps_of(workflow):

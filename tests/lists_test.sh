@@ -70,5 +70,4 @@ sed -i 's/"phong"/"here"/; s/"shadow_ray"/"phong"/; s/"here"/"shadow_ray"/' "$wo
 expect 0 "Generating done" "${configure[@]}"
 expect 0 $'check_shadow_ray},\n    {"phong", check_phong},' cat "$checks"
 
-[ $failures = 0 ] && echo "all as expected"
-exit $((failures > 0))
+end

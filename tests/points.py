@@ -12,7 +12,7 @@ import shutil
 import tempfile
 import time
 
-from helpers import BLANKS, SOLUTION, end, expect, points_in_order, record_at, run
+from helpers import BLANKS, SOLUTION, end, expect, points_in_order, record_of
 
 fragments = points_in_order()
 some = ["integrate_stratified", "hit_sphere", "cosine_hemisphere", "lens_ray"]
@@ -26,13 +26,6 @@ def submission(folder, base, changed=()):
     for name in changed:
         shutil.copy(sets[other] / f"{name}.cpp", folder / f"{name}.cpp")
     return folder
-
-
-def grade(program, folder, seed):
-    """The record of a grading."""
-    record = folder.parent / "record.json"
-    run([program, folder, "--trusted", "--seed", seed, "--json", record])
-    return record_at(record)
 
 
 def main():
@@ -53,7 +46,8 @@ def main():
         expected = {name: "passed" if (base == "solution") != (name in changed) else "not_started" for name in fragments}
         with tempfile.TemporaryDirectory() as work:
             start = time.monotonic()
-            record = grade(program, submission(pathlib.Path(work) / "submission", base, changed), seed)
+            folder = submission(pathlib.Path(work) / "submission", base, changed)
+            record = record_of([program, folder, "--trusted", "--seed", seed])
             seconds = time.monotonic() - start
         found = {f["name"]: f["verdict"] for f in record["fragments"]}
         points = {f["name"]: f["points"] for f in record["fragments"]}

@@ -49,5 +49,4 @@ expect 0 "hash     ${here:-none}" on Nehalem "$build/grader/raytrace_baseline" "
 # what cmake takes
 expect 1 "RT_MARCH: pentium is no kind of processor; expected native" cmake -S starter -B "$work/pentium" -DRT_MARCH=pentium
 
-[ $failures = 0 ] && echo "all as expected"
-exit $((failures > 0))
+end

@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 """raytrace --preview draws into the terminal, in its place, and leaves the terminal as it was.
 
     raytrace_preview_test.py RAYTRACE    0: it does; 77: there is no tmux

@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 """Pictures that raytrace sends to tev arrive, piece by piece, and at last are those of its own file.
 
     raytrace_tev_test.py RAYTRACE    0: they do

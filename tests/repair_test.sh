@@ -113,4 +113,4 @@ Real free_flight(Real extinction, Real u) {
 END
 hint free_flight "of 4" "with \`extinction\` in place of \`extinction + 0.3 * sin(u)\` in line 11" "every answer is right"
 
-exit "$((failures > 0))"
+end

@@ -42,12 +42,7 @@ std::string scene_with(const KeyTable& table, const KeyWords& wanted, const std:
 }
 
 std::string complaint(const std::string& scene) {
-    try {
-        parse_scene(scene, "s.toml");
-        return "";
-    } catch (const InputError& error) {
-        return error.what();
-    }
+    return complaint_of([&] { parse_scene(scene, "s.toml"); });
 }
 
 }  // namespace

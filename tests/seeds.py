@@ -10,27 +10,15 @@ Exit status 1: a submission has not the same points under all seeds.
 import argparse
 import collections
 import concurrent.futures
-import json
 import pathlib
-import subprocess
 import sys
-import tempfile
 
-example = pathlib.Path(__file__).resolve().parent / "example"
-
-
-def grade(program, submission, seed):
-    """The fragments' records."""
-    with tempfile.NamedTemporaryFile(suffix=".json") as out:
-        done = subprocess.run([program, str(submission), "--trusted", "--jobs", "1", "--seed", str(seed), "--json", out.name],
-                              capture_output=True, text=True)
-        if done.returncode != 0:
-            sys.exit(f"{submission}, seed {seed}: {done.stdout}{done.stderr}")
-        return json.loads(pathlib.Path(out.name).read_text())["fragments"]
+from helpers import ROOT, record_of
 
 
-def said(fragments):
+def said(program, submission, seed):
     """What may differ: points, each fragment's verdict and each check's."""
+    fragments = record_of([program, submission, "--trusted", "--jobs", "1", "--seed", seed])["fragments"]
     values = {"points": round(sum(f["points"] for f in fragments), 2)}
     for f in fragments:
         values[f"{f['name']}: points"], values[f"{f['name']}: verdict"] = f["points"], f["verdict"]
@@ -49,9 +37,9 @@ def main():
 
     seeds = range(asked.first, asked.first + asked.seeds)
     differs = False
-    for submission in asked.submissions or [example]:
+    for submission in asked.submissions or [ROOT / "tests/example"]:
         with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
-            by_seed = list(pool.map(lambda seed: said(grade(asked.program, submission, seed)), seeds))
+            by_seed = list(pool.map(lambda seed: said(asked.program, submission, seed), seeds))
         for what in by_seed[0]:
             counts = collections.Counter(values[what] for values in by_seed)
             if len(counts) > 1:

@@ -56,5 +56,4 @@ expect 2 "--jobs" "$grade" stress solution --jobs none
 expect 3 "the grader failed" "$grade" stress solution --toolchain "$work/none.toml"
 expect 0 "mesh_edges" "$grade" stress --list
 
-[ $failures = 0 ] && echo "all as expected"
-exit $((failures > 0))
+end

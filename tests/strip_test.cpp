@@ -4,19 +4,14 @@
 #include <map>
 #include <sstream>
 
-#include "assignment/assignment.h"
 #include "catch.h"
 #include "files/files.h"
+#include "files/words.h"
 #include "secrets.h"
 
 using namespace grade;
 
 namespace {
-
-std::string without_indent(const std::string& line) {
-    const auto first = line.find_first_not_of(" \t");
-    return first == line.npos ? "" : line.substr(first);
-}
 
 std::string error_of(const std::string& text) {
     return complaint_of([&] { find_region(text, "f.cpp"); });
@@ -79,7 +74,7 @@ TEST_CASE("the starter holds no line of what a student must write") {
         int number = 0;
         for (std::string line; std::getline(text, line);) {
             ++number;
-            const auto secret = origin.find(without_indent(line));
+            const auto secret = origin.find(trimmed(line));
             INFO(entry.path().string() << ":" << number << ": " << line);
             if (secret != origin.end()) FAIL_CHECK("is a line of " << secret->second);
         }

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <vector>
 
+#include "checks/kit/warp.h"
 #include "random.h"
 #include "statistics/tests.h"
 
-/// Ways to look at a map of the unit square.
+/// Ways to look at a map of the unit square; the angle of a point is the checks' own.
+using grade::turn;
 
 /// The mean of f over the centres of n x n cells: the integral of f(u) over the unit square.
 template <class F>
@@ -38,10 +40,4 @@ double uniform_probability(Sample sample, int count = 100000) {
         observed[std::size_t(16 * y + x)] += 1;
     }
     return grade::chi_squared_test(observed, expected).p;
-}
-
-/// The angle of (x, y) as a share of the circle.
-inline double turn(double x, double y) {
-    const double share = std::atan2(y, x) / (2 * rt::pi);
-    return share < 0 ? share + 1 : share;
 }

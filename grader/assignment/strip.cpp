@@ -104,9 +104,7 @@ std::vector<std::string> drift(const std::map<std::string, std::string>& expecte
         const std::string there = text_of(path);
         const auto [a, b] = std::mismatch(there.begin(), there.end(), text.begin(), text.end());
         if (a == there.end() && b == text.end()) continue;
-        const auto number = 1 + std::count(there.begin(), a, '\n');
-        const auto line_start = std::find(std::reverse_iterator(a), there.rend(), '\n').base();
-        lines.push_back(path.string() + ":" + std::to_string(number) + ":" + std::to_string(a - line_start + 1) +
+        lines.push_back(path.string() + ":" + line_and_column(there, std::size_t(a - there.begin())) +
                         ": not what the solution gives without its marked lines");
     }
     return lines;

@@ -11,6 +11,7 @@
 #include "authoring/skeleton.h"
 #include "calibration/variant.h"
 #include "files/files.h"
+#include "files/words.h"
 #include "report/describe.h"
 #include "rt/calls.h"
 #include "rt/files/scene_reader.h"
@@ -23,11 +24,6 @@ using calibration::Variant;
 
 bool has_word(const std::string& text, const std::string& word) {
     return std::regex_search(text, std::regex("\\b" + word + "\\b"));
-}
-
-std::string trimmed(const std::string& line) {
-    const std::size_t first = line.find_first_not_of(' ');
-    return first == line.npos ? "" : line.substr(first);
 }
 
 /// The fragments that each scene is for: those that its comment names, and those that are called for it.

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <memory>
 
 #include "calibration/fast.h"
@@ -45,14 +44,13 @@ int run_calibrate(const CalibrateArguments& arguments, const Context& context) {
     if (arguments.fast) return grade_fast(workshop, !arguments.names.empty(), arguments.seeds, arguments.jobs) ? 0 : 1;
 
     ProgressLine line;
-    const auto show = [&](int done, int all, const std::string& doing) { line.show(done, all, doing); };
-    if (!arguments.report) run_steps(steps_of(workshop), shard, shards, arguments.jobs, show);
+    if (!arguments.report) run_steps(steps_of(workshop), shard, shards, arguments.jobs, line.listener());
     if (!arguments.report && shards > 1) {
         line.clear();
         fmt::print("shard {} is done: {}\n", arguments.shard, workshop.results().string());
         return 0;
     }
-    const Summary summary = summarize(workshop, arguments.jobs, show);
+    const Summary summary = summarize(workshop, arguments.jobs, line.listener());
     line.clear();
     const fs::path out = arguments.out.empty() ? workshop.results() : fs::path(arguments.out);
     fs::create_directories(out);

@@ -198,7 +198,7 @@ public:
                 fixed_[key_of(*stored.check)] = fixed_replicates(stored, settings_);
     }
 
-    void run(int jobs, const std::function<void(int, int, const std::string&)>& listener) {
+    void run(int jobs, const Progress::Listener& listener) {
         if (!solution_.seeds.empty()) add_solution();
         for (auto* rows : {&summary_.right, &summary_.wrong})
             for (VariantSummary& row : *rows) add(row.variant->name, [&] { replay_variant(row); });
@@ -271,8 +271,7 @@ private:
 
 }  // namespace
 
-Summary summarize(const Workshop& workshop, int jobs,
-                  const std::function<void(int, int, const std::string&)>& listener) {
+Summary summarize(const Workshop& workshop, int jobs, const Progress::Listener& listener) {
     Summary summary;
     for (const Step& step : steps_of(workshop)) ++summary.steps, summary.steps_done += step.is_done();
     for (const Variant* variant : workshop.variants(Variant::Kind::right)) summary.right.push_back({variant});

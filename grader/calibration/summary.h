@@ -60,8 +60,7 @@ struct Summary {
 };
 
 /// The second half of the calibration: replays, and all that the stored results say.
-Summary summarize(const Workshop& workshop, int jobs,
-                  const std::function<void(int done, int all, const std::string& doing)>& progress);
+Summary summarize(const Workshop& workshop, int jobs, const Progress::Listener& progress);
 
 /// Bounds of a rate of which `hits` were seen in `all`, 95 %.
 ///

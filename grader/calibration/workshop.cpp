@@ -131,8 +131,7 @@ bool Step::is_done() const {
     return std::ranges::all_of(results, [](const fs::path& path) { return fs::exists(path); });
 }
 
-void run_steps(const std::vector<Step>& steps, int shard, int shards, int jobs,
-               const std::function<void(int done, int all, const std::string& doing)>& listener) {
+void run_steps(const std::vector<Step>& steps, int shard, int shards, int jobs, const Progress::Listener& listener) {
     std::vector<const Step*> open;
     for (std::size_t i = 0; i < steps.size(); ++i)
         if (int(i % std::size_t(shards)) == shard && !steps[i].is_done()) open.push_back(&steps[i]);

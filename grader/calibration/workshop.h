@@ -10,6 +10,7 @@
 #include "assignment/assignment.h"
 #include "calibration/variant.h"
 #include "checks/kit/check.h"
+#include "programs/progress.h"
 #include "programs/sandbox.h"
 #include "programs/toolchain.h"
 
@@ -87,7 +88,6 @@ std::vector<Step> steps_of(const Workshop& workshop);
 /// Runs the steps of one shard of several that are not done yet.
 ///
 /// shard  0 to shards - 1
-void run_steps(const std::vector<Step>& steps, int shard, int shards, int jobs,
-               const std::function<void(int done, int all, const std::string& doing)>& progress);
+void run_steps(const std::vector<Step>& steps, int shard, int shards, int jobs, const Progress::Listener& progress);
 
 }  // namespace grade::calibration

@@ -13,8 +13,6 @@ vec3 way_to(const PointLight& light, vec3 p) { return light.directional ? light.
 
 double cosine_to(const PointLight& light, vec3 p, vec3 n) { return rt::dot(n, rt::unit(way_to(light, p))); }
 
-double brightness_of_lamp(Generator& random) { return chance(random, 0.7) ? 1 : range_between(random, 1e-2, 1e4); }
-
 /// The irradiance with another function of the cosine than max(0, cosine).
 template <class OfCosine>
 auto with_cosine(OfCosine of_cosine) {
@@ -81,7 +79,7 @@ Checks check_point_irradiance(Generator& random) {
             const vec3 d = tilted(draw, n, angle);
             const double r = chance(draw, 0.6) ? log_between(draw, 0.3, 10) : range_between(draw, 1e-3, 1000);
             return row(
-                PointLight{directional ? d : p + r * d, brightness_of_lamp(draw) * box(draw, 0.5, 20), directional}, p,
+                PointLight{directional ? d : p + r * d, brightness_of_light(draw) * box(draw, 0.5, 20), directional}, p,
                 n);
         });
         return rows_then(any, grazing(directional));

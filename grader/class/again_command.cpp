@@ -27,7 +27,7 @@ namespace {
 
 struct AgainArguments {
     std::string record, submission, out;
-    bool trusted = false;
+    GradingSettings settings;  // those that have an option
 };
 
 /// Grades with the seed, the selection and the limits of a record.
@@ -43,13 +43,12 @@ Record grade_as(const Record& before, const AgainArguments& arguments, const Con
     Submission submission =
         read_submission(arguments.submission, all_fragments(chain, assignment), chain.source / "starter");
     note_given(submission, assignment.asked(), chain.blanks);
-    GradingSettings settings;
+    GradingSettings settings = arguments.settings;
     settings.only = {before.selection.begin(), before.selection.end()};
     settings.seed = before.seed, settings.time_limit = before.limits.time;
     settings.provenance = find_provenance(chain), settings.command = context.command;
-    settings.build.trusted = arguments.trusted;
     ProgressLine line;
-    settings.progress = [&](int done, int all, const std::string& doing) { line.show(done, all, doing); };
+    settings.progress = line.listener();
     Record after = grade_submission(submission, assignment, chain, ready(all_checks(before.seed)), settings);
     after.notes = submission.notes;
     return after;
@@ -156,7 +155,7 @@ CLI::App* add_again_command(CLI::App& app, const char* name, AgainArguments& arg
     CLI::App* command = app.add_subcommand(name, purpose_of(name));
     command->add_option("RECORD", arguments.record, "as grade --json FILE writes it")->required();
     command->add_option("SUBMISSION", arguments.submission, "a folder, a .zip or a .tar.gz")->required();
-    command->add_flag("--trusted", arguments.trusted, "no sandbox: for code that is your own");
+    command->add_flag("--trusted", arguments.settings.build.trusted, "no sandbox: for code that is your own");
     return command;
 }
 

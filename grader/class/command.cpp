@@ -11,9 +11,9 @@
 #include "class/grading.h"
 #include "class/report.h"
 #include "class/results.h"
+#include "convert/read_record.h"
 #include "files/files.h"
 #include "files/interrupt.h"
-#include "judging/grading.h"
 #include "judging/provenance.h"
 #include "programs/toolchain.h"
 #include "report/folder.h"
@@ -28,8 +28,7 @@ namespace {
 struct ClassArguments {
     std::string submissions, out, shard;
     std::optional<std::uint64_t> seed;
-    double time_limit = 5;
-    Way way;
+    ClassSettings settings;  // those that have an option
 };
 
 /// That of the first call, which later ones go on with: OUT/seed.
@@ -68,20 +67,23 @@ int run_class(const ClassArguments& arguments, const Context& context) {
     stop_at_interrupt();
     const Toolchain chain = read_toolchain(context.toolchain);
     const Assignment assignment = assignment_of(chain);
-    Way way = arguments.way;
-    if (!arguments.shard.empty()) way.shard = shard_of(arguments.shard);
+    ClassSettings settings = arguments.settings;
+    GradingSettings& grading = settings.grading;
+    if (!arguments.shard.empty()) settings.shard = shard_of(arguments.shard);
     const fs::path folder = fs::path(arguments.submissions) / "";
     const fs::path out =
         arguments.out.empty() ? fs::path(folder.parent_path().string() + "-graded") : fs::path(arguments.out);
     std::vector<Entry> entries = read_export(arguments.submissions, assignment, chain.source / "starter");
     fs::create_directories(out / "records");
-    const Setup setup{seed_of(arguments, out), find_provenance(chain), arguments.time_limit};
-    std::vector<Result> results = results_of(entries, assignment, chain, setup);
-    const Outcome outcome = grade_all(entries, results, assignment, chain, setup, way, out);
+    grading.seed = seed_of(arguments, out), grading.provenance = find_provenance(chain);
+    grading.command = fmt::format("grade SUBMISSION --seed {}", grading.seed);
+    grading.build.jobs = 1;  // several are graded at a time
+    std::vector<Result> results = results_of(entries, assignment, chain, grading);
+    const Outcome outcome = grade_all(entries, results, assignment, chain, settings, out);
     for (Result& result : results) result.record = find_record(out, result);
     write_class(out, results, assignment.title, handout_beside(out, chain.source));
     fmt::print("{}", class_table(results));
-    fmt::print("{} graded now, {} as before; seed {}; {}\n", outcome.graded, outcome.before, setup.seed,
+    fmt::print("{} graded now, {} as before; seed {}; {}\n", outcome.graded, outcome.before, grading.seed,
                (out / "index.html").string());
     for (const std::string& trouble : outcome.troubles) fmt::print(stderr, "not graded: {}\n", trouble);
     return outcome.troubles.empty() ? code_of(results, !arguments.shard.empty()) : 3;
@@ -104,7 +106,7 @@ int run_merge(const MergeArguments& arguments) {
             if (result.record) {
                 if (title.empty()) title = result.record->title;
                 for (const auto file : {record_file, pictures_file})
-                    if (const auto text = read_text(file(part, result.key), 256u << 20))
+                    if (const auto text = read_text(file(part, result.key), most_record_bytes))
                         write_text(file(out, result.key), *text);
             }
             if (seen.insert(result.path).second) results.push_back(std::move(result));
@@ -130,15 +132,16 @@ Command class_command(CLI::App& app) {
         ->type_name("OUT");
     command->add_option("--seed", arguments->seed, "default: that of the call before, else a fresh one")
         ->check(CLI::NonNegativeNumber);
-    command->add_option("--jobs", arguments->way.jobs, "submissions at a time; default: one for each core")
+    command->add_option("--jobs", arguments->settings.jobs, "submissions at a time; default: one for each core")
         ->check(CLI::Range(1, 1024));
     command->add_option("--shard", arguments->shard, "grade the second of four parts: 2/4")->type_name("PART/PARTS");
-    command->add_option("--time-limit", arguments->time_limit, "CPU seconds for one answer of a fragment")
+    command
+        ->add_option("--time-limit", arguments->settings.grading.time_limit, "CPU seconds for one answer of a fragment")
         ->capture_default_str()
         ->check(CLI::Range(1.0, 600.0));
-    command->add_flag("--pictures", arguments->way.pictures,
+    command->add_flag("--pictures", arguments->settings.grading.pictures,
                       "pages with pictures; what is graded without is graded again");
-    command->add_flag("--trusted", arguments->way.trusted, "no sandbox: for code that is your own");
+    command->add_flag("--trusted", arguments->settings.grading.build.trusted, "no sandbox: for code that is your own");
     return {command, [arguments](const Context& context) { return run_class(*arguments, context); }};
 }
 

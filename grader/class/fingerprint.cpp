@@ -6,6 +6,7 @@
 #include <map>
 
 #include "files/sha256.h"
+#include "files/source_text.h"
 
 namespace grade::course {
 
@@ -18,16 +19,7 @@ constexpr std::array<std::string_view, 44> own_words = {
     "std",    "struct", "switch",   "template",  "this",   "true",   "typedef",   "typename", "unsigned",
     "using",  "void",   "volatile", "while",     "new",    "delete", "mutable",   "operator"};
 
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-bool is_word(char c) { return is_letter(c) || std::isdigit(static_cast<unsigned char>(c)) != 0; }
-
-/// Behind the comment that begins there; the same place: none does.
-std::size_t behind_comment(std::string_view text, std::size_t at) {
-    if (text.substr(at, 2) == "//") return std::min(text.find('\n', at), text.size());
-    if (text.substr(at, 2) != "/*") return at;
-    const std::size_t end = text.find("*/", at + 2);
-    return end == text.npos ? text.size() : end + 2;
-}
+bool is_letter(char c) { return is_word(c) && std::isdigit(static_cast<unsigned char>(c)) == 0; }
 
 }  // namespace
 

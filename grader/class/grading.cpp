@@ -8,7 +8,6 @@
 #include <mutex>
 
 #include "files/files.h"
-#include "judging/grading.h"
 #include "programs/parallel.h"
 #include "report/json.h"
 #include "report/terminal.h"
@@ -32,15 +31,15 @@ void sweep(const fs::path& records) {
 
 /// By record: the first entry that it is for, of those that are this shard's and not graded yet.
 std::map<std::string, const Entry*> open_ones(const std::vector<Entry>& entries, const std::vector<Result>& results,
-                                              const Way& way, const fs::path& out, int& before) {
+                                              const ClassSettings& settings, const fs::path& out, int& before) {
     std::map<std::string, const Entry*> all, open;
     for (std::size_t i = 0; i < entries.size(); ++i)
         if (!results[i].key.empty()) all.try_emplace(results[i].key, &entries[i]);
     int place = 0;
     for (const auto& [key, entry] : all) {
-        if (place++ % way.shard.all != way.shard.which) continue;
+        if (place++ % settings.shard.all != settings.shard.which) continue;
         if (find_record(out, {.path = entry->path, .key = key}) &&
-            (!way.pictures || fs::exists(pictures_file(out, key))))
+            (!settings.grading.pictures || fs::exists(pictures_file(out, key))))
             ++before;
         else
             open.emplace(key, entry);
@@ -61,7 +60,7 @@ void note_complaints(const Submission& submission, std::vector<std::string>& not
 }  // namespace
 
 std::vector<Result> results_of(const std::vector<Entry>& entries, const Assignment& assignment, const Toolchain& chain,
-                               const Setup& setup) {
+                               const GradingSettings& settings) {
     std::vector<Result> results;
     for (const Entry& entry : entries) {
         Result result{entry.student, entry.path, entry.fault, entry.notes, "", {}, {}};
@@ -69,7 +68,7 @@ std::vector<Result> results_of(const std::vector<Entry>& entries, const Assignme
         note_given(taken, assignment.asked(), chain.blanks);
         result.notes.insert(result.notes.end(), taken.notes.begin(), taken.notes.end());
         note_complaints(entry.submission, result.notes);
-        if (entry.fault.empty()) result.key = key_of(entry.submission, assignment, setup);
+        if (entry.fault.empty()) result.key = key_of(entry.submission, assignment, settings);
         for (const auto& [fragment, text] : entry.submission.texts)
             if (!is_blank(text, chain.blanks / (fragment + ".cpp"))) result.prints[fragment] = fingerprint(text);
         results.push_back(std::move(result));
@@ -78,34 +77,29 @@ std::vector<Result> results_of(const std::vector<Entry>& entries, const Assignme
 }
 
 Outcome grade_all(const std::vector<Entry>& entries, const std::vector<Result>& results, const Assignment& assignment,
-                  const Toolchain& chain, const Setup& setup, const Way& way, const fs::path& out) {
+                  const Toolchain& chain, const ClassSettings& settings, const fs::path& out) {
     sweep(out / "records");
     Outcome outcome;
-    const auto open = open_ones(entries, results, way, out, outcome.before);
+    const auto open = open_ones(entries, results, settings, out, outcome.before);
     if (open.empty()) return outcome;
     const std::vector<std::pair<std::string, const Entry*>> list(open.begin(), open.end());
-    const FutureChecks checks = ready(all_checks(setup.seed));
+    const FutureChecks checks = ready(all_checks(settings.grading.seed));
     ProgressLine line(true);
     std::mutex lock;
     int in_a_row = 0;
     std::vector<std::string> left;  // when nothing went well any more
     line.show(0, int(list.size()), counted(list.size()));
-    in_parallel(int(list.size()), way.jobs, [&](int i) {
+    in_parallel(int(list.size()), settings.jobs, [&](int i) {
         const auto& [key, entry] = list[std::size_t(i)];
         {
             const std::scoped_lock guard(lock);
             if (in_a_row >= most_troubles) return left.push_back(entry->path);
         }
-        GradingSettings settings;
-        settings.seed = setup.seed, settings.time_limit = setup.time_limit, settings.provenance = setup.provenance;
-        settings.pictures = way.pictures;
-        settings.build.jobs = 1, settings.build.trusted = way.trusted;
-        settings.command = fmt::format("grade SUBMISSION --seed {}", setup.seed);
         try {
             Submission submission = entry->submission;
             submission.name.clear();  // the record is one of texts, whosever they are
-            Record record = grade_submission(submission, assignment, chain, checks, settings);
-            if (way.pictures) write_pictures(out, key, record);
+            Record record = grade_submission(submission, assignment, chain, checks, settings.grading);
+            if (settings.grading.pictures) write_pictures(out, key, record);
             const auto is_there = [&out = out, path = entry->path, name = key] {
                 return find_record(out, {.path = path, .key = name}).has_value();
             };

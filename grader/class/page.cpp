@@ -11,7 +11,6 @@
 #include "diagnosis/diagnosis.h"
 #include "report/escape.h"
 #include "report/page_parts.h"
-#include "report/terminal.h"
 
 namespace grade::course {
 

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <set>
 
+#include "convert/read_record.h"
 #include "convert/tables.h"
 #include "convert/words.h"
 #include "files/files.h"
@@ -48,7 +49,7 @@ std::string named(const char* what, const std::vector<Result>& results, bool (*i
 
 /// Only what has changed: thousands of pages are not written again for one.
 void write_changed(const fs::path& file, const std::string& text) {
-    if (read_text(file, 256u << 20) != text) write_text(file, text);
+    if (read_text(file, most_record_bytes) != text) write_text(file, text);
 }
 
 }  // namespace

@@ -45,14 +45,14 @@ std::string counted(std::size_t submissions) {
     return fmt::format("{} submission{}", submissions, submissions == 1 ? "" : "s");
 }
 
-std::string key_of(const Submission& submission, const Assignment& assignment, const Setup& setup) {
+std::string key_of(const Submission& submission, const Assignment& assignment, const GradingSettings& settings) {
     std::string text = hash_of(submission.texts, assignment);
     // what could not be taken is told in the record
     for (const auto& [fragment, complaint] : submission.complaints)
         text += fmt::format("\n{}: {}", fragment, complaint);
-    const Provenance& made = setup.provenance;
-    text += fmt::format("\n{}\n{}\n{}\n{} {}\n{}", made.assignment, made.program, made.reference, setup.seed,
-                        setup.time_limit, submission.folder);
+    const Provenance& made = settings.provenance;
+    text += fmt::format("\n{}\n{}\n{}\n{} {}\n{}", made.assignment, made.program, made.reference, settings.seed,
+                        settings.time_limit, submission.folder);
     return sha256(text);
 }
 
@@ -67,7 +67,7 @@ void write_pictures(const fs::path& out, const std::string& key, const Record& r
 namespace {
 
 void add_pictures(const fs::path& file, Record& record) {
-    const auto text = read_text(file, 256u << 20);
+    const auto text = read_text(file, most_record_bytes);
     const Json parts = text ? Json::parse(*text, nullptr, false) : Json();
     if (!parts.is_object()) return;
     for (FragmentRecord& fragment : record.fragments)
@@ -107,7 +107,7 @@ std::optional<Record> find_record(const fs::path& out, const Result& result) {
 
 std::vector<Result> read_list(const fs::path& out) {
     const fs::path file = out / "class.json";
-    const auto text = read_text(file, 256u << 20);
+    const auto text = read_text(file, most_record_bytes);
     const Json json = text ? Json::parse(*text, nullptr, false) : Json();
     if (!json.is_object() || json.value("schema", "") != list_schema)
         throw rt::InputError(

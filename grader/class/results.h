@@ -9,6 +9,7 @@
 
 #include "class/entries.h"
 #include "class/fingerprint.h"
+#include "judging/grading.h"
 #include "record/record.h"
 
 namespace grade::course {
@@ -34,15 +35,9 @@ inline bool has_any(const std::vector<Result>& results, const char* system) {
 /// "1 submission", "2 submissions".
 std::string counted(std::size_t submissions);
 
-/// What a class is graded with: the name of a record is a hash of all of it and of the texts.
-struct Setup {
-    std::uint64_t seed = 0;
-    Provenance provenance;
-    double time_limit = 5;
-};
-
-/// The name of a submission's record.
-std::string key_of(const Submission& submission, const Assignment& assignment, const Setup& setup);
+/// The name of a submission's record: a hash of its texts and of what it is graded with, which are seed, provenance and
+/// time limit.
+std::string key_of(const Submission& submission, const Assignment& assignment, const GradingSettings& settings);
 
 /// OUT/records/KEY.json
 fs::path record_file(const fs::path& out, const std::string& key);

@@ -1,12 +1,8 @@
 # cmake --install and cpack: PREFIX/bin/grade, and below PREFIX/lib/penumbra a kit that reads archives as well. Nobody
 # writes there: what a run leaves for the next is in each user's own cache.
 
-add_library(grader_installed STATIC arithmetic/self_test.cpp archives/archive.cpp archives/pack.cpp)
-target_link_libraries(grader_installed PUBLIC grader_core PRIVATE rt_warnings rt_baseline_speed LibArchive::LibArchive)
-add_grade(grade_installed grader_installed rt_baseline)
-add_dependencies(grade_installed grade grade_installed_studies child_baseline solution_baseline blanks_baseline)
-run_from_a_kit(grade_installed)
-set_target_properties(grader_installed grade_installed grade_installed_studies PROPERTIES EXCLUDE_FROM_ALL ON)
+add_kit_grade(grade_installed archives)
+add_dependencies(grade_installed grade)
 
 # By the program that writes kits. Whatever the umask is, everybody may read it.
 install(CODE "

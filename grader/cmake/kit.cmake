@@ -14,25 +14,23 @@ foreach(objects solution_baseline blanks_baseline)
     precompile_fragments_header(${objects} rt_baseline rt_baseline_speed)
 endforeach()
 
-# Their libraries are beside them; old-style, so that theirs are found there too. Without symbols: half of their size.
-function(run_from_a_kit name)
+# add_kit_grade(name archives): the same of these parts. Its libraries are beside it; old-style, so that theirs are found
+# there too. Without symbols: half of its size.
+function(add_kit_grade name archives)
+    add_grade(${name} rt_baseline rt_baseline_speed ${archives} child_baseline solution_baseline blanks_baseline)
+    add_dependencies(${name} ${name}_studies)
     foreach(program ${name} ${name}_studies)
         target_link_options(${program} PRIVATE -Wl,--disable-new-dtags -Wl,--gc-sections -Wl,-s)
         set_target_properties(${program} PROPERTIES BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH "$ORIGIN/lib")
     endforeach()
+    set_target_properties(${name}_here ${name} ${name}_studies PROPERTIES EXCLUDE_FROM_ALL ON)
 endfunction()
-
-add_library(grader_in_kit STATIC arithmetic/self_test.cpp kit/no_archive.cpp)
-target_link_libraries(grader_in_kit PUBLIC grader_core PRIVATE rt_warnings rt_baseline_speed)
-add_grade(grade_kit grader_in_kit rt_baseline)
-add_dependencies(grade_kit grade_kit_studies child_baseline solution_baseline blanks_baseline)
-run_from_a_kit(grade_kit)
+add_kit_grade(grade_kit kit)
 
 # The renderer of these parts: its pictures have the same bits.
 add_executable(raytrace_baseline $<TARGET_OBJECTS:raytrace_main> $<TARGET_OBJECTS:raytrace_parts> $<TARGET_OBJECTS:solution_baseline>)
 target_link_libraries(raytrace_baseline PRIVATE rt_baseline)
 
 set_target_properties(raytrace_baseline rt_baseline rt_baseline_processor child_baseline fragments_header_rt_baseline solution_baseline
-    blanks_baseline grader_in_kit grade_kit grade_kit_studies blank_sources
-    PROPERTIES EXCLUDE_FROM_ALL ON)
+    blanks_baseline blank_sources PROPERTIES EXCLUDE_FROM_ALL ON)
 write_toolchain(${PROJECT_BINARY_DIR}/kit.toml child_baseline rt_baseline blanks_baseline solution_baseline "${libraries}")

@@ -17,6 +17,7 @@
 #include "programs/process.h"
 #include "programs/programs.h"
 #include "programs/runner.h"
+#include "protocol/bytes.h"
 #include "protocol/protocol.h"
 
 namespace grade {
@@ -71,8 +72,7 @@ Row answer_in(const std::string& bytes) {
         if (header.kind == FrameKind::error)
             throw SubmissionError("threw an exception: " + bytes.substr(at, header.bytes));
         if (header.kind == FrameKind::rows) {
-            std::vector<double> numbers(header.bytes / sizeof(double));
-            std::memcpy(numbers.data(), bytes.data() + at, numbers.size() * sizeof(double));
+            const std::vector<double> numbers = numbers_of_bytes(bytes.substr(at, header.bytes));
             std::vector<Row> rows;
             if (!numbers.empty() && unflatten(std::span(numbers).subspan(1), rows) && !rows.empty())
                 answer = rows.front();

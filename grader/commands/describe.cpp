@@ -8,7 +8,6 @@
 #include "commands/commands.h"
 #include "commands/run.h"
 #include "files/files.h"
-#include "hand_out/hand_out.h"
 #include "programs/toolchain.h"
 #include "report/scene_tables.h"
 #include "rt/files/scene_reader.h"

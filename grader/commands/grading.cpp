@@ -86,8 +86,7 @@ public:
                        "it still runs, or it was stopped.\n");
         }
         ProgressLine line;
-        progress_ = std::make_unique<Progress>(
-            [&](int done, int all, const std::string& doing) { line.show(done, all, doing); });
+        progress_ = std::make_unique<Progress>(line.listener());
         Submission submission =
             read_submission(chosen_.submission, all_fragments(chain_, assignment_), chain_.source / "starter");
         note_given(submission, assignment_.asked(), chain_.blanks);

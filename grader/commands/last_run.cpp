@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "files/files.h"
 #include "report/terminal.h"
@@ -22,6 +23,21 @@ std::string change_in_words(const std::string& was, const std::string& verdict, 
     return fmt::format("{}, was {}{}", verdict, was, gained != 0 ? fmt::format(" ({:+g} {})", gained, points) : "");
 }
 
+using Json = nlohmann::ordered_json;
+
+/// What is kept of the last run, by fragment.
+Json last_of(const std::filesystem::path& file) {
+    Json last = Json::parse(read_text(file).value_or(""), nullptr, false);
+    return last.is_object() ? last : Json::object();
+}
+
+/// A word that is kept of a fragment; none: nothing is kept of it.
+std::optional<std::string> kept(const Json& last, const std::string& fragment, const char* key) {
+    const auto found = last.find(fragment);
+    if (found == last.end() || !found->is_object()) return std::nullopt;
+    return found->value(key, "");
+}
+
 std::string to_do(bool is_blank, const std::string& folder, const std::string& name) {
     return fmt::format("next: {} {}{}.cpp, then ./grade {}", is_blank ? "fill in" : "mend", folder, name, name);
 }
@@ -29,17 +45,16 @@ std::string to_do(bool is_blank, const std::string& folder, const std::string& n
 }  // namespace
 
 void compare_with_last(Record& record, const std::filesystem::path& file) {
-    auto last = nlohmann::ordered_json::parse(read_text(file).value_or(""), nullptr, false);
-    if (!last.is_object()) last = nlohmann::ordered_json::object();
+    Json last = last_of(file);
     constexpr std::size_t most = 8;
     std::vector<std::pair<double, std::string>> changes;  // points gained, in words
     double all_gained = 0;
     for (const FragmentRecord& fragment : record.fragments) {
-        auto& before = last[fragment.name];
         const std::string verdict = in_words(fragment.verdict);
-        if (before.is_object() && !before.value("verdict", "").empty()) {
+        const std::string was = kept(last, fragment.name, "verdict").value_or("");
+        Json& before = last[fragment.name];
+        if (!was.empty()) {
             const double gained = fragment.points - before.value("points", 0.0);
-            const std::string was = before.value("verdict", "");
             if (gained != 0 || was != verdict)
                 changes.emplace_back(gained, fragment.name + ": " + change_in_words(was, verdict, gained));
             all_gained += gained;
@@ -62,22 +77,19 @@ std::string next_step(const Record& record, const std::vector<std::string>& name
         if (fragment.verdict != Verdict::passed)
             return to_do(fragment.verdict == Verdict::not_started, folder, fragment.name);
     if (record.fragments.empty()) return {};
-    const auto last = nlohmann::json::parse(read_text(file).value_or(""), nullptr, false);
+    const Json last = last_of(file);
     const auto begin = std::ranges::find(names, record.fragments.back().name);
     const auto first = std::size_t(begin - names.begin());
     for (std::size_t k = 1; k < names.size(); ++k) {
         const std::string& name = names[(first + k) % names.size()];
-        const bool is_known = last.is_object() && last.contains(name) && last[name].is_object();
-        const std::string verdict = is_known ? last[name].value("verdict", "") : in_words(Verdict::not_started);
+        const std::string verdict = kept(last, name, "verdict").value_or(in_words(Verdict::not_started));
         if (verdict != in_words(Verdict::passed)) return to_do(verdict == in_words(Verdict::not_started), folder, name);
     }
     return {};
 }
 
 std::string last_call(const std::filesystem::path& file, const std::string& fragment) {
-    const auto last = nlohmann::json::parse(read_text(file).value_or(""), nullptr, false);
-    const bool is_known = last.is_object() && last.contains(fragment) && last[fragment].is_object();
-    return is_known ? last[fragment].value("call", "") : "";
+    return kept(last_of(file), fragment, "call").value_or("");
 }
 
 }  // namespace grade

@@ -26,9 +26,7 @@ struct PictureArguments {
     std::string scene, submission, with, out;
     std::vector<std::string> mine;
     std::vector<int> size;
-    int samples = 0;
-    std::uint64_t seed = 1;
-    double time_limit = 600;
+    ComparedSettings settings;
     bool trusted = false;
 };
 
@@ -132,7 +130,7 @@ int run_picture(const PictureArguments& arguments, const Context& context) {
         throw rt::InputError(out.string() + ": unknown kind of image; expected --out NAME.png");
 
     ProgressLine line;
-    Progress progress([&](int done, int all, const std::string& doing) { line.show(done, all, doing); });
+    Progress progress(line.listener());
     const Chosen chosen =
         choose(arguments.submission.empty() ? std::vector<std::string>{} : std::vector{arguments.submission}, chain,
                assignment);
@@ -146,11 +144,11 @@ int run_picture(const PictureArguments& arguments, const Context& context) {
     progress.tell("drawing both pictures");
     if (is_warp) {
         line.clear();
-        return draw_warp(arguments.scene, calls, programs, mine, arguments.time_limit, out);
+        return draw_warp(arguments.scene, calls, programs, mine, arguments.settings.time_limit, out);
     }
-    const rt::ivec2 size = arguments.size.empty() ? rt::ivec2(0) : rt::ivec2(arguments.size[0], arguments.size[1]);
-    const Compared both =
-        draw_compared(programs, mine, arguments.scene, {arguments.samples, size, arguments.seed, arguments.time_limit});
+    ComparedSettings settings = arguments.settings;
+    if (!arguments.size.empty()) settings.size = {arguments.size[0], arguments.size[1]};
+    const Compared both = draw_compared(programs, mine, arguments.scene, settings);
     line.clear();
     if (!both.right_fault.empty()) throw std::runtime_error("the solution's picture: " + both.right_fault);
 
@@ -200,14 +198,14 @@ Command picture_command(CLI::App& app) {
         ->type_name("NAME.png");
     picture->add_option("--with", arguments->with, "arguments of that fragment: \"exponent = 20\"")
         ->type_name("ARGUMENTS");
-    picture->add_option("--samples", arguments->samples, "samples a pixel; default: the scene's")
+    picture->add_option("--samples", arguments->settings.samples, "samples a pixel; default: the scene's")
         ->check(CLI::Range(1, 1 << 20));
     picture->add_option("--size", arguments->size, "size of the film, WIDTHxHEIGHT; default: the scene's")
         ->delimiter('x')
         ->expected(2)
         ->check(CLI::Range(1, 8192));
-    picture->add_option("--seed", arguments->seed, "of both pictures")->capture_default_str();
-    picture->add_option("--time-limit", arguments->time_limit, "CPU seconds for one picture")
+    picture->add_option("--seed", arguments->settings.seed, "of both pictures")->capture_default_str();
+    picture->add_option("--time-limit", arguments->settings.time_limit, "CPU seconds for one picture")
         ->capture_default_str()
         ->check(CLI::Range(1.0, 600.0));
     picture->add_flag("--trusted", arguments->trusted, "the code is your own: limits, but no sandbox");

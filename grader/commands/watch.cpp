@@ -11,7 +11,6 @@
 #include <sstream>
 #include <thread>
 
-#include "files/files.h"
 #include "files/interrupt.h"
 #include "report/terminal.h"
 #include "submission/submission.h"

@@ -3,7 +3,6 @@
 #include "convert/formats.h"
 #include "convert/words.h"
 #include "report/escape.h"
-#include "report/terminal.h"
 
 namespace grade {
 

@@ -195,7 +195,7 @@ Record record_of(const std::string& text, const std::string& path) {
 }
 
 Record read_record(const std::filesystem::path& path) {
-    const auto text = read_text(path, 256u << 20);
+    const auto text = read_text(path, most_record_bytes);
     if (!text) throw rt::InputError(fmt::format("{}: cannot be read; expected the record of a grading", path.string()));
     return record_of(*text, path.string());
 }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cctype>
 #include <string>
 #include <string_view>
@@ -12,6 +15,13 @@ inline std::string trimmed(std::string_view text) {
     const std::size_t first = text.find_first_not_of(blanks);
     if (first == text.npos) return "";
     return std::string(text.substr(first, text.find_last_not_of(blanks) - first + 1));
+}
+
+/// Of a place in a text, from 1: "3:14".
+inline std::string line_and_column(std::string_view text, std::size_t at) {
+    const std::string_view before = text.substr(0, at);
+    const std::size_t start = before.rfind('\n') + 1;  // npos + 1 is 0
+    return fmt::format("{}:{}", 1 + std::ranges::count(before, '\n'), 1 + before.size() - start);
 }
 
 inline std::string lower(std::string_view text) {

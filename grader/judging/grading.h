@@ -25,7 +25,7 @@ struct GradingSettings {
     Provenance provenance;  // but for its checks; empty where no record is kept
     BuildSettings build;
 
-    std::function<void(int done, int all, const std::string& doing)> progress;  // never called twice at a time
+    Progress::Listener progress;                 // never called twice at a time
     std::function<void(const Record&)> partial;  // before all, and after each check; likewise
 };
 

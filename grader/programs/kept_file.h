@@ -21,12 +21,7 @@ inline KeptJson kept_numbers(std::span<const double> numbers) {
 }
 
 /// Throws nlohmann::json::exception.
-inline std::vector<double> numbers_of(const KeptJson& kept) {
-    const auto& bytes = kept.get_binary();
-    std::vector<double> numbers(bytes.size() / sizeof(double));
-    copy_bytes(numbers.data(), bytes.data(), numbers.size() * sizeof(double));
-    return numbers;
-}
+inline std::vector<double> numbers_of(const KeptJson& kept) { return numbers_of_bytes(kept.get_binary()); }
 
 inline KeptJson kept_image(const rt::Image& image) {
     const std::span pixels(reinterpret_cast<const double*>(image.pixels.data()), 3 * image.pixels.size());

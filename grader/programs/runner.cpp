@@ -41,12 +41,6 @@ bool are_amounts(std::span<const double> numbers) {
     return std::ranges::all_of(numbers, [](double x) { return std::isfinite(x) && x >= 0; });
 }
 
-std::vector<double> numbers_of(const std::string& payload) {
-    std::vector<double> numbers(payload.size() / sizeof(double));
-    copy_bytes(numbers.data(), payload.data(), numbers.size() * sizeof(double));
-    return numbers;
-}
-
 int sampler_of(const std::string& name) {
     if (const auto sampler = rt::sampler_named(name)) return int(*sampler);
     throw rt::InputError(
@@ -135,7 +129,7 @@ Outcome<std::vector<double>> Runner::ask(const std::string& request, int kind, s
     const Answer& answer = std::get<Answer>(outcome);
     if (answer.kind == FrameKind::error) return thrown(answer.payload);
     if (int(answer.kind) != kind || answer.payload.size() % sizeof(double) != 0) return forged();
-    return numbers_of(answer.payload);
+    return numbers_of_bytes(answer.payload);
 }
 
 /// Tells the child which scene the next requests are about.

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "diagnosis/diagnosis.h"
+#include "programs/progress.h"
 #include "record/record.h"
 
 namespace grade {
@@ -34,6 +35,9 @@ public:
     ~ProgressLine() { clear(); }
     void show(int done, int all, const std::string& doing);
     void clear();
+    Progress::Listener listener() {
+        return [this](int done, int all, const std::string& doing) { show(done, all, doing); };
+    }
 
 private:
     using Clock = std::chrono::steady_clock;

@@ -57,7 +57,7 @@ int run_stress(const StressArguments& arguments, const Context& context) {
     ProgressLine line;
     StressSettings settings = arguments.settings;
     if (arguments.many) settings.rays = arguments.rays;
-    settings.progress = [&](int done, int all, const std::string& doing) { line.show(done, all, doing); };
+    settings.progress = line.listener();
     StressRecord record = stress_submission(submission, assignment, chain, settings);
     record.command = context.command;
     line.clear();

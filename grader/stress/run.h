@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "assignment/assignment.h"
@@ -16,9 +15,9 @@ bool is_named(const Family& family, const std::string& name);
 struct StressSettings {
     std::vector<std::string> only;  // families, or fragments with all of theirs; empty: all
     BuildSettings build{.only_changed = true};
-    double time_limit = 5;  // CPU time of one answer [s]
-    double rays = 0;        // of the big counts on meshes; twice as many that leave surfaces; 0: none
-    std::function<void(int done, int all, const std::string& doing)> progress;  // never called twice at a time
+    double time_limit = 5;        // CPU time of one answer [s]
+    double rays = 0;              // of the big counts on meshes; twice as many that leave surfaces; 0: none
+    Progress::Listener progress;  // never called twice at a time
 };
 
 /// Runs families on a submission. Whatever a fragment does costs its families only. Throws std::runtime_error where the

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
+#include "files/source_text.h"
 #include "files/words.h"
 
 namespace grade {
@@ -64,9 +64,7 @@ SourceFault conflict_in(std::string_view text) {
 
 /// The comment that has no end.
 SourceFault open_comment_in(std::string_view text) {
-    const auto is_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
     for (std::size_t i = 0; i < text.size();) {
-        const char c = text[i];
         if (text.substr(i, 2) == "//") {
             do i = std::min(text.find('\n', i + 1), text.size());
             while (i < text.size() && (text[i - 1] == '\\' || text.substr(i - 2, 2) == "\\\r"));
@@ -74,18 +72,14 @@ SourceFault open_comment_in(std::string_view text) {
             const std::size_t end = text.find("*/", i + 2);
             if (end == text.npos) return {i, "the comment that starts here has no end", "*/"};
             i = end + 2;
-        } else if (c == 'R' && text.substr(i, 2) == "R\"" && (i == 0 || !is_word(text[i - 1]))) {
+        } else if (text.substr(i, 2) == "R\"" && (i == 0 || !is_word(text[i - 1]))) {
             const std::size_t open = text.find('(', i);
             if (open == text.npos) break;
             const std::string close = fmt::format("){}\"", text.substr(i + 2, open - i - 2));
             const std::size_t end = text.find(close, open);
             i = end == text.npos ? text.size() : end + close.size();
-        } else if (c == '"' || (c == '\'' && (i == 0 || !is_word(text[i - 1])))) {
-            for (++i; i < text.size() && text[i] != c && text[i] != '\n'; ++i)
-                if (text[i] == '\\') ++i;
-            ++i;
         } else {
-            ++i;
+            i = std::max(behind_quoted(text, i), i + 1);
         }
     }
     return {text.npos, {}, {}};
@@ -95,10 +89,7 @@ SourceFault open_comment_in(std::string_view text) {
 
 std::string source_fault(std::string_view text, const std::string& shown) {
     const auto said = [&](const SourceFault& fault) {
-        const std::string_view before = text.substr(0, fault.at);
-        const std::size_t start = before.rfind('\n') + 1;  // npos + 1 is 0
-        return fmt::format("{}:{}:{}: error: {}; expected {}\n", shown,
-                           1 + std::count(before.begin(), before.end(), '\n'), 1 + fault.at - start, fault.wrong,
+        return fmt::format("{}:{}: error: {}; expected {}\n", shown, line_and_column(text, fault.at), fault.wrong,
                            fault.expected);
     };
     if (is_wide(text))

@@ -4,11 +4,11 @@
 #include <cctype>
 #include <string_view>
 
+#include "files/source_text.h"
+
 namespace grade::textbook {
 
 namespace {
-
-bool is_of_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
 constexpr std::array<std::string_view, 14> long_signs{
     "<=", ">=", "==", "!=", "&&", "||", "+=", "-=", "*=", "/=", "++", "--", "->", "::"};
@@ -24,16 +24,15 @@ public:
             const std::size_t start = at_;
             if (std::isdigit(static_cast<unsigned char>(text_[at_]))) {
                 token.kind = Token::Kind::number;
-                while (at_ < text_.size() && (is_of_name(text_[at_]) || text_[at_] == '.' || is_sign_of_exponent()))
+                while (at_ < text_.size() && (is_word(text_[at_]) || text_[at_] == '.' || is_sign_of_exponent()))
                     step(1);
-            } else if (is_of_name(text_[at_])) {
+            } else if (is_word(text_[at_])) {
                 token.kind = Token::Kind::name;
-                while (at_ < text_.size() && (is_of_name(text_[at_]) || text_.compare(at_, 2, "::") == 0))
-                    step(is_of_name(text_[at_]) ? 1 : 2);
-            } else if (text_[at_] == '"' || text_[at_] == '\'') {
-                step(length_of_quoted());
+                while (at_ < text_.size() && (is_word(text_[at_]) || text_.compare(at_, 2, "::") == 0))
+                    step(is_word(text_[at_]) ? 1 : 2);
             } else {
-                step(length_of_sign());
+                const std::size_t end = behind_quoted(text_, at_);
+                step(end == at_ ? length_of_sign() : end - at_);
             }
             token.text = text_.substr(start, at_ - start), token.to = at_;
             tokens.push_back(std::move(token));
@@ -45,12 +44,6 @@ public:
 private:
     bool is_sign_of_exponent() const {
         return (text_[at_] == '-' || text_[at_] == '+') && (text_[at_ - 1] == 'e' || text_[at_ - 1] == 'E');
-    }
-
-    std::size_t length_of_quoted() const {
-        std::size_t end = at_ + 1;
-        while (end < text_.size() && text_[end] != text_[at_] && text_[end] != '\n') end += text_[end] == '\\' ? 2 : 1;
-        return end + 1 - at_;
     }
 
     std::size_t length_of_sign() const {
@@ -68,12 +61,11 @@ private:
 
     void skip() {
         while (at_ < text_.size()) {
-            if (text_.compare(at_, 2, "/*") == 0) {
-                const std::size_t end = text_.find("*/", at_ + 2);
-                step((end == text_.npos ? text_.size() : end + 2) - at_);
+            if (const std::size_t end = behind_comment(text_, at_); end != at_) {
+                step(end - at_);
                 continue;
             }
-            const bool is_rest = text_[at_] == '#' || text_.compare(at_, 2, "//") == 0;
+            const bool is_rest = text_[at_] == '#';
             if (!is_rest && !std::isspace(static_cast<unsigned char>(text_[at_]))) return;
             do step(1);
             while (is_rest && at_ < text_.size() && text_[at_] != '\n');

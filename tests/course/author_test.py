@@ -17,13 +17,14 @@ import argparse
 import os
 import pathlib
 import re
-import resource
 import shutil
 import subprocess
 import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+from helpers import ROOT, cpu_seconds  # noqa: E402
+
 PAGE = ROOT / "grader/INSTRUCTORS.md"
 # what the walk needs of a build; the tests' programs are larger than all of it
 NOT_COPIED = {"tests", "calibration", "report", "kept"}
@@ -59,11 +60,6 @@ def copy_build(build, tree):
     for entry in build.iterdir():
         if entry.name not in NOT_COPIED and not (entry.is_file() and entry.name in ("unit_tests", "threads")):
             subprocess.run(["cp", "-a", entry, target], check=True)
-
-
-def cpu_seconds():
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return used.ru_utime + used.ru_stime
 
 
 class Walk:

@@ -22,7 +22,6 @@ from helpers import BLANKS, ROOT, SOLUTION, end, expect, record_at, run, timeles
 
 GRADE = pathlib.Path(sys.argv[1]).absolute()
 HOSTILE = '// <script>alert(1)</script> =cmd|"/c calc" \\x1b[2J\n#error "]]> <b>&lt; | `x` %0A::set-env name=A::B\x1b[2J"\n'
-VERDICTS = {"passed", "failed", "not_started", "did_not_build", "crashed", "timed_out", "not_finite", "inconclusive"}
 
 
 def submission(folder):

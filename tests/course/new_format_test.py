@@ -5,7 +5,6 @@ are made of solutions: new_format_test.py BUILD. Skipped (77) where there is no 
 import pathlib
 import re
 import shutil
-import subprocess
 import sys
 import tempfile
 

@@ -2,17 +2,15 @@
 
 import collections
 import os
-import pathlib
 import random
 import re
-import resource
 import shutil
 import signal
 import subprocess
 import time
 
 from classes import archive, outcome, records, text
-from helpers import BLANKS, ROOT, SOLUTION, expect, record_at, run, variant
+from helpers import BLANKS, ROOT, SOLUTION, cpu_seconds, expect, record_at, run, variant
 
 FORMATS = "gradescope prairielearn junit actions annotations classroom50 csv canvas html terminal".split()
 PARTS = 2
@@ -49,11 +47,6 @@ def make_class(at, size, filled, fewer):
         else:
             different.add(tuple(sorted(files.items())))
     return len(different)
-
-
-def cpu_seconds():
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return used.ru_utime + used.ru_stime
 
 
 def timed(command, expected=0):

@@ -2,10 +2,9 @@
 #include <unistd.h>
 
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 
+#include "require.h"
 #include "submission/archive.h"
 #include "submission/submission.h"
 
@@ -14,12 +13,6 @@
 namespace {
 
 const std::vector<std::string> fragments = {"camera_ray", "hit_sphere", "phong", "uniform_disk"};
-
-void require(bool holds, const char* what) {
-    if (holds) return;
-    std::fprintf(stderr, "archive_fuzz: %s\n", what);
-    std::abort();
-}
 
 }  // namespace
 

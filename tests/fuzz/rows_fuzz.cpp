@@ -1,11 +1,10 @@
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 
 #include "protocol/protocol.h"
 #include "protocol/rows.h"
+#include "require.h"
 
 /// The numbers of an answer are rows, or none; a value in them is read, or the reader throws.
 namespace {
@@ -27,11 +26,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (grade::unflatten(numbers, rows)) {
         const std::vector<double> again = grade::flatten(rows);
         const std::size_t first = 1 + rows.size();  // behind the counts, of which -0 is one
-        if (again.size() != numbers.size() ||
-            std::memcmp(again.data() + first, numbers.data() + first, (again.size() - first) * sizeof(double)) != 0) {
-            std::fprintf(stderr, "rows_fuzz: other numbers came back\n");
-            std::abort();
-        }
+        require(again.size() == numbers.size() && std::memcmp(again.data() + first, numbers.data() + first,
+                                                              (again.size() - first) * sizeof(double)) == 0,
+                "other numbers came back");
         for (const auto& row : rows) {
             read_as<rt::Ray>(row), read_as<rt::vec3>(row), read_as<rt::LightSample>(row), read_as<rt::Scattered>(row),
                 read_as<rt::Outgoing>(row);

@@ -1,20 +1,13 @@
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 
+#include "require.h"
 #include "rt/files/scene_reader.h"
 #include "rt/plan.h"
 
 /// A scene file is a scene of finite numbers, or a located error.
 namespace {
-
-void require(bool holds, const char* what) {
-    if (holds) return;
-    std::fprintf(stderr, "scene_fuzz: %s\n", what);
-    std::abort();
-}
 
 bool is_finite(rt::vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 

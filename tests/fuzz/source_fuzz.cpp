@@ -1,10 +1,9 @@
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <stdexcept>
 #include <string>
 
+#include "require.h"
 #include "textbook/expressions.h"
 #include "textbook/source.h"
 
@@ -15,11 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const auto source = grade::textbook::editable(text);
         const auto lines = 1 + std::count(text.begin(), text.end(), '\n');
         for (const auto& node : source.nodes)
-            if (node.line < 1 || node.line > lines || node.text.empty()) {
-                std::fprintf(stderr, "source_fuzz: line %d of %ld has no \"%s\"\n", node.line, long(lines),
-                             node.text.c_str());
-                std::abort();
-            }
+            require(node.line >= 1 && node.line <= lines && !node.text.empty(), "an expression in no line");
     } catch (const std::runtime_error&) {
     } catch (const grade::textbook::TooLong&) {}
     return 0;

@@ -1,13 +1,12 @@
 """A kit, as `grade hand-out` writes it, and what one does with it."""
 
-import json
 import pathlib
 import shutil
 import subprocess
 import sys
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
-from helpers import timeless  # noqa: E402
+from helpers import record_of, timeless  # noqa: E402
 
 
 def without_times(record):
@@ -39,8 +38,4 @@ class Kit:
         return done.stdout + done.stderr, done.returncode
 
     def grade(self, *words):
-        out = self.folder / "record.json"
-        said, code = self.run(*words, "--json", str(out))
-        if code != 0:
-            raise SystemExit(f"grade {' '.join(words)} ended with {code}:\n{said}")
-        return json.loads(out.read_text())
+        return record_of([self.folder / "grade", *words], cwd=self.folder)

@@ -7,12 +7,11 @@
 """
 
 import argparse
-import json
 import pathlib
 import tempfile
 
 from kit import Kit, without_times
-from helpers import ROOT, SOLUTION, end, expect, points_in_order, run, variant
+from helpers import ROOT, SOLUTION, end, expect, points_in_order, record_of, variant
 
 VARIANTS = ROOT / "tests/variants"
 # whose mistakes failed or blocked right fragments when fragments were run with each other
@@ -28,12 +27,6 @@ def bundles(patches):
     while waiting:
         yield [of_one.pop(0) for of_one in waiting.values()]
         waiting = {fragment: rest for fragment, rest in waiting.items() if rest}
-
-
-def graded_by_instructor(grade, folder, seed, names):
-    out = folder.parent / "office.json"
-    run([grade, folder, *names, "--seed", seed, "--json", out])
-    return json.loads(out.read_text())
 
 
 def difference(home, office):
@@ -61,7 +54,7 @@ def main():
             texts = dict(map(variant, bundle))
             kit.write(texts)
             home = without_times(kit.grade(*texts, "--seed", str(seed)))
-            office = without_times(graded_by_instructor(grade, mine.parent, seed, list(texts)))
+            office = without_times(record_of([grade, mine.parent, *texts, "--seed", seed]))
             expect(home == office, f"seed {seed}, {[p.stem for p in bundle]}: {difference(home, office)}" if home != office else "")
             count += len(bundle)
 

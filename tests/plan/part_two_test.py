@@ -14,7 +14,8 @@ import sys
 import tempfile
 import tomllib
 
-from programs import ROOT, Programs, draw, end, expect, fragments_in_order
+from programs import Programs, draw
+from helpers import ROOT, end, expect, fragments_in_order
 
 # With which fragment each scene is complete. A scene is complete with the fragment that it is for; but one with mirrors or
 # glass waits for whitted, which sends on the rays.

@@ -19,7 +19,8 @@ import sys
 import tempfile
 import tomllib
 
-from programs import ROOT, Programs, draw, end, expect, fragments_in_order, named
+from programs import Programs, draw, named
+from helpers import ROOT, end, expect, fragments_in_order
 
 MOST = 1.02  # instructions, as a ratio
 

@@ -4,16 +4,9 @@ import pathlib
 import re
 import subprocess
 import sys
-import tomllib
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
-from helpers import ROOT, end, expect  # noqa: E402, F401
-
-
-def fragments_in_order():
-    """As assignment.toml has them, by parts."""
-    parts = tomllib.loads((ROOT / "assignment.toml").read_text())["part"]
-    return {part["name"]: [fragment["name"] for fragment in part["fragments"]] for part in parts}
+from helpers import fragments_in_order  # noqa: E402
 
 
 def link_line(build, program):

@@ -1,4 +1,4 @@
-# Sourced by debian and kit: minimal Debian systems, and commands in them. Exit status 77: not on this machine.
+# Sourced by debian, kit and package: minimal Debian systems, and commands in them. Exit status 77: not on this machine.
 # shellcheck shell=bash
 project=$(dirname "$(dirname "$(dirname "$(readlink -f -- "${BASH_SOURCE[0]}")")")")
 
@@ -11,6 +11,29 @@ cannot() {
 require_means() {
     [ "$(id -u)" = 0 ] || cannot "only root can make a Debian system and mount what it needs"
     unshare --mount --pid --fork true 2>/dev/null || cannot "namespaces cannot be made here"
+}
+
+# begin OPTION WORDS...: reads NAME [--system FOLDER] [OPTION FILE] for a script that has a usage(). Sets name, folder, given: the
+# file, and work, a folder that goes at the end.
+begin() {
+    local option=$1
+    shift
+    name="" folder="" given=""
+    while [ $# -gt 0 ]; do
+        case $1 in
+            -h | --help) usage; exit ;;
+            --system) folder=$(readlink -m -- "${2:?a folder is missing}"); shift ;;
+            "$option") given=$(readlink -e -- "${2:?its name is missing}"); shift ;;
+            -*) name=""; break ;;
+            *) name=$1 ;;
+        esac
+        shift
+    done
+    [ -n "$name" ] || { usage >&2; exit 2; }
+    require_means
+    work=$(mktemp -d)
+    trap 'rm -rf --one-file-system "$work"' EXIT
+    [ -n "$folder" ] || folder=$work/system
 }
 
 # make_system NAME FOLDER [PACKAGES]: Debian's minimal system of that name, unless there is one in the folder.

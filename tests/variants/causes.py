@@ -9,50 +9,21 @@ CPU seconds that each grading took in all.
 """
 import argparse
 import concurrent.futures
-import json
 import pathlib
 import re
-import resource
-import shutil
-import subprocess
 import sys
-import tempfile
 
-SOLUTION = pathlib.Path(__file__).resolve().parent.parent.parent / "solution"
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+from helpers import cpu_seconds, head_of, record_of_one, variant  # noqa: E402
 
 
-def variant(path):
-    """Its fragment, and what is wrong with it; none for one that is right."""
-    text = path.read_text()
+def read(path):
+    """Its fragment, the fragment's text, and what is wrong with it; none for one that is right."""
     if path.suffix == ".patch":
-        lines = [line[2:] for line in text.splitlines() if line.startswith("# ")]
-        return next(line for line in lines if line.startswith("fragment: "))[10:], lines[0]
+        return *variant(path), head_of(path)["what"]
+    text = path.read_text()
     head = dict(re.findall(r"^// ([a-z]+): (.*)$", text, re.MULTILINE))
-    return head["fragment"], None if head["kind"] == "right" else head["what"]
-
-
-def put(path, fragment, folder):
-    """The fragment's file, as the variant has it."""
-    if path.suffix != ".patch":
-        shutil.copy(path, folder / f"{fragment}.cpp")
-        return
-    (folder / "solution").mkdir()
-    shutil.copy(SOLUTION / f"{fragment}.cpp", folder / "solution")
-    subprocess.run(["patch", "-p1", "--silent", "--no-backup-if-mismatch", "-i", path.resolve()], cwd=folder, check=True)
-    (folder / "solution" / f"{fragment}.cpp").rename(folder / f"{fragment}.cpp")
-    (folder / "solution").rmdir()
-
-
-def grade(program, path, fragment, seed):
-    with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        put(path, fragment, folder)
-        out = folder / "record.json"
-        done = subprocess.run([program, str(folder), fragment, "--trusted", "--jobs", "1", "--seed", str(seed), "--json", str(out)],
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-        if done.returncode != 0:
-            sys.exit(f"{path}: {done.stdout}")
-        return json.loads(out.read_text())["fragments"][0]
+    return head["fragment"], text, None if head["kind"] == "right" else head["what"]
 
 
 def in_cell(text):
@@ -68,18 +39,16 @@ def main():
     parser.add_argument("names", metavar="NAME", nargs="*", help="only variants whose names hold one of these words")
     asked = parser.parse_args()
     print("| variant | verdict | what is wrong | hint |\n|---|---|---|---|")
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    wrong = [(path, *variant(path)) for path in sorted([*asked.folder.glob("*.cpp"), *asked.folder.glob("*.patch")])
+    wrong = [(path, *read(path)) for path in sorted([*asked.folder.glob("*.cpp"), *asked.folder.glob("*.patch")])
              if not asked.names or any(word in path.stem for word in asked.names)]
-    wrong = [one for one in wrong if one[2] is not None]
+    wrong = [one for one in wrong if one[3] is not None]
+    before = cpu_seconds()
     with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
-        records = pool.map(lambda one: grade(asked.program, one[0], one[1], asked.seed), wrong)
-        for (path, _, what), record in zip(wrong, records):
+        records = pool.map(lambda one: record_of_one(asked.program, one[1], one[2], asked.seed), wrong)
+        for (path, _, _, what), record in zip(wrong, records):
             print(f"| {path.stem} | {record['verdict']} | {in_cell(what)} | {in_cell(record['message'])} |", flush=True)
-    count = len(wrong)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    if count:
-        print(f"\n{count} variants, {(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime) / count:.1f} CPU seconds each")
+    if wrong:
+        print(f"\n{len(wrong)} variants, {(cpu_seconds() - before) / len(wrong):.1f} CPU seconds each")
 
 
 if __name__ == "__main__":

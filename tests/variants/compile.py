@@ -10,29 +10,19 @@ import subprocess
 import sys
 import tempfile
 
-HERE = pathlib.Path(__file__).resolve().parent
-ROOT = HERE.parent.parent
-
-
-def patched(patch):
-    """The name of the fragment's file, and its text with the patch."""
-    name = next(line for line in patch.read_text().splitlines() if line.startswith("+++ b/")).removeprefix("+++ b/")
-    done = subprocess.run(["patch", "--silent", "-o", "-", name, patch], cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                          text=True)
-    if done.returncode != 0:
-        sys.exit(f"{patch}:1:1: does not apply to {name}; expected: a patch of today's solution\n{done.stdout}")
-    return name, done.stdout
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+from helpers import ROOT, variant  # noqa: E402
 
 
 def main():
     compiler, *includes = sys.argv[1:]
-    patches = sorted(HERE.glob("*/*.patch"))
+    patches = sorted((ROOT / "tests/variants").glob("*/*.patch"))
     unit = ["constexpr double DOSE = 0.01;\n"]
     for number, patch in enumerate(patches):
-        name, text = patched(patch)
+        fragment, text = variant(patch)
         if "\nnamespace rt {\n" not in text:
-            sys.exit(f"{patch}:1:1: {name} is not in namespace rt; expected: as in the solution")
-        unit.append(f'#line 1 "{patch.relative_to(ROOT)} applied to {name}"\n')
+            sys.exit(f"{patch}:1:1: solution/{fragment}.cpp is not in namespace rt; expected: as in the solution")
+        unit.append(f'#line 1 "{patch.relative_to(ROOT)} applied to solution/{fragment}.cpp"\n')
         unit.append(text.replace("\nnamespace rt {\n", f"\nnamespace rt::variant_{number} {{\n", 1))
     with tempfile.TemporaryDirectory() as folder:
         source = pathlib.Path(folder) / "variants.cpp"

@@ -17,10 +17,11 @@ import re
 import shutil
 import subprocess
 import sys
-import tempfile
 
-import causes
 import mistakes
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+from helpers import head_of, record_of_one, variant  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
 COMPILER = os.environ.get("CXX", "c++")
@@ -44,10 +45,8 @@ def sources(fragment, with_forms):
     """The solution, and the right variants of it."""
     yield "solution", (mistakes.ROOT / "solution" / f"{fragment}.cpp").read_text()
     for patch in sorted((HERE / "right").glob("*.patch")) if with_forms else []:
-        if causes.variant(patch)[0] == fragment:
-            with tempfile.TemporaryDirectory() as folder:
-                causes.put(patch, fragment, pathlib.Path(folder))
-                yield patch.stem, (pathlib.Path(folder) / f"{fragment}.cpp").read_text()
+        if head_of(patch)["fragment"] == fragment:
+            yield patch.stem, variant(patch)[1]
 
 
 class Mutant:
@@ -105,10 +104,7 @@ def mutants_of(fragment, asked, known):
 
 def judged(asked, fragment, mutant, known):
     """killed, equivalent or alive, and why."""
-    with tempfile.TemporaryDirectory() as folder:
-        file = pathlib.Path(folder) / "mutant.cpp"
-        file.write_text(mutant.text)
-        verdict = causes.grade(asked.program, file, fragment, asked.seed)["verdict"]
+    verdict = record_of_one(asked.program, fragment, mutant.text, asked.seed)["verdict"]
     if verdict != "passed":
         return "killed", verdict
     if machine_code(mutant.text) == machine_code(mutant.right):

@@ -8,18 +8,14 @@
 
 import argparse
 import concurrent.futures
-import json
 import os
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
-import tomllib
 
-solution = pathlib.Path(__file__).resolve().parents[2] / "solution"
-assignment = tomllib.loads((solution.parent / "assignment.toml").read_text())
-asked = {f["name"] for part in assignment["part"] for f in part["fragments"] if not f.get("given", False)}
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+from helpers import SOLUTION, points_in_order, record_of, record_of_one  # noqa: E402
 
 own_frame = ("[](vec3 axis, vec3 l) { const vec3 x = unit(cross(vec3(0, 1, 0), axis)), y = cross(axis, x); "
              "return l.x * x + l.y * y + l.z * axis; }")
@@ -122,34 +118,21 @@ promises = [
 
 
 def broken(fragment, change):
-    text = (solution / f"{fragment}.cpp").read_text()
+    text = (SOLUTION / f"{fragment}.cpp").read_text()
     if isinstance(change, Body):
         return re.sub(r"// BEGIN SOLUTION\n.*?// END SOLUTION[^\n]*\n", lambda _: change + "\n", text, flags=re.S)
     old, new = change
     if old not in text:
-        sys.exit(f"{solution / fragment}.cpp: '{old}' is not in it any more; expected what {sys.argv[0]} changes")
+        sys.exit(f"{SOLUTION / fragment}.cpp: '{old}' is not in it any more; expected what {sys.argv[0]} changes")
     return text.replace(old, new)
-
-
-def graded(grade, folder, *words):
-    """The fragments of the record."""
-    record = pathlib.Path(folder) / "record.json"
-    done = subprocess.run([grade, folder, *words, "--json", record], capture_output=True, text=True)
-    return json.loads(record.read_text())["fragments"] if done.returncode == 0 else sys.exit(done.stdout + done.stderr)
-
-
-def verdict(grade, fragment, text, seed):
-    with tempfile.TemporaryDirectory() as folder:
-        (pathlib.Path(folder) / f"{fragment}.cpp").write_text(text)
-        return graded(grade, folder, fragment, "--seed", str(seed))[0]["verdict"]
 
 
 def points_of_traps(grade):
     """Fragments that get points though each call of them ends the program."""
     with tempfile.TemporaryDirectory() as folder:
-        for file in solution.glob("*.cpp"):
+        for file in SOLUTION.glob("*.cpp"):
             (pathlib.Path(folder) / file.name).write_text(broken(file.stem, Body("__builtin_trap();")))
-        return [(f["name"], f["points"]) for f in graded(grade, folder, "--seed", "1") if f["points"] > 0]
+        return [(f["name"], f["points"]) for f in record_of([grade, folder, "--seed", "1"])["fragments"] if f["points"] > 0]
 
 
 def main():
@@ -159,14 +142,14 @@ def main():
     words.add_argument("--fast", action="store_true")
     words.add_argument("words", nargs="*")
     words = words.parse_args()
-    chosen = [p for p in promises if p[0] in asked and (not words.words or any(word in f"{p[0]} {p[1]}" for word in words.words))]
+    chosen = [p for p in promises if p[0] in points_in_order() and (not words.words or any(word in f"{p[0]} {p[1]}" for word in words.words))]
     if words.fast:
         chosen = list({fragment: (fragment, what, change) for fragment, what, change in chosen}.values())
 
     def line(promise):
         fragment, what, change = promise
         text = broken(fragment, change)
-        found = [verdict(words.grade.resolve(), fragment, text, seed) for seed in range(1, words.seeds + 1)]
+        found = [record_of_one(words.grade.resolve(), fragment, text, seed)["verdict"] for seed in range(1, words.seeds + 1)]
         kept = found.count("passed")
         print(f"{'BROKEN AND PASSED' if kept else 'ok':<18} {fragment:<20} {what}: "
               + ", ".join(f"{found.count(v)} {v}" for v in dict.fromkeys(found)), flush=True)

@@ -5,14 +5,14 @@ so; the others pass.
     tests/variants/single_precision.py GRADE [--seeds N]
 """
 import argparse
-import json
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+from helpers import ROOT, record_of  # noqa: E402
+
 SAYS = ("single precision", "about seven digits")
 
 # What is computed of numbers of either precision has the lower one.
@@ -80,12 +80,7 @@ def main():
         for path in sorted((ROOT / "solution").glob("*.cpp")):
             (place / "fragments" / path.name).write_text(in_float(path.read_text()))
         for seed in range(1, given.seeds + 1):
-            record = place / "record.json"
-            done = subprocess.run([given.grade, place / "fragments", "--seed", str(seed), "--fresh", "--json", record], cwd=ROOT,
-                                  capture_output=True, text=True)
-            if not record.exists():
-                sys.exit(done.stdout + done.stderr)
-            for fragment in json.loads(record.read_text())["fragments"]:
+            for fragment in record_of([given.grade, place / "fragments", "--seed", seed, "--fresh"], cwd=ROOT)["fragments"]:
                 name, verdict, how = fragment["name"], fragment["verdict"], fragment.get("finding", {}).get("how", "")
                 if verdict != ("failed" if name in expected else "passed"):
                     wrong.append(f"{name}, seed {seed}: {verdict}; expected it to {'fail' if name in expected else 'pass'}")

@@ -8,37 +8,24 @@ give each right one its full scored tier. Prints a row for each; exits with 1 wh
 are found, or a right one loses its scored tier.
 """
 import argparse
-import json
 import pathlib
 import shutil
 import subprocess
 import sys
 import tempfile
-import tomllib
 
 HERE = pathlib.Path(__file__).resolve().parent
-SOLUTION = HERE.parent.parent / "solution"
+sys.path.append(str(HERE.parent))
+from helpers import SOLUTION, fragments_in_order, head_of, record_of, variant  # noqa: E402
 
 
-def header(path):
-    lines = [line[2:] for line in path.read_text().splitlines() if line.startswith("# ")]
-    return dict(line.split(": ", 1) for line in lines[1:])
-
-
-def stress(program, patch, fragment, folder):
+def stress(program, patch):
     """The record of `grade stress` for the solution with a patch; only the families of the patched fragment are run."""
-    shutil.copytree(SOLUTION, folder / "solution")
-    done = subprocess.run(["patch", "-p1", "--silent", "--no-backup-if-mismatch", "-i", patch], cwd=folder,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-    if done.returncode != 0:
-        sys.exit(f"{patch}:1:1: does not apply to solution/{fragment}.cpp any more:\n{done.stdout}")
-    out = folder / "record.json"
-    command = [program, "stress", str(folder / "solution"), "--trusted", "--only", fragment, "--json", str(out),
-               "--time-limit", "3"]
-    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-    if done.returncode != 0:
-        sys.exit(f"{' '.join(command)}: exit code {done.returncode}:\n{done.stdout}")
-    return json.loads(out.read_text())["families"]
+    with tempfile.TemporaryDirectory() as work:
+        folder = shutil.copytree(SOLUTION, pathlib.Path(work) / "solution")
+        fragment, text = variant(patch)
+        (folder / f"{fragment}.cpp").write_text(text)
+        return record_of([program, "stress", folder, "--trusted", "--only", fragment, "--time-limit", "3"])["families"]
 
 
 def words(reach):
@@ -62,18 +49,15 @@ def main():
     asked = parser.parse_args()
 
     listed = subprocess.run([asked.program, "stress", "--list"], stdout=subprocess.PIPE, text=True, check=True).stdout
-    assignment = tomllib.loads((SOLUTION.parent / "assignment.toml").read_text())
-    listed_there = {f["name"] for part in assignment["part"] for f in part["fragments"]}
-    fragments = {line.split()[1] for line in listed.splitlines()} & listed_there
+    fragments = {line.split()[1] for line in listed.splitlines()} & set(sum(fragments_in_order().values(), []))
     counts = {"naive": [0, 0], "right": [0, 0]}  # found or passed, of all
     for kind in counts:
         paths = [p for p in sorted((HERE / kind).glob("*.patch")) if not asked.names or any(n in f"{kind}/{p.stem}" for n in asked.names)]
         for path in paths[::8] if asked.fast else paths:
-            keys = header(path)
+            keys = head_of(path)
             if keys["fragment"] not in fragments:
                 continue
-            with tempfile.TemporaryDirectory() as folder:
-                families = stress(asked.program, path, keys["fragment"], pathlib.Path(folder))
+            families = stress(asked.program, path)
             counts[kind][1] += 1
             if kind == "right":
                 lost = [f"{f['name']} passes {words(f['reach'])}" for f in families if f["scored"] is False]

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "checks/kit/scene.h"
+#include "files/words.h"
 #include "rt/files/scene_reader.h"
 #include "rt/files/toml_table.h"
 
@@ -20,10 +21,7 @@ std::string_view placeholder(std::string_view text) {
 }
 
 [[noreturn]] void fail(std::string_view text, std::size_t at, const std::string& path, const std::string& message) {
-    const std::string_view before = text.substr(0, at);
-    const auto line = 1 + std::ranges::count(before, '\n');
-    const std::size_t column = at - (before.rfind('\n') + 1) + 1;  // npos + 1 is 0
-    throw rt::InputError(fmt::format("{}:{}:{}: {}", path, line, column, message));
+    throw rt::InputError(fmt::format("{}:{}: {}", path, line_and_column(text, at), message));
 }
 
 std::vector<std::string> names_of(const SceneKeys& values) {
