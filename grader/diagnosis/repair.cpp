@@ -16,9 +16,10 @@ namespace {
 
 using textbook::Value;
 
-constexpr std::size_t least_wrong = 5, most_of_each = 48;    // calls
-constexpr std::size_t most_at_once = 2'000;                  // rows in one frame
-constexpr std::size_t most_rows = 400'000;                   // in all
+constexpr std::size_t least_wrong = 5, most_of_each = 48;  // calls
+constexpr std::size_t most_at_once = 2'000;                // rows in one frame
+constexpr std::size_t most_rows = 400'000;                 // in all
+constexpr std::size_t most_rows_of_spread = 150'000;
 constexpr double least_share = 0.5;                          // of the wrong calls
 constexpr double dearest_alone = 1.5, dearest_of_two = 1.3;  // of one that puts most right; of each of two
 
@@ -49,7 +50,7 @@ public:
             return std::nullopt;
         const std::vector<Mistake> changes = mistakes_in(all_, arguments_, told_);  // the simplest first
         const std::size_t at_once = most_at_once / rough->rows().size() + 1;
-        for (std::size_t from = 0; from < changes.size() && asked_ < most_rows; from += at_once) {
+        for (std::size_t from = 0; from < changes.size() && asked_ < most_rows_of_spread; from += at_once) {
             std::vector<Edit> edits;
             for (std::size_t i = from; i < std::min(changes.size(), from + at_once); ++i)
                 edits.push_back({&changes[i]});

@@ -95,16 +95,16 @@ def check_print(browser, page_file, fragments):
         for name in ("phong", "shadow_ray"):
             expect(page.locator(f"#{name} table").first.is_visible(), f"print: the checks of {name}, passed or not, are whole")
         check_unfolded(page, "with script")
-    for section in page.locator("section.card.is_passed").all():
-        words = section.locator("> p").first
-        expect(words.is_visible() and re.fullmatch(r"(All of its \d+ checks pass|Its check passes): nothing is wrong\.",
-                                                   words.inner_text()),
-               f"print: {section.get_attribute('id')} says that it passes")
-    beside = page.evaluate("""[...document.querySelectorAll('.statistics')].filter(table => {
-        const [head, first] = table.rows;
-        return first.getBoundingClientRect().left > head.getBoundingClientRect().left + 1;
-    }).length""")
-    expect(beside == 0, f"print: {beside} legends stand beside what they are of")
+        for section in page.locator("section.card.is_passed").all():
+            words = section.locator("> p").first
+            expect(words.is_visible() and re.fullmatch(r"(All of its \d+ checks pass|Its check passes): nothing is wrong\.",
+                                                       words.inner_text()),
+                   f"print: {section.get_attribute('id')} says that it passes")
+        beside = page.evaluate("""[...document.querySelectorAll('.statistics')].filter(table => {
+            const [head, first] = table.rows;
+            return first.getBoundingClientRect().left > head.getBoundingClientRect().left + 1;
+        }).length""")
+        expect(beside == 0, f"print: {beside} legends stand beside what they are of")
         pages = len(re.findall(rb"/Type\s*/Page\b", page.pdf(format="A4")))
         first = page.locator("#overview").bounding_box()
         expect(first["y"] < 400, "print: the overview begins on the first page")
