@@ -1,4 +1,4 @@
-// says: n / columns cells in each column, in whole numbers: where that leaves a rest, the last columns lie outside of the square
+// says: n / columns cells in each column, in whole numbers: a rest of the cells lies outside of the square
 vec2 stratified_2d(int i, int n, vec2 u) {
     const int columns = int(std::floor(std::sqrt(Real(n))));
     const Real held = std::floor(Real(n) / columns);
