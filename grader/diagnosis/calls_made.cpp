@@ -187,8 +187,8 @@ std::string usual_wrong_answer(const Calls& calls) {
     const auto too_many = std::ranges::count_if(
         wrong, [&](std::size_t k) { return calls.right[k] == Row{rt::inf} && is_something(calls.mine[k]); });
     if (wrong.size() >= 8 && double(too_many) >= nearly * double(wrong.size()))
-        return fmt::format("in {} of {} wrong calls the right answer is inf: these must be turned away",
-                           too_many, wrong.size());
+        return fmt::format("in {} of {} wrong calls the right answer is inf: these must be turned away", too_many,
+                           wrong.size());
     return {};
 }
 
