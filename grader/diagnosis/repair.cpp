@@ -44,7 +44,7 @@ public:
 
     /// See repair_of_spread.
     std::optional<Repair> of_spread(const Ask& right) {
-        const auto rough = Integrals::of(calls_, right, 1, 6, 0.15), fine = Integrals::of(calls_, right, 4, 20, 0.04);
+        const auto rough = Integrals::of(calls_, right, 1, 6, 0.15), fine = Integrals::of(calls_, right, 4, 32, 0.015);
         if (!rough || !fine || !see()) return std::nullopt;
         if (const auto as_it_is = answers({Edit{}}, fine->rows()); as_it_is.empty() || fine->are_right(as_it_is[0]))
             return std::nullopt;
@@ -264,7 +264,10 @@ void add_repair(std::optional<Relation>& relation, const Calls& calls, const std
     const bool is_all = repair->share == 1;
     const bool is_by_chance =
         is_exact(relation) && relation->has_change() && !relation->calls.empty() && are_one_answer(calls);
-    const bool is_less_simple = is_exact(relation) && relation->of_two && repair->is_simple;
+    constexpr double odd = 1.9;  // what nobody writes by mistake, as `b / a` for `a`
+    const bool is_odd =
+        is_exact(relation) && (relation->of_two || (relation->kind == Relation::Kind::change && relation->cost >= odd));
+    const bool is_less_simple = is_odd && repair->is_simple;
     if (is_all && (is_by_chance || is_less_simple)) relation.reset();
     if (is_exact(relation)) {
         if (!is_all && is_cause) return;

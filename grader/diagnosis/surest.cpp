@@ -56,7 +56,7 @@ std::optional<Relation> sure_relation(const Calls& calls, const Ask& ask_right, 
         const Calls some = picked(calls, most, others);
         auto relation = relation_of(some, ask, sampled, right_otherwise);
         if (right_otherwise) return std::optional<Relation>();
-        constexpr double simple = 1.1;
+        constexpr double simple = 1;
         if (is_exact(relation) && relation->is_change() && relation->cost <= simple) return relation;
         relation = simpler(relation, relation_of_textbook(some, sampled, right_otherwise, left_of_forms));
         return right_otherwise ? std::nullopt : relation;
