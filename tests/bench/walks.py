@@ -110,7 +110,7 @@ def main():
         sys.exit("--write takes all rows; expected no --only")
     rows = []
     with tempfile.TemporaryDirectory() as work:
-        for mesh in "candle.obj", "flame.obj":  # scenes name meshes beside them
+        for mesh in "candle.obj", "wick.obj", "flame.obj":  # scenes name meshes beside them
             shutil.copy(root / "scenes/gallery" / mesh, work)
         for case in (c for c in cases() if words.only in c[0]):
             rows.append(judge(words.build / "raytrace", pathlib.Path(work), *case))
