@@ -1,6 +1,7 @@
 #include "diagnosis/integrals.h"
 
 #include <algorithm>
+#include <random>
 
 namespace grade {
 
@@ -26,13 +27,15 @@ Rows over_grid(const Row& call, const std::vector<std::size_t>& u, std::optional
                std::size_t side) {
     Rows rows;
     const std::size_t count = u.size() == 1 ? side * side : side;
-    const auto middle = [&](std::size_t i) { return (double(i) + 0.5) / double(count); };
+    // not the middles, whose sums are off by what lies at the rim
+    std::mt19937_64 random(1);
+    const auto within = [&](std::size_t i) { return (double(i) + double(random() >> 11) * 0x1p-53) / double(count); };
     for (int one = 0; one < samples; ++one)
         for (std::size_t i = 0; i < side * side; ++i) {
             rows.push_back(call);
             if (sample) rows.back()[*sample] = one;
-            rows.back()[u[0]] = middle(i % count);
-            if (u.size() > 1) rows.back()[u[1]] = middle(i / count);
+            rows.back()[u[0]] = within(i % count);
+            if (u.size() > 1) rows.back()[u[1]] = within(i / count);
         }
     return rows;
 }
@@ -53,7 +56,7 @@ std::optional<Integrals> Integrals::of(const Calls& calls, const Ask& right, std
         if (count) call[*count] = few;
         const Rows rows =
             over_grid(call, u, sample, sample ? few : 1, sample ? std::max<std::size_t>(side / 2, 2) : side);
-        all.each_ = rows.size();
+        all.each_ = rows.size(), all.of_sample_ = sample ? rows.size() / few : rows.size();
         all.rows_.insert(all.rows_.end(), rows.begin(), rows.end());
     }
     const Rows due = right(all.rows_);
@@ -71,7 +74,15 @@ std::optional<Integrals> Integrals::of(const Calls& calls, const Ask& right, std
             else if (is_number)
                 all.places_.push_back(at);
         }
-    for (std::size_t base = 0; base < bases; ++base) all.due_.push_back(all.moments(due, base));
+    for (std::size_t base = 0; base < bases; ++base) {
+        all.middles_.emplace_back();
+        for (const std::size_t at : all.places_) {
+            double sum = 0;
+            for (std::size_t k = base * all.each_; k < (base + 1) * all.each_; ++k) sum += due[k][at];
+            all.middles_.back().push_back(sum / double(all.each_));
+        }
+        all.due_.push_back(all.moments(due, base)), all.within_.push_back(all.within_samples(due, base));
+    }
     return all;
 }
 
@@ -89,11 +100,23 @@ std::vector<Integrals::Moment> Integrals::moments(const Rows& answers, std::size
         for (const std::size_t at : measures_) add(measure(at));
         const double share = measures_.empty() ? 1 : measure(measures_.front());
         for (std::size_t i = 0; i < places_.size(); ++i) {
-            const double x = share == 0 ? 0 : share * row[places_[i]];  // a sample that does not count may be anywhere
+            const auto from_middle = [&](std::size_t place) { return row[places_[place]] - middles_[base][place]; };
+            const double x = share == 0 ? 0 : share * from_middle(i);  // a sample that does not count may be anywhere
             add(x);
-            for (std::size_t j = 0; j <= i; ++j) add(x == 0 ? 0 : x * row[places_[j]]);
+            for (std::size_t j = 0; j <= i; ++j) add(x == 0 ? 0 : x * from_middle(j));
         }
     }
+    return all;
+}
+
+double Integrals::within_samples(const Rows& answers, std::size_t base) const {
+    double all = 0;
+    for (std::size_t begin = base * each_; begin < (base + 1) * each_; begin += of_sample_)
+        for (const std::size_t at : places_) {
+            double mean = 0;
+            for (std::size_t k = begin; k < begin + of_sample_; ++k) mean += answers[k][at] / double(of_sample_);
+            for (std::size_t k = begin; k < begin + of_sample_; ++k) all += rt::sqr(answers[k][at] - mean);
+        }
     return all;
 }
 
@@ -102,6 +125,9 @@ bool Integrals::are_right(const Rows& answers) const {
     for (const Row& row : answers)
         if (row.size() != width_) return false;
     for (std::size_t base = 0; base < due_.size(); ++base) {
+        constexpr double about = 0.2;
+        if (of_sample_ < each_ && !(std::abs(within_samples(answers, base) - within_[base]) <= about * within_[base]))
+            return false;
         const std::vector<Moment> all = moments(answers, base);
         for (std::size_t i = 0; i < all.size(); ++i) {
             const double scale = std::sqrt(due_[base][i].square) + 1e-9;

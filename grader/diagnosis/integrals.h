@@ -6,11 +6,11 @@
 
 namespace grade {
 
-/// What the samples of some calls integrate over all random numbers u: their measure, where they are, and where they
-/// are squared. Samples that are right integrate what the solution's do, wherever each of them lies.
+/// What the samples of some calls integrate over all random numbers u: their measure, and where they are, from the
+/// middle of all, and that squared. Samples that are right integrate what the solution's do, wherever each of them lies.
 ///
 /// The measure is the weight, or 1 / density of a lamp, which may be sampled in several ways, or 1; else a density is
-/// one more coordinate. The random numbers are a grid.
+/// one more coordinate. The random numbers are a point in each cell of a grid.
 class Integrals {
 public:
     /// Of a fragment with random numbers; none: it has none, or what the solution integrates is no number.
@@ -29,15 +29,19 @@ private:
     struct Moment {
         double mean = 0, square = 0;
     };
+    /// How far answers are from the middle of those of the same sample: samples in cells must not lie all over.
+    double within_samples(const Rows& answers, std::size_t base) const;
     std::vector<Moment> moments(const Rows& answers, std::size_t base) const;
 
     Layout result_;
     Rows rows_;
-    std::size_t each_ = 0, width_ = 0;  // rows of a base; numbers of an answer
+    std::size_t each_ = 0, of_sample_ = 0, width_ = 0;  // rows of a base, and of a sample; numbers of an answer
     double close_ = 0;
     std::vector<std::size_t> places_, measures_;  // numbers of an answer
     bool is_density_ = false;
-    std::vector<std::vector<Moment>> due_;  // of each base
+    std::vector<std::vector<double>> middles_;  // of each base: the mean of each place
+    std::vector<double> within_;
+    std::vector<std::vector<Moment>> due_;
 };
 
 }  // namespace grade

@@ -19,7 +19,7 @@ using textbook::Value;
 constexpr std::size_t least_wrong = 5, most_of_each = 48;  // calls
 constexpr std::size_t most_at_once = 2'000;                // rows in one frame
 constexpr std::size_t most_rows = 400'000;                 // in all
-constexpr std::size_t most_rows_of_spread = 150'000;
+constexpr std::size_t most_rows_of_spread = 200'000;
 constexpr double least_share = 0.5;                          // of the wrong calls
 constexpr double dearest_alone = 1.5, dearest_of_two = 1.3;  // of one that puts most right; of each of two
 
@@ -44,7 +44,9 @@ public:
 
     /// See repair_of_spread.
     std::optional<Repair> of_spread(const Ask& right) {
-        const auto rough = Integrals::of(calls_, right, 1, 6, 0.15), fine = Integrals::of(calls_, right, 4, 32, 0.015);
+        const Calls wrong = only_wrong(calls_);
+        if (wrong.size() == 0) return std::nullopt;
+        const auto rough = Integrals::of(wrong, right, 1, 6, 0.3), fine = Integrals::of(wrong, right, 4, 32, 0.03);
         if (!rough || !fine || !see()) return std::nullopt;
         if (const auto as_it_is = answers({Edit{}}, fine->rows()); as_it_is.empty() || fine->are_right(as_it_is[0]))
             return std::nullopt;
