@@ -7,7 +7,8 @@
 namespace grade {
 
 /// What the samples of some calls integrate over all random numbers u: their measure, and where they are, from the
-/// middle of all, and that squared. Samples that are right integrate what the solution's do, wherever each of them lies.
+/// middle of all, and that squared. Samples that are right integrate what the solution's do, wherever each of them
+/// lies.
 ///
 /// The measure is the weight, or 1 / density of a lamp, which may be sampled in several ways, or 1; else a density is
 /// one more coordinate. The random numbers are a point in each cell of a grid.
