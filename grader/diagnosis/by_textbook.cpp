@@ -54,16 +54,19 @@ std::optional<Relation> known_mistake(const Calls& calls, bool sampled) {
         Asked asked(form);
         for (const Change& base : same_sampling(calls.layouts.front())) {
             if (base.cost > 0 && !sampled) break;
-            std::size_t wrong = 0;
+            std::size_t wrong = 0, left_out = 0;
             const auto is_explained = [&](std::size_t k) {
                 Row row = calls.rows[k];
                 base.make(row, calls.layouts[k]);
+                const Row answer = asked.answer(row, calls.layouts[k]);
+                // one who divides by 0 in a form may have guarded against it
+                if (is_nan(answer, calls.mine[k])) return ++left_out, true;
                 wrong += !is_equal(calls.result, calls.mine[k], calls.right[k]);
-                return is_as(calls, k, wrong_parts, asked.answer(row, calls.layouts[k]));
+                return is_as(calls, k, wrong_parts, answer);
             };
             std::size_t k = 0;
             while (k < calls.size() && is_explained(k)) ++k;
-            if (k < calls.size() || wrong < FormSearch::enough) continue;
+            if (k < calls.size() || wrong < FormSearch::enough || left_out > calls.size() / 10) continue;
             Relation found{form.says, Relation::Kind::named_mistake};
             found.cost = 1 + base.cost, found.by_textbook = true, found.has_other_order = form.has_other_order;
             return found;
