@@ -63,7 +63,7 @@ bool are_near(const Calls& all) {
     return true;
 }
 
-constexpr std::size_t most_of_spread = 6000;  // of the solution's answers
+constexpr std::size_t most_of_spread = 20'000;  // of the solution's answers
 
 /// An explanation of one fragment, as it is made.
 class Explanation {
