@@ -35,26 +35,26 @@ Calls picked(const Calls& all, std::size_t most, bool others) {
     return those_of(all, [&](std::size_t k) { return std::ranges::count(chosen, k) > 0; });
 }
 
-std::vector<Dependence> dependences(const Calls& calls, const Calls& others, const Ask& mine, const Ask& right) {
+std::vector<Dependence> dependences(const Calls& asked, const Calls& others, const Ask& mine, const Ask& right) {
     constexpr std::size_t most = 64;
-    const std::size_t count = std::min(calls.size(), most);
-    const auto& parts = calls.layouts.front().parts;
+    const std::size_t count = std::min(asked.size(), most);
+    const auto& parts = asked.layouts.front().parts;
     std::vector<Dependence> all(parts.size());
     for (std::size_t i = 0; i < parts.size(); ++i) {
         Rows rows;
         for (std::size_t k = 0; k < count; ++k) {
-            Row row = calls.rows[k];
+            Row row = asked.rows[k];
             const std::size_t other = (k * 7 + 3) % others.size();
             for (std::size_t c = 0; c < size_of(parts[i].kind); ++c)
-                row[calls.layouts[k].parts[i].at + c] = others.rows[other][others.layouts[other].parts[i].at + c];
+                row[asked.layouts[k].parts[i].at + c] = others.rows[other][others.layouts[other].parts[i].at + c];
             rows.push_back(std::move(row));
         }
         const auto differs = [&](const Rows& answers, const Rows& before) {
             double changed = 0;
-            for (std::size_t k = 0; k < answers.size(); ++k) changed += !is_equal(calls.result, answers[k], before[k]);
+            for (std::size_t k = 0; k < answers.size(); ++k) changed += !is_equal(asked.result, answers[k], before[k]);
             return answers.empty() ? 1 : changed / double(answers.size());
         };
-        all[i] = {differs(mine(rows), calls.mine), differs(right(rows), calls.right)};
+        all[i] = {differs(mine(rows), asked.mine), differs(right(rows), asked.right)};
     }
     return all;
 }

@@ -35,7 +35,7 @@ struct Dependence {
 };
 
 /// On which parts the answers to these calls depend: each is taken from one of `others`.
-std::vector<Dependence> dependences(const Calls& calls, const Calls& others, const Ask& mine, const Ask& right);
+std::vector<Dependence> dependences(const Calls& asked, const Calls& others, const Ask& mine, const Ask& right);
 
 /// What the answers do not depend on though they must, or the other way round.
 std::string independence(const Calls& calls, const std::vector<Dependence>& all);
