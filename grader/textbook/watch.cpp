@@ -43,6 +43,7 @@ void put(double* x, vec3 v) { x[0] = v.x, x[1] = v.y, x[2] = v.z; }
 /// Numbers of a kind's size.
 void make(const Mistake& mistake, Value::Kind kind, double* x) {
     const std::size_t f = mistake.function;
+    const auto apply = [=](const auto& functions) { *x = functions[f].value(*x); };
     switch (mistake.made) {
         case Made::nothing:
             return;
@@ -63,17 +64,14 @@ void make(const Mistake& mistake, Value::Kind kind, double* x) {
             return;
         }
         case Made::tolerance:
-            *x = tolerance_functions[f].value(*x);
-            return;
+            return apply(tolerance_functions);
         case Made::tolerance_with:
             *x = relative_tolerances[f].value(*x, *other_of(mistake));
             return;
         case Made::share:
-            *x = share_functions[f].value(*x);
-            return;
+            return apply(share_functions);
         case Made::limit:
-            *x = limit_functions[f].value(*x);
-            return;
+            return apply(limit_functions);
         case Made::pair:
             for (int c = 0; c < 2; ++c) x[c] = pair_functions[f].value(x[c]);
             return;
