@@ -167,3 +167,32 @@ TEST_CASE("beside a part that is explained, a direction that has not length 1 is
     CHECK_THAT(found("shadow_ray", rows, mine).how,
                ContainsSubstring("`ray.direction * distance` in place of `ray.direction`; "));
 }
+
+TEST_CASE("other random numbers than the solution's: what no right sample does, and how they are spread") {
+    // r = 1 - u with an angle of its own: no root, and no call is the solution's
+    const Ask own = [](const Rows& rows) {
+        Rows all;
+        for (const Row& in : rows) {
+            const double r = 1 - in[0], turn = 2 * rt::pi * in[1] + 0.4;
+            all.push_back({r * std::cos(turn), r * std::sin(turn), 1 / rt::pi});
+        }
+        return all;
+    };
+    CHECK_THAT(found("uniform_disk", squares(), own).how, ContainsSubstring("`u.x * u.x` in place of `u.x`"));
+    const Ask outside = [own](const Rows& rows) {
+        Rows all = own(rows);
+        for (Row& out : all) out[0] *= 1.5, out[2] *= 1.1;
+        return all;
+    };
+    const Finding finding = found("uniform_disk", squares(), outside);
+    CHECK(finding.how == "`point` must be at most 1 from the middle");
+    CHECK_FALSE(finding.arguments.empty());
+    CHECK(finding.right.empty());
+}
+
+TEST_CASE("what is as good as right is not called wrong") {
+    const auto turned = [](Row& in) { in[0] = 1 - in[0]; };
+    const Finding finding = found("uniform_disk", squares(), answers("uniform_disk", turned));
+    CHECK(finding.how.empty());
+    CHECK(finding.arguments.empty());
+}
