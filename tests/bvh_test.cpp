@@ -38,10 +38,10 @@ struct Walk {
         deepest = std::max(deepest, depth);
         Real last = -inf;
         for (int c = 0; c < Bvh::width; ++c) {
-            if (node.bound[0][0][c] > node.bound[1][0][c]) continue;
+            if (node.bound[0][0][c] > node.bound[0][1][c]) continue;
             vec3 child_low, child_high;
-            for (int a = 0; a < 3; ++a) child_low[a] = node.bound[0][a][c], child_high[a] = node.bound[1][a][c];
-            const Real middle = node.bound[0][node.axis][c] + node.bound[1][node.axis][c];
+            for (int a = 0; a < 3; ++a) child_low[a] = node.bound[a][0][c], child_high[a] = node.bound[a][1][c];
+            const Real middle = node.bound[node.axis][0][c] + node.bound[node.axis][1][c];
             out_of_order += middle < last, last = middle;
             for (int a = 0; a < 3; ++a) outside += child_low[a] < low[a] || child_high[a] > high[a];
             if (!node.leaf) {
@@ -112,7 +112,7 @@ Real looks(int level) {
             if (n == 0) break;
             nodes += n;
             meetings.count = 0;
-            step(bvh.nodes.data(), journeys, rays, n, meetings);
+            for (int k = 0; k < n; ++k) step(bvh.nodes.data(), journeys, rays[k], meetings);
             for (int m = 0; m < meetings.count; ++m) {
                 const int i = int(meetings.lane(m));
                 const Real t = hit_triangle(triangles[std::size_t(meetings.item(m))], b.ray(i));

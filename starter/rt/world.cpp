@@ -44,7 +44,7 @@ struct Layout {
 
     /// A shape that does not move while the shutter is open is put where it is then.
     template <class S>
-    void add(std::vector<S>& list, S shape, int material, vec3 velocity, Index smooth = nothing) {
+    void add(LargeVector<S>& list, S shape, int material, vec3 velocity, Index smooth = nothing) {
         vec3 shift(0);
         if (!world.plan.time) {
             shift = world.scene.shutter.open * velocity;
@@ -64,7 +64,7 @@ struct Layout {
     }
 
     template <class S>
-    void add_kind(const Scene& scene, std::vector<S>& list) {
+    void add_kind(const Scene& scene, LargeVector<S>& list) {
         for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
             const Shape& shape = scene.shapes[i];
             const S* s = std::get_if<S>(&shape.geometry);

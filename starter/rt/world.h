@@ -36,16 +36,16 @@ struct Reflectance {
 struct World {
     Scene scene;  // without shapes; after its materials come those of the other squares of checkers
     RenderPlan plan;
-    std::vector<Sphere> spheres;
-    std::vector<Triangle> triangles;
-    std::vector<Quad> quads;
-    std::vector<Disc> discs;
+    LargeVector<Sphere> spheres;
+    LargeVector<Triangle> triangles;
+    LargeVector<Quad> quads;
+    LargeVector<Disc> discs;
     Index first_triangle = 0, first_quad = 0, first_disc = 0;
     std::vector<Emitter> emitters;
     LampTree lamp_tree;                     // of the emitters, where one is chosen
-    std::vector<SurfaceRecord> surfaces;    // by number
-    std::vector<vec3> normals;              // of meshes
-    std::vector<glm::ivec3> corners;        // which normals the corners of smooth triangles have
+    LargeVector<SurfaceRecord> surfaces;    // by number
+    LargeVector<vec3> normals;              // of meshes
+    LargeVector<glm::ivec3> corners;        // which normals the corners of smooth triangles have
     std::vector<Reflectance> reflectances;  // of no surface, which is black, and then of each material
     std::vector<Index> other_squares;       // the material of a checker's other squares, by material; or nothing
     std::vector<vec3> checker_origins;      // where their squares begin, by number; empty where there are none

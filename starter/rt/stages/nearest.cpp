@@ -3,6 +3,7 @@
 #include "rt/tree/beam.h"
 #include "rt/tree/meetings.h"
 #include "rt/tree/shaft.h"
+#include "rt/tree/shears.h"
 #include "rt/tree/traverse.h"
 
 namespace rt {
@@ -44,7 +45,7 @@ template <auto hit, bool moves, class Shape>
 
 /// All of a kind, one by one. first is the number of the first of them.
 template <auto hit, class Shape>
-void try_shapes(const World& world, const std::vector<Shape>& shapes, Index first, const Shaft& shaft, Batch& b) {
+void try_shapes(const World& world, const LargeVector<Shape>& shapes, Index first, const Shaft& shaft, Batch& b) {
     const Box* const boxes = world.boxes.empty() ? nullptr : world.boxes.data();  // none: all shapes are tried
     for (std::size_t k = 0; k < shapes.size(); ++k) {
         const Index id = first + Index(k);
@@ -62,7 +63,7 @@ template <auto hit, class Shape>
 
 /// Finds the distances from rays to items of one kind, which follow each other in the list from begin to end.
 template <auto hit, bool time, class Shape>
-void measure(const World& world, const std::vector<Shape>& all, Index first, const Batch& b, const Real* far,
+void measure(const World& world, const LargeVector<Shape>& all, Index first, const Batch& b, const Real* far,
              Meetings& m, int begin, int end) {
     Rays rays{};
     Shapes<Shape> shapes{};
@@ -131,11 +132,18 @@ void settle(const World& world, Batch& b, const Real* far, Meetings& meetings, F
 template <bool any>
 void search_together(const World& world, const Real* far, Journeys& journeys, Beam& beam, Meetings& meetings,
                      Batch& b) {
+    Shears shears;
+    if (world.plan.triangles && !world.plan.time) start(journeys, beam, shears);
+    const auto sieve = [&](Index item, std::uint64_t rays) {
+        const bool pays = shears.axis != Shears::none && std::popcount(rays) > 2;
+        if (!pays || item < world.first_triangle || item >= world.first_quad) return rays;
+        return may_hit(corners_of(world.triangles[std::size_t(item - world.first_triangle)], world.bvh), shears, rays);
+    };
     // Where any hit will do, rays may leave the beam early: what is near need not come first.
-    const int few = beam.spread > widest_beam ? lanes : any ? 8 : 4;
+    const int few = beam.spread > widest_beam ? lanes : any ? 12 : 2;
     std::uint64_t alive = ~std::uint64_t(0);
     for (bool root = true; beam.depth > 0; root = false) {
-        step(world.bvh.nodes.data(), journeys, alive, root ? 0 : few, beam, meetings);
+        step(world.bvh.nodes.data(), journeys, alive, root ? 0 : few, sieve, beam, meetings);
         if (meetings.count == 0 || (meetings.count < Meetings::enough && beam.depth > 0)) continue;
         settle(world, b, far, meetings, [&](int i) {
             if (any)
@@ -158,14 +166,13 @@ void search_each(const World& world, const Real* far, Journeys& journeys, Meetin
     // A ray that has met items waits until there are enough of them for vectors, or no ray can go on.
     int waiting[lanes], waits = 0;
     while (n > 0 || waits > 0) {
-        step(nodes, journeys, on_the_way, n, meetings);
         int left = 0;
         for (int k = 0; k < n; ++k) {
             const int i = on_the_way[k];
+            const bool met_items = step(nodes, journeys, i, meetings) != 0, goes_on = journeys.depth[i] > 0;
             fetch(nodes[std::uint32_t(journeys.stack[i][journeys.depth[i]])]);  // while other rays make their steps
-            const bool goes_on = journeys.depth[i] > 0, waits_now = goes_on && journeys.met_items[i];
             on_the_way[left] = i, waiting[waits] = i;
-            left += goes_on && !waits_now, waits += waits_now;
+            left += goes_on & !met_items, waits += goes_on & met_items;
         }
         n = left;
         if (meetings.count < Meetings::enough && n > 0) continue;

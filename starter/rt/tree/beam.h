@@ -93,8 +93,8 @@ inline unsigned children_met(const Bvh::Node& node, const Beam& beam) {
         FewFloats first = FewFloats{}, last = first + beam.far;
         for (int a = 0; a < 3; ++a) {
             // The beam cannot have passed the low plane before, if it runs up, nor pass the high one after.
-            const FewFloats low = (load<FewFloats>(node.bound[0][a] + c) - beam.start_high[a]) * beam.over_greatest[a],
-                            high = (load<FewFloats>(node.bound[1][a] + c) - beam.start_low[a]) * beam.over_least[a];
+            const FewFloats low = (load<FewFloats>(node.bound[a][0] + c) - beam.start_high[a]) * beam.over_greatest[a],
+                            high = (load<FewFloats>(node.bound[a][1] + c) - beam.start_low[a]) * beam.over_least[a];
             if (beam.runs[a] == Beam::Runs::up) first = greater(low, first), last = lesser(high, last);
             if (beam.runs[a] == Beam::Runs::down) first = greater(high, first), last = lesser(low, last);
             if (beam.runs[a] == Beam::Runs::both) first = greater(low, greater(high, first));
@@ -112,7 +112,7 @@ inline std::uint64_t rays_that_meet(const Bvh::Node& node, int c, const Journeys
         Floats enter = Floats{}, leave = load<Floats>(j.far + i);
         for (int a = 0; a < 3; ++a) {
             const Floats inverse = load<Floats>(j.inverse[a] + i);
-            const Floats low = node.bound[0][a][c] * inverse, high = node.bound[1][a][c] * inverse;
+            const Floats low = node.bound[a][0][c] * inverse, high = node.bound[a][1][c] * inverse;
             enter = greater(lesser(low, high) - load<Floats>(j.shift_in[a] + i), enter);
             leave = lesser(greater(low, high) - load<Floats>(j.shift_out[a] + i), leave);
         }
@@ -125,7 +125,10 @@ inline std::uint64_t rays_that_meet(const Bvh::Node& node, int c, const Journeys
 ///
 /// alive  bit i: ray i still looks for something
 /// few    so many rays, or fewer, take the node onto their own stacks
-inline void step(const Bvh::Node* nodes, Journeys& j, std::uint64_t alive, int few, Beam& beam, Meetings& meetings) {
+/// sieve  (item, rays): those of the rays that may meet the item itself
+template <class Sieve>
+void step(const Bvh::Node* nodes, Journeys& j, std::uint64_t alive, int few, Sieve sieve, Beam& beam,
+          Meetings& meetings) {
     const Bvh::Node& node = nodes[beam.node[--beam.depth]];
     const std::uint64_t rays = beam.rays[beam.depth] & alive;
     if (rays == 0) return;
@@ -149,7 +152,7 @@ inline void step(const Bvh::Node* nodes, Journeys& j, std::uint64_t alive, int f
             beam.node[beam.depth] = node.child[c], beam.rays[beam.depth++] = met;
             continue;
         }
-        for (; met; met &= met - 1)
+        for (met = sieve(node.child[c], met); met; met &= met - 1)
             meetings.pair[meetings.count++] = std::uint64_t(std::countr_zero(met)) << 32 | node.child[c];
     }
 }

@@ -50,11 +50,11 @@ struct Piece {
     int child;
     Range range;
     int depth;
-    std::vector<Bvh::Node> nodes;
+    LargeVector<Bvh::Node> nodes;
 };
 
 struct Builder {
-    std::vector<FloatBox> items;
+    LargeVector<FloatBox> items;
     std::vector<Piece> pieces;
 
     FloatBox box_of(std::uint32_t first, std::uint32_t last) const {
@@ -152,17 +152,17 @@ struct Builder {
     }
 
     /// Appends the nodes over a list; with pieces, leaves the small lists to them. Returns the number of the first.
-    std::uint32_t build(const Range& range, int depth, bool in_pieces, std::vector<Bvh::Node>& nodes) {
+    std::uint32_t build(const Range& range, int depth, bool in_pieces, LargeVector<Bvh::Node>& nodes) {
         const std::size_t self = nodes.size();
         nodes.emplace_back();
-        nodes[self].leaf = range.count() <= Bvh::width;
+        nodes[self].leaf = range.count() <= Bvh::width ? ~0u : 0u;
         std::vector<Range> children = children_of(range, depth);
         nodes[self].axis = std::uint32_t(sort(children));
         for (std::size_t c = 0; c < Bvh::width; ++c) {
             const FloatBox box = c < children.size() ? children[c].box : FloatBox{};
             for (int a = 0; a < 3; ++a) {
-                nodes[self].bound[0][a][c] = box.v[a];
-                nodes[self].bound[1][a][c] = -box.v[4 + a];
+                nodes[self].bound[a][0][c] = box.v[a];
+                nodes[self].bound[a][1][c] = -box.v[4 + a];
             }
             if (c >= children.size()) continue;
             if (nodes[self].leaf) {
@@ -177,13 +177,13 @@ struct Builder {
         return std::uint32_t(self);
     }
 
-    void build_pieces(std::vector<Bvh::Node>& nodes) {
+    void build_pieces(LargeVector<Bvh::Node>& nodes) {
         tbb::parallel_for(std::size_t(0), pieces.size(), [&](std::size_t k) {
             Piece& piece = pieces[k];
             piece.nodes.reserve(piece.range.count() / 4 + 1);
             build(piece.range, piece.depth, false, piece.nodes);
         });
-        items = std::vector<FloatBox>();  // gives the memory back, as = {} does not
+        items = LargeVector<FloatBox>();  // gives the memory back, as = {} does not
         std::size_t all = nodes.size();
         for (const Piece& piece : pieces) all += piece.nodes.size();
         nodes.reserve(all);
@@ -194,7 +194,7 @@ struct Builder {
                 for (std::uint32_t& child : node.child) child += node.leaf ? 0 : offset;
                 nodes.push_back(node);
             }
-            piece.nodes = std::vector<Bvh::Node>();
+            piece.nodes = LargeVector<Bvh::Node>();
         }
     }
 };

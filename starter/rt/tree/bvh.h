@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
-#include <vector>
 
 #include "rt/ray.h"
+#include "rt/tree/large_pages.h"
 
 /// How a ray finds the nearest of many shapes without trying them all. Nobody needs this folder for the assignment.
 namespace rt {
@@ -36,16 +36,16 @@ struct Bvh {
     static constexpr int deepest = 32;  // levels of nodes
 
     struct alignas(64) Node {
-        float bound[2][3][width];    // low and high of each axis; low > high where there is no child
+        float bound[3][2][width];    // low and high along each axis; low > high where there is no child
         std::uint32_t child[width];  // the number of a node; of an item. In the order of their centres along the axis
         std::uint32_t axis;
-        std::uint32_t leaf;  // 1: all children are items
+        std::uint32_t leaf;  // all bits set: all children are items; else 0
     };
 
     Box whole;
     vec3 center{0};
     Real scale = 1;           // a power of two
-    std::vector<Node> nodes;  // the root first
+    LargeVector<Node> nodes;  // the root first
 };
 
 /// Builds the tree over items 0 to n - 1 by the surface area heuristic, with bins, on all cores. The tree does not

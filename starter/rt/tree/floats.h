@@ -71,6 +71,7 @@ struct alignas(64) Ways {
 /// number is written in the place of enter. Returns how many; eight places are written.
 ///
 /// turn  0 or 7
+/// leaf  0 or all bits set
 [[gnu::always_inline]] inline int write_met(const Ways& ways, const std::uint32_t* child, unsigned turn, unsigned leaf,
                                             unsigned number, std::uint64_t* to) {
 #ifdef __AVX512VL__
@@ -79,7 +80,7 @@ struct alignas(64) Ways {
                  leave = _mm256_permutexvar_ps(order, _mm256_load_ps(ways.leave));
     const __mmask8 met = _mm256_cmp_ps_mask(enter, leave, _CMP_LE_OQ);
     const __m256i low = _mm256_permutevar8x32_epi32(_mm256_load_si256(reinterpret_cast<const __m256i*>(child)), order);
-    const __m256i high = _mm256_mask_set1_epi32(_mm256_castps_si256(enter), __mmask8(-leaf), int(number));
+    const __m256i high = _mm256_mask_set1_epi32(_mm256_castps_si256(enter), __mmask8(leaf), int(number));
     const __m512i all = _mm512_or_si512(_mm512_maskz_cvtepu32_epi64(met, low),
                                         _mm512_maskz_slli_epi64(met, _mm512_maskz_cvtepu32_epi64(met, high), 32));
     _mm512_storeu_si512(to, _mm512_maskz_compress_epi64(met, all));

@@ -22,10 +22,11 @@ struct alignas(64) Journeys {
     float inverse[3][lanes];
     float shift_in[3][lanes], shift_out[3][lanes];  // of the planes where it enters boxes, and where it leaves them
     float margin[lanes];
+    std::int32_t near_side[3][lanes];    // where in Node::bound the planes are that it meets first
+    std::int32_t turn[3][lanes];         // 7 where it runs up an axis, so that the last child is the farthest; else 0
     float far[lanes];                    // the nearest hit so far; below 0: nothing is left to find
     Real start[lanes], per_unit[lanes];  // far = (t - start) per_unit + slack
     Real slack[lanes];
-    int met_items[lanes];            // in the last step
     int depth[lanes];                // of the stack; its place 0 is not in use
     static constexpr int room = 64;  // for nodes that a beam leaves to a ray
     // distance of a box << 32 | its node; the nearest about last
@@ -65,8 +66,10 @@ struct alignas(64) Entrances {
         const Real part = direction[i] * e.over_speed[i], at = ((origin[i] - center) + e.enter[i] * part) * scale;
         const Real below = at < 2 ? at : 2, inside = below > -2 ? below : -2;
         const Real aside = std::copysign(e.margin[i], part);
+        const std::int32_t down = over[i] < 0;
         j.inside[a][i] = float(inside), j.part[a][i] = float(part);
         j.inverse[a][i] = float(over[i]);
+        j.near_side[a][i] = (2 * a + down) * Bvh::width, j.turn[a][i] = down ? 0 : Bvh::width - 1;
         j.shift_in[a][i] = float((inside + aside) * over[i]);
         j.shift_out[a][i] = float((inside - aside) * over[i]);
     }
@@ -129,12 +132,13 @@ inline void begin(Journeys& j, bool at_root) {
 
 /// Where ray i meets the children of a node.
 [[gnu::always_inline]] inline void look(const Bvh::Node& node, const Journeys& j, int i, Ways& ways) {
-    const float far = j.far[i];
+    const float* const bounds = node.bound[0][0];
     const float *first[3], *last[3];
     for (int a = 0; a < 3; ++a) {
-        const int down = std::signbit(j.inverse[a][i]);
-        first[a] = node.bound[down][a], last[a] = node.bound[1 - down][a];
+        first[a] = bounds + j.near_side[a][i];
+        last[a] = bounds + (j.near_side[a][i] ^ Bvh::width);
     }
+    const float far = j.far[i];
     for (int c = 0; c < Bvh::width; c += half_wide) {
         FewFloats enter = FewFloats{}, leave = enter + far;
         for (int a = 0; a < 3; ++a) {
@@ -152,24 +156,19 @@ inline void fetch(const Bvh::Node& node) {
     for (int line = 0; line < 4; ++line) __builtin_prefetch(reinterpret_cast<const char*>(&node) + 64 * line);
 }
 
-/// Takes n rays one node further. The children that are met go onto a ray's stack, if they are nodes; if items, into
-/// the list.
-inline void step(const Bvh::Node* nodes, Journeys& j, const int* rays, int n, Meetings& meetings) {
-    for (int k = 0; k < n; ++k) {
-        const int i = rays[k];
-        std::uint64_t* const stack = j.stack[i];
-        const int depth = j.depth[i];
-        const Bvh::Node& node = nodes[std::uint32_t(stack[depth])];
-        Ways ways;
-        look(node, j, i, ways);
-        const int leaf = int(node.leaf);
-        std::uint64_t* const tops[2] = {stack + depth, meetings.pair + meetings.count};
-        const int met =
-            write_met(ways, node.child, j.inverse[node.axis][i] < 0 ? 0 : 7, node.leaf, unsigned(i), tops[leaf]);
-        meetings.count += met * leaf;
-        j.met_items[i] = met * leaf;
-        j.depth[i] = depth - 1 + met * (1 - leaf);
-    }
+/// Takes ray i one node further. The children that it meets go onto its stack, if they are nodes; if items, into the
+/// list. Returns how many items.
+[[gnu::always_inline]] inline int step(const Bvh::Node* nodes, Journeys& j, int i, Meetings& meetings) {
+    std::uint64_t* const top = j.stack[i] + j.depth[i];
+    const Bvh::Node& node = nodes[std::uint32_t(*top)];
+    Ways ways;
+    look(node, j, i, ways);
+    std::uint64_t* const to = node.leaf ? meetings.pair + meetings.count : top;
+    const int met = write_met(ways, node.child, unsigned(j.turn[node.axis][i]), node.leaf, unsigned(i), to);
+    const int items = met & int(node.leaf);
+    meetings.count += items;
+    j.depth[i] += met - items - 1;
+    return items;
 }
 
 /// Ray i has met something at t.
