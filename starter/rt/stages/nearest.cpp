@@ -153,7 +153,7 @@ void search_together(const World& world, const Real* far, Journeys& journeys, Be
         });
         find_far(journeys, beam);
     }
-    turn_stacks(journeys);
+    if (beam.left) turn_stacks(journeys);
 }
 
 /// Rays that go different ways.

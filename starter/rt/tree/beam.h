@@ -36,12 +36,6 @@ constexpr std::size_t most_nodes = 1 << 16;
 /// Directions may differ by so much, where the largest part of each is 1.
 constexpr float widest_beam = 0.75f;
 
-[[gnu::always_inline]] inline float least_of(const Floats& v) {
-    float x = v[0];
-    for (int k = 1; k < wide; ++k) x = v[k] < x ? v[k] : x;
-    return x;
-}
-
 /// The least and the greatest of the numbers of the rays that have an interval left.
 inline void range_of(const float* numbers, const Journeys& j, float& low, float& high) {
     Floats least = Floats{} + 1e30f, greatest = -least;
@@ -50,7 +44,8 @@ inline void range_of(const float* numbers, const Journeys& j, float& low, float&
         least = far >= 0 ? lesser(x, least) : least;
         greatest = far >= 0 ? greater(x, greatest) : greatest;
     }
-    low = least_of(least), high = -least_of(-greatest);
+    greatest = -greatest;
+    low = least_of(&least), high = -least_of(&greatest);
 }
 
 /// Turns the stacks of the rays that the beam has left: it came to what is near first.
@@ -61,7 +56,8 @@ inline void turn_stacks(Journeys& j) {
 inline void find_far(const Journeys& j, Beam& beam) {
     Floats far = load<Floats>(j.far);
     for (int i = wide; i < lanes; i += wide) far = greater(load<Floats>(j.far + i), far);
-    beam.far = -least_of(-far);
+    far = -far;
+    beam.far = -least_of(&far);
 }
 
 /// Begins at the root.

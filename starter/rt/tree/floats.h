@@ -45,6 +45,23 @@ template <class V>
     return a > b ? a : b;
 }
 
+template <int n>
+struct FloatsOf {
+    using Vector __attribute__((vector_size(4 * n))) = float;
+};
+
+/// The least of the first n numbers, half against half: one by one, each step would wait for the one before.
+template <int n = wide>
+[[gnu::always_inline]] inline float least_of(const void* numbers) {
+    typename FloatsOf<n / 2>::Vector halves[2];
+    std::memcpy(halves, numbers, sizeof halves);
+    const auto least = lesser(halves[0], halves[1]);
+    if constexpr (n > 4)
+        return least_of<n / 2>(&least);
+    else
+        return least[0] < least[1] ? least[0] : least[1];
+}
+
 /// Bit k: a[k] <= b[k].
 template <class V>
 [[gnu::always_inline]] inline unsigned not_above(V a, V b) {
