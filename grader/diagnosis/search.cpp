@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "diagnosis/answer_forms.h"
 #include "diagnosis/families.h"
-#include "diagnosis/forms.h"
 
 namespace grade {
 
@@ -59,18 +59,18 @@ bool Search::all_equal(const Rows& right, const std::vector<std::size_t>& scope)
 void Search::consider(const Rows& right, const std::string& change, double cost, const std::vector<std::size_t>& scope,
                       bool only_simple, const std::string& usually) {
     std::string forms;
-    Form::Kind last = Form::Kind::other;
+    AnswerForm::Kind last = AnswerForm::Kind::other;
     bool is_constant = false;
     for (const Field* part : parts_) {
         const auto form = form_of(calls_, *part, right, scope, only_simple);
         // a change and a constant together explain much by chance
         if (!form ||
-            (!change.empty() && parts_.size() < 2 && !form->words.empty() && form->kind != Form::Kind::not_unit))
+            (!change.empty() && parts_.size() < 2 && !form->words.empty() && form->kind != AnswerForm::Kind::not_unit))
             return;
         cost += form->cost;
         if (form->words.empty()) continue;
         forms += fmt::format("{}{} {}", forms.empty() ? "" : ", and ", name_of(*part), form->words);
-        last = form->kind, is_constant = is_constant || form->kind == Form::Kind::constant;
+        last = form->kind, is_constant = is_constant || form->kind == AnswerForm::Kind::constant;
     }
     // what is right must stay so
     for (const Field& part : calls_.result.parts)
@@ -82,7 +82,7 @@ void Search::consider(const Rows& right, const std::string& change, double cost,
     if (best_ && best_->cost <= cost) return;
     const bool everywhere = scope.size() == all_.size();
     const bool is_both = !change.empty() && !forms.empty();
-    const char* const joint = !is_both ? "" : last == Form::Kind::not_unit ? ", and " : ", but ";
+    const char* const joint = !is_both ? "" : last == AnswerForm::Kind::not_unit ? ", and " : ", but ";
     best_ = Relation{change + joint + forms, change.empty() ? Relation::Kind::sentence : Relation::Kind::change};
     best_->calls = !region_.empty() || everywhere ? region_ : "in the wrong calls ";
     best_->usually = forms.empty() ? usually : "", best_->is_constant = is_constant;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "diagnosis/invariants.h"
-#include "diagnosis/simpler.h"
+#include "diagnosis/simpler_values.h"
 
 namespace grade {
 

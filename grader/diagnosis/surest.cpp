@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "diagnosis/answer_forms.h"
 #include "diagnosis/by_textbook.h"
 #include "diagnosis/calls_made.h"
-#include "diagnosis/forms.h"
 
 namespace grade {
 
