@@ -5,7 +5,6 @@
 #include "diagnosis/asked.h"
 #include "diagnosis/calls_made.h"
 #include "diagnosis/form_search.h"
-#include "diagnosis/surest.h"
 
 namespace grade {
 
@@ -77,19 +76,19 @@ std::optional<Relation> known_mistake(const Calls& calls, bool sampled) {
 
 }  // namespace
 
-std::optional<Relation> relation_of_textbook(const Calls& calls, bool sampled, bool& right_otherwise,
-                                             std::size_t& left) {
+std::optional<Relation> relation_of_textbook(const Calls& calls, bool sampled, std::size_t& left) {
     if (calls.size() == 0) return std::nullopt;
     if (auto known = known_mistake(calls, sampled)) return known;
     std::optional<Relation> best, some;
+    bool is_right = false;
     each_form(calls, sampled, [&](const Calls& own, Asked& asked) {
         for (const Change& base : same_sampling(own.layouts.front())) {
             if (base.cost > 0 && (!sampled || best)) break;
             const Calls all = base.cost > 0 ? with_numbers(own, base, asked) : own;
             FormSearch search(all, asked, left);
             const bool is_of_all = own.size() == calls.size();  // else what is left out may be wrong
-            right_otherwise = right_otherwise || (sampled && is_of_all && search.wrong() == 0);
-            if (search.wrong() < FormSearch::enough || right_otherwise || !search.tells()) continue;
+            is_right = is_right || (sampled && is_of_all && search.wrong() == 0);
+            if (search.wrong() < FormSearch::enough || is_right || !search.tells()) continue;
             if (base.cost > 0 && !search.has_right_part()) continue;
             auto found = search.one();
             if (!found) continue;
@@ -101,7 +100,8 @@ std::optional<Relation> relation_of_textbook(const Calls& calls, bool sampled, b
             }
         }
     });
-    if (!best && !right_otherwise)
+    if (is_right) return no_mistake();
+    if (!best)
         best = by_kinds(calls, [&](const Calls& of_one_kind) {
             std::optional<Relation> found;
             each_form(of_one_kind, false, [&](const Calls& own, Asked& asked) {

@@ -122,9 +122,8 @@ private:
         depends_ = dependences(all_, all_, mine_, right_);
         for (const Dependence& d : depends_) all_.told.push_back(d.mine > 0 || d.right > 0);
         many_calls_ = crossed(all_, mine_, right_);
-        bool right_otherwise = false;
-        relation_ = surest_relation(many_calls_, ask_mine_, ask_right_, sampled_, right_otherwise);
-        if (right_otherwise) return false;
+        relation_ = surest_relation(many_calls_, ask_mine_, ask_right_, sampled_);
+        if (is_no_mistake(relation_)) return false;
         if (source.editable) {
             const std::string unused = sampled_ ? unused_numbers(all_, depends_) : "";
             editable_ = source.editable();

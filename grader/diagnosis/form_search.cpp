@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "diagnosis/surest.h"
-
 namespace grade {
 
 namespace {

@@ -17,9 +17,10 @@ namespace {
 
 /// What explains the answers to these calls, all of which count.
 std::optional<Relation> relation_in(const Calls& calls, const Ask& right, bool sampled, std::size_t& left_of_forms) {
-    bool right_otherwise = false;
-    const auto of_arguments = relation_of(calls, right, sampled, right_otherwise);
-    return simpler(of_arguments, relation_of_textbook(calls, sampled, right_otherwise, left_of_forms));
+    const auto of_arguments = relation_of(calls, right, sampled);
+    if (is_no_mistake(of_arguments)) return std::nullopt;
+    const auto of_form = relation_of_textbook(calls, sampled, left_of_forms);
+    return is_no_mistake(of_form) ? std::nullopt : simpler(of_arguments, of_form);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ constexpr double best_cost = 100;
 class Search {
 public:
     Search(const Calls& calls, const Ask& right, bool sampled);
-    std::optional<Relation> run(bool& right_otherwise);
+    std::optional<Relation> run();
 
 private:
     /// One mistake in calls of one kind, or of some: of a disc, say.
