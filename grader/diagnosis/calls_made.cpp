@@ -148,6 +148,22 @@ Calls near_shapes(const Calls& calls, const Ask& mine, const Ask& right) {
     return with_rows(calls, rows, mine, right);
 }
 
+Rows over_the_square(const Calls& calls, std::size_t u, std::size_t most, std::size_t side) {
+    Rows rows;
+    const std::size_t bases = std::min(most, calls.size());
+    const auto middle = [](std::size_t i, std::size_t count) { return (double(i) + 0.5) / double(count); };
+    for (std::size_t base = 0; base < bases; ++base)
+        for (std::size_t i = 0; i < side * side; ++i) {
+            const std::size_t k = base * calls.size() / bases;
+            rows.push_back(calls.rows[k]);
+            const Field& numbers = calls.layouts[k].parts[u];
+            const bool are_two = numbers.kind == Kind::pair;
+            rows.back()[numbers.at] = are_two ? middle(i % side, side) : middle(i, side * side);
+            if (are_two) rows.back()[numbers.at + 1] = middle(i / side, side);
+        }
+    return rows;
+}
+
 namespace {
 
 /// Nothing where something must be, and something where nothing must be, each time.
