@@ -75,7 +75,7 @@ public:
           sampled_(
               std::ranges::any_of(signature.arguments, [](const auto& argument) { return argument.name == "u"; })) {
         for (std::size_t k = 0; k < all_.size(); ++k) {
-            wrong_ += !is_equal(all_.result, all_.mine[k], all_.right[k]);
+            wrong_ += all_.is_wrong(k);
             not_numbers_ += is_nan(all_.mine[k], all_.right[k]);
         }
     }

@@ -15,7 +15,7 @@ namespace {
 
 using textbook::Value;
 
-constexpr std::size_t least_wrong = 5, most_of_each = 48;    // calls
+constexpr std::size_t most_of_each = 48;                     // calls
 constexpr std::size_t most_at_once = 2'000;                  // rows in one frame
 constexpr std::size_t most_rows = 400'000;                   // in all
 constexpr std::size_t most_rows_of_spread = most_rows / 2;   // after repair_of, which has asked as well
@@ -32,7 +32,7 @@ public:
     }
 
     std::optional<Repair> run(bool only_one) {
-        if (wrong_.size() < least_wrong || !see()) return std::nullopt;
+        if (wrong_.size() < enough_wrong || !see()) return std::nullopt;
         const std::vector<Mistake> changes = mistakes_in(all_, arguments_, told_);
         std::vector<Edit> one;
         for (const Mistake& change : changes) one.push_back({&change});

@@ -9,19 +9,14 @@
 
 namespace grade {
 
-Search::Search(const Calls& calls, const Ask& right, bool sampled) : calls_(calls), ask_(right), sampled_(sampled) {
-    for (std::size_t k = 0; k < calls.size(); ++k) {
-        all_.push_back(k);
-        if (!is_equal(calls.result, calls.mine[k], calls.right[k])) wrong_.push_back(k);
-    }
-    for (const Field& part : calls.result.parts)
-        for (const std::size_t k : wrong_)
-            if (counts(calls.result, part, calls.mine[k], calls.right[k]) &&
-                !is_equal(part, calls.mine[k], calls.right[k])) {
-                parts_.push_back(&part);
-                break;
-            }
-    changes_ = changes_of(calls.layouts.front(), calls.told);
+Search::Search(const Calls& calls, const Ask& right, bool sampled)
+    : calls_(calls),
+      ask_(right),
+      sampled_(sampled),
+      wrong_(calls.wrong()),
+      parts_(calls.wrong_parts()),
+      changes_(changes_of(calls.layouts.front(), calls.told)) {
+    for (std::size_t k = 0; k < calls.size(); ++k) all_.push_back(k);
 }
 
 std::optional<Rows> Search::answers_in(const Change& first, const Change* second,
@@ -113,7 +108,7 @@ bool Search::tells(const Rows& changed, const std::vector<std::size_t>& scope) c
 std::vector<std::size_t> Search::some_wrong(const std::vector<std::size_t>& scope) const {
     std::vector<std::size_t> wrong, sample;
     for (const std::size_t k : scope)
-        if (!is_equal(calls_.result, calls_.mine[k], calls_.right[k])) wrong.push_back(k);
+        if (calls_.is_wrong(k)) wrong.push_back(k);
     const std::size_t count = std::min(few, wrong.size());
     for (std::size_t i = 0; i < count; ++i) sample.push_back(wrong[i * wrong.size() / count]);
     return sample;

@@ -5,9 +5,6 @@
 
 namespace grade {
 
-/// Below so many wrong calls, anything may be chance.
-constexpr std::size_t enough_wrong = 5;
-
 /// Calls with which two changes at once are sifted.
 constexpr std::size_t few = 10;
 

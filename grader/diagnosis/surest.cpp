@@ -104,7 +104,7 @@ void add_others(Relation& relation, const Calls& calls, const Ask& ask_right, bo
             return other.size() >= row.size() && std::equal(row.begin(), row.end(), other.begin());
         };
         if (are_nothing) return is_void(calls.result, calls.right[k]) || !is_something(calls.right[k]);
-        return is_equal(calls.result, calls.mine[k], calls.right[k]) || std::ranges::any_of(relation.others, starts_so);
+        return !calls.is_wrong(k) || std::ranges::any_of(relation.others, starts_so);
     });
     if (rest.size() == 0 || only_wrong(rest).size() == 0) return;
     const auto found = sure_relation(rest, ask_right, sampled, left_of_forms);
