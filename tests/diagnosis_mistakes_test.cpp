@@ -19,6 +19,9 @@ TEST_CASE("a mistake in the middle of a formula is named, in the words of its do
     CHECK_THAT(found("fresnel_dielectric", indices, no_square).how,
                ContainsSubstring(
                    "`e` in place of `e * e`, where a textbook has `squared = 1 - e * e * (1 - cosine * cosine)`"));
+}
+
+TEST_CASE("what is wrong with a sum over strata has a name") {
     const Rows strata = calls([](Generator& random) {
         std::vector<StratumOf> list;
         for (int k = 0; k < 3; ++k) list.push_back({0.3 * k * k, 0.3 * (k + 1) * (k + 1), {}});
@@ -55,6 +58,9 @@ TEST_CASE("a mistake in the middle of a formula is named, in the words of its do
     };
     CHECK_THAT(found("integrate_stratified", strata, first_alone).how,
                ContainsSubstring("the first u of each stratum alone"));
+}
+
+TEST_CASE("a sign in the middle of a formula is named, also where the answer is normalised afterwards") {
     const Ask negated = answers("refracted_direction", {}, {});
     const Rows rays = calls([](Generator& random) {
         const rt::vec3 n = direction(random);

@@ -1,6 +1,7 @@
 /// What is drawn into terminals and sent to viewers.
 
 #include "catch.h"
+#include "rt/files/words.h"
 #include "rt/show/encode.h"
 #include "rt/show/preview.h"
 #include "rt/show/report.h"

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <ranges>
 #include <regex>
 
@@ -32,10 +31,6 @@ const std::map<std::string, std::string>& draws() {
         {"std::span<Stratum>", "std::vector<StratumOf>{{0, 1, {0.5}}}"}};
     return all;
 }
-
-constexpr std::array structs = {"Ray",        "Hit",         "Sphere",     "Triangle",        "Quad",      "Disc",
-                                "Camera",     "Shutter",     "Extent",     "PointLight",      "Emitter",   "Material",
-                                "DiskSample", "LightSample", "FilmSample", "DirectionSample", "Scattered", "Outgoing"};
 
 std::string draw_of(const std::string& type) {
     const auto found = draws().find(type);
@@ -106,11 +101,11 @@ void require_known_types(const Declaration& fragment) {
     std::vector<std::string> drawn;
     for (const auto& entry : draws()) drawn.push_back(entry.first);
     for (const std::string& type : types)
-        if (!draws().contains(type) && std::ranges::count(structs, type) == 0)
+        if (!draws().contains(type) && !is_structure(type))
             throw rt::InputError(fmt::format(
-                "{}: no fragment has had the type {} yet; expected {}, {}, or a new one, which grader/protocol/rows.h "
-                "must write and read",
-                fragment.line, type, fmt::join(drawn, ", "), fmt::join(structs, ", ")));
+                "{}: no fragment has had the type {} yet; expected {}, {}, or a new one, with a line of its own in "
+                "grader/protocol/rows.h and in grader/diagnosis/signature.cpp",
+                fragment.line, type, fmt::join(drawn, ", "), fmt::join(structures(), ", ")));
 }
 
 std::string solution_skeleton(const fs::path& project, const Declaration& fragment, const std::string& like) {

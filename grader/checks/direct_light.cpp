@@ -78,7 +78,7 @@ Check lit_floor(Generator& random) {
     std::vector<Statistic> statistics = rgb([&](int c, const std::string& name) {
         return of_picture({.id = "L1",
                            .what = name + " light of the floor, a factor off",
-                           .number = [=](const rt::Image& i) { return std::exp(line(i, c).intercept.value); },
+                           .number = [=](const rt::Image& i) { return std::exp(line(i, c).intercept); },
                            .delta = 0.06,
                            .hint = by_ratio("the " + name + " light of a floor",
                                             {{rt::pi, "is 1/pi missing? r_d = albedo/pi"},
@@ -93,7 +93,7 @@ Check lit_floor(Generator& random) {
         statistics.begin(),
         of_picture({.id = "L2",
                     .what = "exponent of the cosine that is too many or missing",
-                    .number = [=](const rt::Image& i) { return line(i, -1).slope.value; },
+                    .number = [=](const rt::Image& i) { return line(i, -1).slope; },
                     .truth = 0,
                     .delta = 0.1,
                     .hint = by_value("the light of a floor, over what it must be, goes with the cosine to the power",

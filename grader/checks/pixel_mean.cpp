@@ -176,7 +176,7 @@ Check lamp_steps(Generator& random) {
     std::vector<Statistic> statistics = rgb([&](int c, const std::string& name) {
         return of_picture({.id = "G4",
                            .what = name + " radiance, a factor off",
-                           .number = [=](const rt::Image& i) { return std::exp(line(i, c).intercept.value); },
+                           .number = [=](const rt::Image& i) { return std::exp(line(i, c).intercept); },
                            .delta = 0.02,
                            .hint = by_ratio("the " + name + " radiance",
                                             {{16, "is the sum not divided by the number of samples?"},
@@ -186,7 +186,7 @@ Check lamp_steps(Generator& random) {
     statistics.insert(statistics.begin(),
                       of_picture({.id = "G4",
                                   .what = "exponent of radiance in the picture",
-                                  .number = [=](const rt::Image& i) { return line(i, 1).slope.value; },
+                                  .number = [=](const rt::Image& i) { return line(i, 1).slope; },
                                   .delta = 0.01,
                                   .hint = by_value("radiance comes out to the power",
                                                    {{1 / 2.2, "a gamma of 2.2 is applied: the picture is linear"},

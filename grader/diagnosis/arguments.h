@@ -56,16 +56,17 @@ std::optional<Signature> signature_of(const std::string& fragment, const std::st
 std::string choice_type(const Field& part);
 const std::vector<std::string>& choices_of(const Field& part);
 
-/// Whether a type is a struct that has fields.
+/// The types that are structs, with fields; whether one is.
+std::vector<std::string> structures();
 bool is_structure(const std::string& type);
 
 /// A function's formula, as Integrand has it, whose parameters stand there.
 std::string formula_in_words(const Row& row, std::size_t at, const std::function<std::string(double)>& number);
 
-/// "0.5", "inf", "1e-06"; digits 0: as many as it takes.
 /// x, to so many digits; inf where that is too large for a number.
 double rounded(double x, int digits);
 
+/// "0.5", "inf", "1e-06"; digits 0: as many as it takes.
 std::string number_in_words(double x, int digits = 6);
 
 /// "(0, 0.5, 1)", "true", "disc"

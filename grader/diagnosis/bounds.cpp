@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "diagnosis/calls_made.h"
 #include "diagnosis/scalars.h"
 
 namespace grade {
@@ -17,18 +18,11 @@ public:
         const auto u = std::ranges::find(calls.layouts.front().parts, "u", &Field::name);
         if (u == calls.layouts.front().parts.end()) return;
         constexpr std::size_t most = 32, side = 4;
-        Rows rows;
-        std::vector<std::size_t> from;
-        for (std::size_t i = 0; i < std::min(most, calls.size()) * side * side; ++i) {
-            const std::size_t k = i / (side * side) * calls.size() / std::min(most, calls.size());
-            rows.push_back(calls.rows[k]), from.push_back(k);
-            double* numbers =
-                &rows.back()[calls.layouts[k].parts[std::size_t(u - calls.layouts.front().parts.begin())].at];
-            numbers[0] = (double(i % side) + 0.5) / side;
-            if (u->kind == Kind::pair) numbers[1] = (double(i / side % side) + 0.5) / side;
-        }
-        const Rows answers = right(rows);
-        for (std::size_t i = 0; i < answers.size(); ++i) more_.emplace_back(from[i], answers[i]);
+        const Rows answers =
+            right(over_the_square(calls, std::size_t(u - calls.layouts.front().parts.begin()), most, side));
+        const std::size_t bases = std::min(most, calls.size());
+        for (std::size_t i = 0; i < answers.size(); ++i)
+            more_.emplace_back(i / (side * side) * calls.size() / bases, answers[i]);
     }
 
     /// f(call, answer) of all right answers is within the bounds, and of one of mine it is not.

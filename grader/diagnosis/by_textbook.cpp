@@ -5,7 +5,6 @@
 #include "diagnosis/asked.h"
 #include "diagnosis/calls_made.h"
 #include "diagnosis/form_search.h"
-#include "diagnosis/surest.h"
 
 namespace grade {
 
@@ -30,14 +29,7 @@ bool is_as(const Calls& calls, std::size_t k, const std::vector<const Field*>& p
 
 /// Those parts that are wrong in some call, if one of them is a place; else all.
 std::vector<const Field*> wrong_parts_of(const Calls& calls) {
-    std::vector<const Field*> parts;
-    for (const Field& part : calls.result.parts)
-        for (std::size_t k = 0; k < calls.size(); ++k)
-            if (counts(calls.result, part, calls.mine[k], calls.right[k]) &&
-                !is_equal(part, calls.mine[k], calls.right[k])) {
-                parts.push_back(&part);
-                break;
-            }
+    std::vector<const Field*> parts = calls.wrong_parts();
     // a density or a weight may be any function's by chance
     if (std::ranges::none_of(parts, [](const Field* part) { return is_place(*part); })) {
         parts.clear();
@@ -61,12 +53,12 @@ std::optional<Relation> known_mistake(const Calls& calls, bool sampled) {
                 const Row answer = asked.answer(row, calls.layouts[k]);
                 // one who divides by 0 in a form may have guarded against it
                 if (is_nan(answer, calls.mine[k])) return ++left_out, true;
-                wrong += !is_equal(calls.result, calls.mine[k], calls.right[k]);
+                wrong += calls.is_wrong(k);
                 return is_as(calls, k, wrong_parts, answer);
             };
             std::size_t k = 0;
             while (k < calls.size() && is_explained(k)) ++k;
-            if (k < calls.size() || wrong < FormSearch::enough || left_out > calls.size() / 10) continue;
+            if (k < calls.size() || wrong < enough_wrong || left_out > calls.size() / 10) continue;
             Relation found{form.says, Relation::Kind::named_mistake};
             found.cost = 1 + base.cost, found.by_textbook = true, found.has_other_order = form.has_other_order;
             return found;
@@ -77,19 +69,19 @@ std::optional<Relation> known_mistake(const Calls& calls, bool sampled) {
 
 }  // namespace
 
-std::optional<Relation> relation_of_textbook(const Calls& calls, bool sampled, bool& right_otherwise,
-                                             std::size_t& left) {
+std::optional<Relation> relation_of_textbook(const Calls& calls, bool sampled, std::size_t& left) {
     if (calls.size() == 0) return std::nullopt;
     if (auto known = known_mistake(calls, sampled)) return known;
     std::optional<Relation> best, some;
+    bool is_right = false;
     each_form(calls, sampled, [&](const Calls& own, Asked& asked) {
         for (const Change& base : same_sampling(own.layouts.front())) {
             if (base.cost > 0 && (!sampled || best)) break;
             const Calls all = base.cost > 0 ? with_numbers(own, base, asked) : own;
             FormSearch search(all, asked, left);
             const bool is_of_all = own.size() == calls.size();  // else what is left out may be wrong
-            right_otherwise = right_otherwise || (sampled && is_of_all && search.wrong() == 0);
-            if (search.wrong() < FormSearch::enough || right_otherwise || !search.tells()) continue;
+            is_right = is_right || (sampled && is_of_all && search.wrong() == 0);
+            if (search.wrong() < enough_wrong || is_right || !search.tells()) continue;
             if (base.cost > 0 && !search.has_right_part()) continue;
             auto found = search.one();
             if (!found) continue;
@@ -101,12 +93,13 @@ std::optional<Relation> relation_of_textbook(const Calls& calls, bool sampled, b
             }
         }
     });
-    if (!best && !right_otherwise)
+    if (is_right) return no_mistake();
+    if (!best)
         best = by_kinds(calls, [&](const Calls& of_one_kind) {
             std::optional<Relation> found;
             each_form(of_one_kind, false, [&](const Calls& own, Asked& asked) {
                 FormSearch search(own, asked, left);
-                if (search.wrong() < FormSearch::enough || !search.tells()) return;
+                if (search.wrong() < enough_wrong || !search.tells()) return;
                 auto one = search.one();
                 if (is_exact(one) && (!found || found->cost > one->cost)) found = std::move(one);
             });
@@ -123,7 +116,7 @@ std::optional<Relation> known_mistake_and_another(const Calls& calls, const text
     const auto as_form = with_answers_of(asked, calls);
     if (!as_form) return std::nullopt;
     FormSearch search(*as_form, asked, left);
-    if (search.wrong() < FormSearch::enough) return std::nullopt;
+    if (search.wrong() < enough_wrong) return std::nullopt;
     auto found = search.one(true, FormSearch::dearest_of_pairs);
     if (!is_exact(found)) return std::nullopt;
     found->said = form.says + ", and " + found->said, found->kind = Relation::Kind::named_mistake;
@@ -140,7 +133,7 @@ std::optional<Relation> two_of_textbook(const Calls& calls, std::size_t& left) {
         if (best) return;
         std::size_t own_share = share;
         FormSearch search(own, asked, own_share);
-        if (search.wrong() >= FormSearch::enough && search.tells()) best = search.two();
+        if (search.wrong() >= enough_wrong && search.tells()) best = search.two();
         left -= share - own_share;
     });
     for (const textbook::Form& form : textbook::forms()) {

@@ -4,6 +4,26 @@
 
 namespace grade {
 
+bool Calls::is_wrong(std::size_t k) const { return !is_equal(result, mine[k], right[k]); }
+
+std::vector<std::size_t> Calls::wrong() const {
+    std::vector<std::size_t> all;
+    for (std::size_t k = 0; k < size(); ++k)
+        if (is_wrong(k)) all.push_back(k);
+    return all;
+}
+
+std::vector<const Field*> Calls::wrong_parts() const {
+    std::vector<const Field*> parts;
+    for (const Field& part : result.parts)
+        for (std::size_t k = 0; k < size(); ++k)
+            if (counts(result, part, mine[k], right[k]) && !is_equal(part, mine[k], right[k])) {
+                parts.push_back(&part);
+                break;
+            }
+    return parts;
+}
+
 std::vector<bool> told_of(const Calls& calls, const std::vector<std::size_t>& scope) {
     const auto& parts = calls.layouts.front().parts;
     std::vector<bool> told = calls.told;

@@ -20,7 +20,13 @@ struct Calls {
     std::vector<bool> told;  // by argument's part: whether any answer depends on it
 
     std::size_t size() const { return rows.size(); }
+    bool is_wrong(std::size_t k) const;
+    std::vector<std::size_t> wrong() const;         // which calls
+    std::vector<const Field*> wrong_parts() const;  // of the result, in some call
 };
+
+/// Below so many wrong calls, anything may be chance.
+constexpr std::size_t enough_wrong = 5;
 
 /// Those calls of which is_kept(k) holds.
 template <class Kept>

@@ -16,13 +16,12 @@ Ask limited(const Ask& ask, std::size_t& left) {
 }
 
 Calls only_wrong(const Calls& all) {
-    return those_of(all, [&](std::size_t k) { return !is_equal(all.result, all.mine[k], all.right[k]); });
+    return those_of(all, [&](std::size_t k) { return all.is_wrong(k); });
 }
 
 Calls picked(const Calls& all, std::size_t most, bool others) {
     std::vector<std::size_t> wrong, good;
-    for (std::size_t k = 0; k < all.size(); ++k)
-        (is_equal(all.result, all.mine[k], all.right[k]) ? good : wrong).push_back(k);
+    for (std::size_t k = 0; k < all.size(); ++k) (all.is_wrong(k) ? wrong : good).push_back(k);
     const auto thin = [others](std::vector<std::size_t> from, std::size_t count) {
         if (from.size() <= count) return from;
         std::vector<std::size_t> some;
@@ -94,9 +93,7 @@ Calls crossed(const Calls& calls, const Ask& mine, const Ask& right) {
     for (std::size_t i = 0; i < parts.size(); ++i)
         if (calls.told[i] && (parts[i].kind == Kind::number || parts[i].kind == Kind::pair)) numbers.push_back(i);
     constexpr std::size_t few = 16;
-    std::vector<std::size_t> wrong;
-    for (std::size_t k = 0; k < calls.size(); ++k)
-        if (!is_equal(calls.result, calls.mine[k], calls.right[k])) wrong.push_back(k);
+    const std::vector<std::size_t> wrong = calls.wrong();
     const bool is_rare = !wrong.empty() && wrong.size() < few;
     Rows rows;
     for (std::size_t k = 0; k < std::min(most, calls.size()) && !numbers.empty(); ++k) {
@@ -148,6 +145,22 @@ Calls near_shapes(const Calls& calls, const Ask& mine, const Ask& right) {
     return with_rows(calls, rows, mine, right);
 }
 
+Rows over_the_square(const Calls& calls, std::size_t u, std::size_t most, std::size_t side) {
+    Rows rows;
+    const std::size_t bases = std::min(most, calls.size());
+    const auto middle = [](std::size_t i, std::size_t count) { return (double(i) + 0.5) / double(count); };
+    for (std::size_t base = 0; base < bases; ++base)
+        for (std::size_t i = 0; i < side * side; ++i) {
+            const std::size_t k = base * calls.size() / bases;
+            rows.push_back(calls.rows[k]);
+            const Field& numbers = calls.layouts[k].parts[u];
+            const bool are_two = numbers.kind == Kind::pair;
+            rows.back()[numbers.at] = are_two ? middle(i % side, side) : middle(i, side * side);
+            if (are_two) rows.back()[numbers.at + 1] = middle(i / side, side);
+        }
+    return rows;
+}
+
 namespace {
 
 /// Nothing where something must be, and something where nothing must be, each time.
@@ -174,9 +187,7 @@ std::string usual_wrong_answer(const Calls& calls) {
     if (const std::string words = inverted(calls); !words.empty()) return words;
     constexpr double nearly = 0.8;
     if (calls.result.parts.front().kind == Kind::flag) return {};
-    std::vector<std::size_t> wrong;
-    for (std::size_t k = 0; k < calls.size(); ++k)
-        if (!is_equal(calls.result, calls.mine[k], calls.right[k])) wrong.push_back(k);
+    const std::vector<std::size_t> wrong = calls.wrong();
     for (std::size_t i = 0; i < std::min<std::size_t>(wrong.size(), 4); ++i) {
         const auto same = std::ranges::count_if(
             wrong, [&](std::size_t k) { return is_equal(calls.result, calls.mine[k], calls.mine[wrong[i]]); });

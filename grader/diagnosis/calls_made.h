@@ -29,6 +29,12 @@ Calls crossed(const Calls& calls, const Ask& mine, const Ask& right);
 /// mistake lets every usual ray miss, some of these hit. Of other arguments, the calls alone.
 Calls near_shapes(const Calls& calls, const Ask& mine, const Ask& right);
 
+/// The arguments of some calls, `most` at most, one after the other, each with random numbers from all over the square,
+/// or from the whole interval, in place of its own: side * side of them.
+///
+/// u  which part of the arguments the numbers are
+Rows over_the_square(const Calls& calls, std::size_t u, std::size_t most, std::size_t side);
+
 /// In what share of the calls an answer changes with a part.
 struct Dependence {
     double mine = 0, right = 0;

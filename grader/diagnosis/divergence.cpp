@@ -9,21 +9,13 @@
 #include <optional>
 #include <vector>
 
+#include "files/words.h"
+
 namespace grade {
 
 namespace {
 
 constexpr std::size_t most_lines = 12, most_in_line = 160;
-
-std::vector<std::string_view> lines_of(std::string_view text) {
-    std::vector<std::string_view> lines;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        lines.push_back(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return lines;
-}
 
 /// A number at the start of the text, which is taken from it.
 std::optional<double> take_number(std::string_view& text) {

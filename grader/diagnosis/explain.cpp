@@ -75,7 +75,7 @@ public:
           sampled_(
               std::ranges::any_of(signature.arguments, [](const auto& argument) { return argument.name == "u"; })) {
         for (std::size_t k = 0; k < all_.size(); ++k) {
-            wrong_ += !is_equal(all_.result, all_.mine[k], all_.right[k]);
+            wrong_ += all_.is_wrong(k);
             not_numbers_ += is_nan(all_.mine[k], all_.right[k]);
         }
     }
@@ -122,9 +122,8 @@ private:
         depends_ = dependences(all_, all_, mine_, right_);
         for (const Dependence& d : depends_) all_.told.push_back(d.mine > 0 || d.right > 0);
         many_calls_ = crossed(all_, mine_, right_);
-        bool right_otherwise = false;
-        relation_ = surest_relation(many_calls_, ask_mine_, ask_right_, sampled_, right_otherwise);
-        if (right_otherwise) return false;
+        relation_ = surest_relation(many_calls_, ask_mine_, ask_right_, sampled_);
+        if (is_no_mistake(relation_)) return false;
         if (source.editable) {
             const std::string unused = sampled_ ? unused_numbers(all_, depends_) : "";
             editable_ = source.editable();

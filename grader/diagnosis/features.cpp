@@ -27,7 +27,7 @@ public:
     explicit Features(const Calls& calls, bool of_answers = true) : calls_(calls) {
         std::vector<std::size_t> all;
         for (std::size_t k = 0; k < calls.size(); ++k) {
-            wrong_.push_back(!is_equal(calls.result, calls.mine[k], calls.right[k]));
+            wrong_.push_back(calls.is_wrong(k));
             all.push_back(k);
         }
         told_ = told_of(calls, all);

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "diagnosis/surest.h"
-
 namespace grade {
 
 namespace {
@@ -18,9 +16,7 @@ bool is_same_place(const Mistake& a, const Mistake& b) {
 }  // namespace
 
 FormSearch::FormSearch(const Calls& calls, Asked& asked, std::size_t& left)
-    : calls_(calls), asked_(asked), left_(left) {
-    for (std::size_t k = 0; k < calls.size(); ++k)
-        if (!is_equal(calls.result, calls.mine[k], calls.right[k])) wrong_.push_back(k);
+    : calls_(calls), asked_(asked), left_(left), wrong_(calls.wrong()) {
     const std::size_t count = std::min<std::size_t>(6, wrong_.size());
     for (std::size_t i = 0; i < count; ++i) {
         sample_.push_back(wrong_[i * wrong_.size() / count]);
@@ -138,7 +134,7 @@ double FormSearch::share_of(const Mistake& mistake) {
         something +=
             is_explained && is_wrong && is_something(calls_.mine[k]) && !is_void(calls_.result, calls_.mine[k]);
     }
-    if (equal < wrong_.size() && 2 * something < equal + enough) return 0;  // nothing is right for many reasons
+    if (equal < wrong_.size() && 2 * something < equal + enough_wrong) return 0;  // nothing is right for many reasons
     return double(equal) / double(wrong_.size());
 }
 

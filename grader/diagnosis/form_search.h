@@ -11,7 +11,6 @@ namespace grade {
 /// Looks for mistakes in one form; the right answers are the form's.
 class FormSearch {
 public:
-    static constexpr std::size_t enough = 5;         // wrong calls
     static constexpr double dearest_of_pairs = 1.3;  // cost of a mistake
 
     /// left: answers that it may ask for.

@@ -17,9 +17,10 @@ namespace {
 
 /// What explains the answers to these calls, all of which count.
 std::optional<Relation> relation_in(const Calls& calls, const Ask& right, bool sampled, std::size_t& left_of_forms) {
-    bool right_otherwise = false;
-    const auto of_arguments = relation_of(calls, right, sampled, right_otherwise);
-    return simpler(of_arguments, relation_of_textbook(calls, sampled, right_otherwise, left_of_forms));
+    const auto of_arguments = relation_of(calls, right, sampled);
+    if (is_no_mistake(of_arguments)) return std::nullopt;
+    const auto of_form = relation_of_textbook(calls, sampled, left_of_forms);
+    return is_no_mistake(of_form) ? std::nullopt : simpler(of_arguments, of_form);
 }
 
 }  // namespace
@@ -31,11 +32,8 @@ How how_of(const Relation& relation) {
 How of_own_numbers(const Calls& all, const Ask& mine, const Ask& right) {
     const auto own = with_own_numbers(all, right);
     if (!own) return {};
-    const auto differs = [&](std::size_t k) { return !is_equal(own->result, own->mine[k], own->right[k]); };
-    std::size_t wrong = 0;
-    for (std::size_t k = 0; k < own->size(); ++k) wrong += differs(k);
     std::size_t left = most_of_textbook;
-    if (wrong > 0) {
+    if (!own->wrong().empty()) {
         const auto found = relation_in(*own, right, false, left);
         return is_exact(found) ? How{found->all_words(), how_of(*found).of_numbers, true} : How{};
     }

@@ -59,7 +59,8 @@ std::optional<Integrals> Integrals::of(const Calls& calls, const Ask& right, std
         all.each_ = rows.size(), all.of_sample_ = sample ? rows.size() / few : rows.size();
         all.rows_.insert(all.rows_.end(), rows.begin(), rows.end());
     }
-    const Rows due = right(all.rows_);
+    all.solution_ = right(all.rows_);
+    const Rows& due = all.solution_;
     if (due.empty() || due.size() != all.rows_.size()) return std::nullopt;
     all.width_ = due.front().size();
     const bool in_several_ways =
@@ -135,6 +136,24 @@ bool Integrals::are_right(const Rows& answers) const {
         }
     }
     return true;
+}
+
+bool Integrals::are_elsewhere(const Rows& answers) const {
+    constexpr double least = 0.25;  // a place that is right but for some percent is the same one, and wrong
+    bool any = false;
+    for (std::size_t base = 0; base < due_.size(); ++base) {
+        if (due_[base].front().square == 0) continue;
+        double apart = 0, spread = 0;
+        for (std::size_t k = base * each_; k < (base + 1) * each_; ++k)
+            for (std::size_t i = 0; i < places_.size(); ++i) {
+                const std::size_t at = places_[i];
+                apart += std::abs(answers[k][at] - solution_[k][at]);
+                spread += std::abs(solution_[k][at] - middles_[base][i]);
+            }
+        if (!(apart > least * spread)) return false;
+        any = true;
+    }
+    return any;
 }
 
 }  // namespace grade

@@ -25,6 +25,9 @@ public:
     const Rows& rows() const { return rows_; }
     /// Whether these are right: an answer for each row.
     bool are_right(const Rows& answers) const;
+    /// Whether right ones lie elsewhere than the solution's for the same random numbers, in every call in which
+    /// anything is sampled.
+    bool are_elsewhere(const Rows& answers) const;
 
 private:
     struct Moment {
@@ -35,7 +38,7 @@ private:
     std::vector<Moment> moments(const Rows& answers, std::size_t base) const;
 
     Layout result_;
-    Rows rows_;
+    Rows rows_, solution_;                              // and its answers
     std::size_t each_ = 0, of_sample_ = 0, width_ = 0;  // rows of a base, and of a sample; numbers of an answer
     double close_ = 0;
     std::vector<std::size_t> places_, measures_;  // numbers of an answer

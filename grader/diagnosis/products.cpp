@@ -119,7 +119,7 @@ struct Fit {
 };
 
 /// log = constant + powers . columns, exactly.
-std::optional<Fit> fitted(const std::vector<double>& log, std::vector<const Column*> columns) {
+std::optional<Fit> fitted(const std::vector<double>& log, const std::vector<const Column*>& columns) {
     const std::size_t n = log.size(), m = columns.size();
     if (n < 5 + m) return std::nullopt;
     const auto mean = [n](const std::vector<double>& v) {
@@ -160,32 +160,45 @@ std::optional<double> fitted_constant(const std::vector<double>& log) {
     return log.size() < 5 ? std::nullopt : std::optional(std::exp(log.front()));
 }
 
-}  // namespace
+struct Product {
+    std::string words;
+    std::size_t factors;
+};
 
-std::optional<Form> quantity_of(const PartOfCalls& of) {
-    if (of.size() != 1 || of.part.kind != Kind::number) return std::nullopt;
-    std::vector<double> log;
-    for (const std::size_t k : of.scope) log.push_back(std::log(std::abs(of.mine(k, 0))));
-    const auto all = columns_of(of);
+/// The first product of plain powers of one column, or of two, whose logarithm stands everywhere.
+///
+/// any_constant  of one column, the constant may be one without a name
+std::optional<Product> fitted_product(const std::vector<double>& log, const std::vector<Column>& all, bool any_constant,
+                                      std::size_t most_factors) {
+    const auto product = [&](const std::vector<const Column*>& columns, bool is_any) -> std::optional<Product> {
+        const auto fit = fitted(log, columns);
+        if (!fit || (!is_any && !is_named(std::exp(fit->constant)))) return std::nullopt;
+        std::vector<Power> powers;
+        for (std::size_t a = 0; a < columns.size(); ++a)
+            if (const auto p = nice_power(fit->powers[a])) powers.push_back({columns[a]->words, *p});
+        if (powers.size() < columns.size()) return std::nullopt;
+        return Product{product_in_words(std::exp(fit->constant), powers), columns.size()};
+    };
     for (const Column& q : all)
-        if (const auto fit = fitted(log, {&q}); fit && nice_power(fit->powers[0]))
-            if (is_named(std::exp(fit->constant)))
-                return Form{fmt::format("is `{}`", product_in_words(std::exp(fit->constant),
-                                                                    {{q.words, *nice_power(fit->powers[0])}})),
-                            2.4};
-    for (std::size_t a = 0; a < all.size(); ++a)
+        if (auto found = product({&q}, any_constant)) return found;
+    for (std::size_t a = 0; a < all.size() && most_factors > 1; ++a)
         for (std::size_t b = a + 1; b < all.size(); ++b)
-            if (const auto fit = fitted(log, {&all[a], &all[b]}); fit && is_named(std::exp(fit->constant))) {
-                const auto p = nice_power(fit->powers[0]), q = nice_power(fit->powers[1]);
-                if (p && q)
-                    return Form{fmt::format("is `{}`", product_in_words(std::exp(fit->constant),
-                                                                        {{all[a].words, *p}, {all[b].words, *q}})),
-                                3.4};
-            }
+            if (auto found = product({&all[a], &all[b]}, false)) return found;
     return std::nullopt;
 }
 
-std::optional<Form> difference_of(const PartOfCalls& of) {
+}  // namespace
+
+std::optional<AnswerForm> quantity_of(const PartOfCalls& of) {
+    if (of.size() != 1 || of.part.kind != Kind::number) return std::nullopt;
+    std::vector<double> log;
+    for (const std::size_t k : of.scope) log.push_back(std::log(std::abs(of.mine(k, 0))));
+    const auto found = fitted_product(log, columns_of(of), false, 2);
+    if (!found) return std::nullopt;
+    return AnswerForm{fmt::format("is `{}`", found->words), found->factors == 1 ? 2.4 : 3.4};
+}
+
+std::optional<AnswerForm> difference_of(const PartOfCalls& of) {
     if (of.size() != 1 || of.part.kind != Kind::number) return std::nullopt;
     std::vector<double> log;
     bool is_more = true, is_less = true;
@@ -197,36 +210,18 @@ std::optional<Form> difference_of(const PartOfCalls& of) {
     }
     if (!is_more && !is_less) return std::nullopt;
     const std::string words = is_more ? "is what it must be, and `{}` more" : "is what it must be, less `{}`";
-    if (const auto fit = fitted_constant(log)) return Form{fmt::format(fmt::runtime(words), constant(*fit)), 2.4};
-    for (const Column& q : columns_of(of))
-        if (const auto fit = fitted(log, {&q}); fit && nice_power(fit->powers[0]) && is_named(std::exp(fit->constant)))
-            return Form{fmt::format(fmt::runtime(words), product_in_words(std::exp(fit->constant),
-                                                                          {{q.words, *nice_power(fit->powers[0])}})),
-                        2.5};
-    return std::nullopt;
+    if (const auto fit = fitted_constant(log)) return AnswerForm{fmt::format(fmt::runtime(words), constant(*fit)), 2.4};
+    const auto found = fitted_product(log, columns_of(of), false, 1);
+    return found ? std::optional(AnswerForm{fmt::format(fmt::runtime(words), found->words), 2.5}) : std::nullopt;
 }
 
-std::optional<Form> product_of(const PartOfCalls& of) {
+std::optional<AnswerForm> product_of(const PartOfCalls& of) {
     const auto ratio = ratio_of(of);
     if (!ratio) return std::nullopt;
-    const auto* log = &ratio->log;
-    const auto all = columns_of(of);
-    const auto form = [&](double c, const std::vector<Power>& powers, double cost) {
-        return Form{
-            fmt::format("is `{}{}` times what it must be", ratio->is_negative ? "-" : "", product_in_words(c, powers)),
-            cost};
-    };
-    for (const Column& q : all)
-        if (const auto fit = fitted(*log, {&q}))
-            if (const auto p = nice_power(fit->powers[0])) return form(std::exp(fit->constant), {{q.words, *p}}, 2.5);
-    for (std::size_t a = 0; a < all.size(); ++a)
-        for (std::size_t b = a + 1; b < all.size(); ++b)
-            if (const auto fit = fitted(*log, {&all[a], &all[b]})) {
-                const auto p = nice_power(fit->powers[0]), q = nice_power(fit->powers[1]);
-                if (p && q && is_named(std::exp(fit->constant)))
-                    return form(std::exp(fit->constant), {{all[a].words, *p}, {all[b].words, *q}}, 3.5);
-            }
-    return std::nullopt;
+    const auto found = fitted_product(ratio->log, columns_of(of), true, 2);
+    if (!found) return std::nullopt;
+    return AnswerForm{fmt::format("is `{}{}` times what it must be", ratio->is_negative ? "-" : "", found->words),
+                      found->factors == 1 ? 2.5 : 3.5};
 }
 
 }  // namespace grade

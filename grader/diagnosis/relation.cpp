@@ -24,16 +24,18 @@ std::string Relation::all_words() const {
     return line == 0 ? all : fmt::format("{}{} line {}", all, usually.ends_with('?') ? " See" : ": see", line);
 }
 
-std::optional<Relation> Search::run(bool& right_otherwise) {
-    right_otherwise = false;
+Relation no_mistake() {
+    Relation found;
+    found.explains = Relation::Explains::no_mistake;
+    return found;
+}
+
+std::optional<Relation> Search::run() {
     if (wrong_.size() < enough_wrong) return std::nullopt;
     const auto bases = same_sampling(calls_.layouts.front());
     for (const Change& base : bases)
-        if (const auto right = sampled_ ? answers(base, nullptr, all_) : std::nullopt;
-            right && all_equal(*right, all_)) {
-            right_otherwise = true;
-            return std::nullopt;
-        }
+        if (const auto right = sampled_ ? answers(base, nullptr, all_) : std::nullopt; right && all_equal(*right, all_))
+            return no_mistake();
     for (const Change& base : bases) {
         if (!sampled_ && &base != &bases.front()) break;
         const auto right = answers(base, nullptr, all_);
@@ -145,8 +147,8 @@ std::optional<Relation> Search::where_it_is_not_nothing() {
     return best_;
 }
 
-std::optional<Relation> relation_of(const Calls& calls, const Ask& right, bool sampled, bool& right_otherwise) {
-    return Search(calls, right, sampled).run(right_otherwise);
+std::optional<Relation> relation_of(const Calls& calls, const Ask& right, bool sampled) {
+    return Search(calls, right, sampled).run();
 }
 
 }  // namespace grade

@@ -20,8 +20,9 @@ struct Relation {
     bool everywhere = true;  // else in those calls only that are wrong
     double cost = 0;
 
-    /// What is explained: all, some of the calls or parts of the answer, or nothing beyond which parts are wrong.
-    enum class Explains { all, some, nothing };
+    /// What is explained: all, some of the calls or parts of the answer, or nothing beyond which parts are wrong. No
+    /// mistake: the answers are right, for other random numbers that are as good.
+    enum class Explains { all, some, nothing, no_mistake };
     Explains explains = Explains::all;
     bool other_numbers = false;    // the answers are the right fragment's for other random numbers
     bool is_elsewhere = false;     // so are its places, which are as good, and more is wrong with the rest
@@ -48,11 +49,22 @@ struct Relation {
     std::string all_words() const;
 };
 
+/// Whether a relation explains every call.
+inline bool is_exact(const std::optional<Relation>& found) {
+    return found && found->explains == Relation::Explains::all;
+}
+
+inline bool is_no_mistake(const std::optional<Relation>& found) {
+    return found && found->explains == Relation::Explains::no_mistake;
+}
+
+Relation no_mistake();
+
 /// The simplest one; none: none was found.
 ///
 /// right    the solution
-/// sampled  other random numbers give as good an answer; right_otherwise: these do, and nothing is wrong in these calls
-std::optional<Relation> relation_of(const Calls& calls, const Ask& right, bool sampled, bool& right_otherwise);
+/// sampled  other random numbers give as good an answer
+std::optional<Relation> relation_of(const Calls& calls, const Ask& right, bool sampled);
 
 /// What `of_some` finds in calls of one kind each: of a disc, say. None: it finds nothing in any.
 std::optional<Relation> by_kinds(const Calls& calls,

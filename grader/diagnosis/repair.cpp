@@ -8,7 +8,6 @@
 #include "diagnosis/edits_in_words.h"
 #include "diagnosis/integrals.h"
 #include "diagnosis/quantities.h"
-#include "diagnosis/surest.h"
 
 namespace grade {
 
@@ -16,10 +15,10 @@ namespace {
 
 using textbook::Value;
 
-constexpr std::size_t least_wrong = 5, most_of_each = 48;  // calls
-constexpr std::size_t most_at_once = 2'000;                // rows in one frame
-constexpr std::size_t most_rows = 400'000;                 // in all
-constexpr std::size_t most_rows_of_spread = 200'000;
+constexpr std::size_t most_of_each = 48;                     // calls
+constexpr std::size_t most_at_once = 2'000;                  // rows in one frame
+constexpr std::size_t most_rows = 400'000;                   // in all
+constexpr std::size_t most_rows_of_spread = most_rows / 2;   // after repair_of, which has asked as well
 constexpr double least_share = 0.5;                          // of the wrong calls
 constexpr double dearest_alone = 1.5, dearest_of_two = 1.3;  // of one that puts most right; of each of two
 
@@ -33,7 +32,7 @@ public:
     }
 
     std::optional<Repair> run(bool only_one) {
-        if (wrong_.size() < least_wrong || !see()) return std::nullopt;
+        if (wrong_.size() < enough_wrong || !see()) return std::nullopt;
         const std::vector<Mistake> changes = mistakes_in(all_, arguments_, told_);
         std::vector<Edit> one;
         for (const Mistake& change : changes) one.push_back({&change});
@@ -46,12 +45,16 @@ public:
     std::optional<Repair> of_spread(const Ask& right) {
         const Calls wrong = only_wrong(calls_);
         if (wrong.size() == 0) return std::nullopt;
+        // 36 samples of one call turn nearly all changes away, within four times what so few leave to chance; what
+        // passes must hold in four calls of 2,304 samples, which leave less than half a percent
         const auto rough = Integrals::of(wrong, right, 1, 6, 0.3), fine = Integrals::of(wrong, right, 4, 48, 0.02);
         if (!rough || !fine || !see()) return std::nullopt;
         if (const auto as_it_is = answers({Edit{}}, fine->rows()); as_it_is.empty() || fine->are_right(as_it_is[0]))
             return std::nullopt;
         std::vector<Mistake> changes = mistakes_in(all_, arguments_, told_);  // the simplest first
-        constexpr double dearest = 1.35;  // integrals of an odd one may be right by chance
+        // integrals of an odd one may be right by chance: none that is less simple than `max(x, 0)`, but for another
+        // value in the place of one
+        constexpr double dearest = 1.35;
         const auto is_odd = [](const Mistake& change) { return change.cost > dearest && change.pattern != "{1}"; };
         std::erase_if(changes, is_odd);
         const std::size_t at_once = most_at_once / rough->rows().size() + 1;

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "diagnosis/simpler.h"
+#include "diagnosis/simpler_values.h"
 #include "protocol/rows.h"
 
 namespace grade {

@@ -4,24 +4,19 @@
 
 #include <algorithm>
 
+#include "diagnosis/answer_forms.h"
 #include "diagnosis/families.h"
-#include "diagnosis/forms.h"
 
 namespace grade {
 
-Search::Search(const Calls& calls, const Ask& right, bool sampled) : calls_(calls), ask_(right), sampled_(sampled) {
-    for (std::size_t k = 0; k < calls.size(); ++k) {
-        all_.push_back(k);
-        if (!is_equal(calls.result, calls.mine[k], calls.right[k])) wrong_.push_back(k);
-    }
-    for (const Field& part : calls.result.parts)
-        for (const std::size_t k : wrong_)
-            if (counts(calls.result, part, calls.mine[k], calls.right[k]) &&
-                !is_equal(part, calls.mine[k], calls.right[k])) {
-                parts_.push_back(&part);
-                break;
-            }
-    changes_ = changes_of(calls.layouts.front(), calls.told);
+Search::Search(const Calls& calls, const Ask& right, bool sampled)
+    : calls_(calls),
+      ask_(right),
+      sampled_(sampled),
+      wrong_(calls.wrong()),
+      parts_(calls.wrong_parts()),
+      changes_(changes_of(calls.layouts.front(), calls.told)) {
+    for (std::size_t k = 0; k < calls.size(); ++k) all_.push_back(k);
 }
 
 std::optional<Rows> Search::answers_in(const Change& first, const Change* second,
@@ -59,18 +54,18 @@ bool Search::all_equal(const Rows& right, const std::vector<std::size_t>& scope)
 void Search::consider(const Rows& right, const std::string& change, double cost, const std::vector<std::size_t>& scope,
                       bool only_simple, const std::string& usually) {
     std::string forms;
-    Form::Kind last = Form::Kind::other;
+    AnswerForm::Kind last = AnswerForm::Kind::other;
     bool is_constant = false;
     for (const Field* part : parts_) {
         const auto form = form_of(calls_, *part, right, scope, only_simple);
         // a change and a constant together explain much by chance
         if (!form ||
-            (!change.empty() && parts_.size() < 2 && !form->words.empty() && form->kind != Form::Kind::not_unit))
+            (!change.empty() && parts_.size() < 2 && !form->words.empty() && form->kind != AnswerForm::Kind::not_unit))
             return;
         cost += form->cost;
         if (form->words.empty()) continue;
         forms += fmt::format("{}{} {}", forms.empty() ? "" : ", and ", name_of(*part), form->words);
-        last = form->kind, is_constant = is_constant || form->kind == Form::Kind::constant;
+        last = form->kind, is_constant = is_constant || form->kind == AnswerForm::Kind::constant;
     }
     // what is right must stay so
     for (const Field& part : calls_.result.parts)
@@ -82,7 +77,7 @@ void Search::consider(const Rows& right, const std::string& change, double cost,
     if (best_ && best_->cost <= cost) return;
     const bool everywhere = scope.size() == all_.size();
     const bool is_both = !change.empty() && !forms.empty();
-    const char* const joint = !is_both ? "" : last == Form::Kind::not_unit ? ", and " : ", but ";
+    const char* const joint = !is_both ? "" : last == AnswerForm::Kind::not_unit ? ", and " : ", but ";
     best_ = Relation{change + joint + forms, change.empty() ? Relation::Kind::sentence : Relation::Kind::change};
     best_->calls = !region_.empty() || everywhere ? region_ : "in the wrong calls ";
     best_->usually = forms.empty() ? usually : "", best_->is_constant = is_constant;
@@ -113,7 +108,7 @@ bool Search::tells(const Rows& changed, const std::vector<std::size_t>& scope) c
 std::vector<std::size_t> Search::some_wrong(const std::vector<std::size_t>& scope) const {
     std::vector<std::size_t> wrong, sample;
     for (const std::size_t k : scope)
-        if (!is_equal(calls_.result, calls_.mine[k], calls_.right[k])) wrong.push_back(k);
+        if (calls_.is_wrong(k)) wrong.push_back(k);
     const std::size_t count = std::min(few, wrong.size());
     for (std::size_t i = 0; i < count; ++i) sample.push_back(wrong[i * wrong.size() / count]);
     return sample;

@@ -5,9 +5,6 @@
 
 namespace grade {
 
-/// Below so many wrong calls, anything may be chance.
-constexpr std::size_t enough_wrong = 5;
-
 /// Calls with which two changes at once are sifted.
 constexpr std::size_t few = 10;
 
@@ -18,7 +15,7 @@ constexpr double best_cost = 100;
 class Search {
 public:
     Search(const Calls& calls, const Ask& right, bool sampled);
-    std::optional<Relation> run(bool& right_otherwise);
+    std::optional<Relation> run();
 
 private:
     /// One mistake in calls of one kind, or of some: of a disc, say.

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "diagnosis/forms.h"
+#include "diagnosis/answer_forms.h"
 
 namespace grade {
 

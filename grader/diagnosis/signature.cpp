@@ -34,8 +34,8 @@ std::vector<Signature::Argument> declared(const std::string& text) {
     return list;
 }
 
-/// The types of rows.h, in its order.
-const std::map<std::string, Structure>& structures() {
+/// The structs of rows.h. Colors and vectors are one type there, and two here.
+const std::map<std::string, Structure>& fields_of() {
     const auto entry = [](const char* fields, Row defaults) {
         return Structure{declared(fields), std::move(defaults)};
     };
@@ -98,8 +98,8 @@ std::size_t add(const Signature::Argument& argument, const std::string& name, co
         layout.parts.push_back({name, *kind, at});
         return at + size_of(*kind);
     }
-    const auto found = structures().find(argument.type);
-    if (found == structures().end()) return add_list(argument, row, at, layout);
+    const auto found = fields_of().find(argument.type);
+    if (found == fields_of().end()) return add_list(argument, row, at, layout);
     for (const auto& field : found->second.fields)
         at = add(field, name.empty() ? field.name : name + "." + field.name, row, at, layout);
     return at;
@@ -117,7 +117,13 @@ const std::vector<std::string>& choices_of(const Field& part) {
     return found == all.end() ? none : found->second;
 }
 
-bool is_structure(const std::string& type) { return structures().contains(type); }
+std::vector<std::string> structures() {
+    std::vector<std::string> names;
+    for (const auto& entry : fields_of()) names.push_back(entry.first);
+    return names;
+}
+
+bool is_structure(const std::string& type) { return fields_of().contains(type); }
 
 std::size_t size_of(Kind kind) {
     switch (kind) {
@@ -149,7 +155,7 @@ Layout Signature::of_result(const Row& row) const {
 Row Signature::blank() const {
     Row all;
     for (const Argument& argument : arguments) {
-        if (const auto found = structures().find(argument.type); found != structures().end())
+        if (const auto found = fields_of().find(argument.type); found != fields_of().end())
             all.insert(all.end(), found->second.defaults.begin(), found->second.defaults.end());
         else if (const auto kind = kind_of(argument.type))
             all.resize(all.size() + size_of(*kind));

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "diagnosis/invariants.h"
-#include "diagnosis/simpler.h"
+#include "diagnosis/simpler_values.h"
 
 namespace grade {
 
@@ -58,8 +58,7 @@ private:
                 for (std::size_t k = 0; k < calls_.size() && (clear || fit.empty()); ++k) {
                     if (is_nan_ && !is_nan(calls_.mine[k], calls_.right[k])) continue;
                     if (there && !is_there(calls_.rows[k], calls_.right[k])) continue;
-                    const bool wrong = clear ? shows(calls_, calls_.mine[k], calls_.right[k])
-                                             : !is_equal(calls_.result, calls_.mine[k], calls_.right[k]);
+                    const bool wrong = clear ? shows(calls_, calls_.mine[k], calls_.right[k]) : calls_.is_wrong(k);
                     if (wrong && (there || fit.empty())) fit.push_back(k);
                 }
         std::ranges::stable_sort(fit, {}, [&](std::size_t k) { return calls_.rows[k].size(); });

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "diagnosis/calls_made.h"
 #include "diagnosis/changes.h"
 #include "diagnosis/scalars.h"
 
@@ -11,7 +12,7 @@ namespace grade {
 
 namespace {
 
-constexpr int side = 16;                              // squared: random numbers for each of the calls
+constexpr std::size_t side = 16;                      // squared: random numbers for each of the calls
 constexpr std::size_t few_bases = 2, more_bases = 8;  // calls, with all of these: to find what to say, to check it
 constexpr double as_good = 0.004;  // mean distance of two spreads that count as one, over their range
 constexpr double dearest = 2;      // change that is tried
@@ -90,20 +91,6 @@ std::vector<Projection> projections(const Calls& calls) {
     return list;
 }
 
-/// Some of the calls, each with random numbers from all over the square.
-Rows over_the_square(const Calls& calls, const Field& u, std::size_t most) {
-    Rows rows;
-    const std::size_t bases = std::min(most, calls.size());
-    for (std::size_t b = 0; b < bases; ++b)
-        for (int i = 0; i < side * side; ++i) {
-            Row row = calls.rows[b * calls.size() / bases];
-            row[u.at] = u.kind == Kind::pair ? (i % side + 0.5) / side : (i + 0.5) / (side * side);
-            if (u.kind == Kind::pair) row[u.at + 1] = (i / side + 0.5) / side;
-            rows.push_back(std::move(row));
-        }
-    return rows;
-}
-
 /// By base and projection: sorted numbers.
 using Spreads = std::vector<std::vector<double>>;
 
@@ -143,7 +130,7 @@ double most_apart(const Spreads& a, const Spreads& b) {
 bool is_spread(const std::vector<double>& x, const Usual& as) {
     std::vector<double> steps, even;
     for (std::size_t i = 0; i < x.size(); ++i) {
-        steps.push_back(as.quantile((double(i / side) + 0.5) / (double(x.size()) / side)));
+        steps.push_back(as.quantile((double(i / side) + 0.5) / (double(x.size()) / double(side))));
         even.push_back(as.quantile((double(i) + 0.5) / double(x.size())));
     }
     // evenly as far as so many points can be
@@ -214,7 +201,9 @@ std::optional<std::string> spread_of(const Calls& calls, const Calls& all, const
     const auto u = std::ranges::find(parts, "u", &Field::name);
     if (u == parts.end() || calls.size() == 0) return std::nullopt;
     const std::vector<Projection> list = projections(calls);
-    const Rows rows = over_the_square(calls, *u, few_bases), more = over_the_square(all, *u, more_bases);
+    const auto numbers = std::size_t(u - parts.begin());
+    const Rows rows = over_the_square(calls, numbers, few_bases, side),
+               more = over_the_square(all, numbers, more_bases, side);
     const Spreads own = spreads(rows, mine(rows), list), due = spreads(rows, right(rows), list);
     if (own.empty() || due.empty()) return std::nullopt;
     if (const std::string steps = in_steps(calls, own, due, rows, list); !steps.empty()) return steps;

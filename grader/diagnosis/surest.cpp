@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "diagnosis/answer_forms.h"
 #include "diagnosis/by_textbook.h"
 #include "diagnosis/calls_made.h"
-#include "diagnosis/forms.h"
 
 namespace grade {
 
@@ -48,22 +48,23 @@ namespace {
 
 /// The relation that is found in some of the calls, and found again in others: what holds by chance is not.
 /// left_of_forms: see relation_of_textbook.
-std::optional<Relation> sure_relation(const Calls& calls, const Ask& ask_right, bool sampled, bool& right_otherwise,
+std::optional<Relation> sure_relation(const Calls& calls, const Ask& ask_right, bool sampled,
                                       std::size_t& left_of_forms) {
     std::size_t left = most_calls, left_again = most_calls;
     const Ask right = limited(ask_right, left), again_right = limited(ask_right, left_again);
     const auto found = [&](bool others, const Ask& ask, std::size_t most = most_compared) {
         const Calls some = picked(calls, most, others);
-        auto relation = relation_of(some, ask, sampled, right_otherwise);
-        if (right_otherwise) return std::optional<Relation>();
+        const auto of_arguments = relation_of(some, ask, sampled);
+        if (is_no_mistake(of_arguments)) return of_arguments;
         constexpr double simple = 1;
-        if (is_exact(relation) && relation->is_change() && relation->cost <= simple) return relation;
-        relation = simpler(relation, relation_of_textbook(some, sampled, right_otherwise, left_of_forms));
-        return right_otherwise ? std::nullopt : relation;
+        if (is_exact(of_arguments) && of_arguments->is_change() && of_arguments->cost <= simple) return of_arguments;
+        const auto of_form = relation_of_textbook(some, sampled, left_of_forms);
+        return is_no_mistake(of_form) ? of_form : simpler(of_arguments, of_form);
     };
     auto relation = found(false, right);
     if (!is_exact(relation)) return relation;
     const auto again = found(true, again_right);
+    if (is_no_mistake(again)) return again;
     return again && again->words() != relation->words() ? found(false, again_right, 2 * most_compared) : relation;
 }
 
@@ -79,10 +80,9 @@ std::string tests_of(const std::string& fragment) {
 /// Where no hit is found by what the checks ask, by rays that start near the shape.
 std::optional<Relation> relation_near_shapes(const Calls& calls, const Ask& ask_mine, const Ask& ask_right,
                                              std::size_t& left_of_forms) {
-    bool right_otherwise = false;
     const Calls near = near_shapes(calls, ask_mine, ask_right);
     if (near.size() == calls.size()) return std::nullopt;
-    auto found = sure_relation(near, ask_right, false, right_otherwise, left_of_forms);
+    auto found = sure_relation(near, ask_right, false, left_of_forms);
     if (is_exact(found) && !found->is_constant) return found;
     if (std::ranges::any_of(near.mine, is_something)) return std::nullopt;
     return Relation{
@@ -95,7 +95,6 @@ std::optional<Relation> relation_near_shapes(const Calls& calls, const Ask& ask_
 /// that is enough.
 void add_others(Relation& relation, const Calls& calls, const Ask& ask_right, bool sampled,
                 std::size_t& left_of_forms) {
-    bool right_otherwise = false;
     const bool are_nothing = relation.only_where_not_nothing;
     if (!are_nothing && !(relation.others_remain && relation.usually.empty())) return;
     const Calls rest = those_of(calls, [&](std::size_t k) {
@@ -105,10 +104,10 @@ void add_others(Relation& relation, const Calls& calls, const Ask& ask_right, bo
             return other.size() >= row.size() && std::equal(row.begin(), row.end(), other.begin());
         };
         if (are_nothing) return is_void(calls.result, calls.right[k]) || !is_something(calls.right[k]);
-        return is_equal(calls.result, calls.mine[k], calls.right[k]) || std::ranges::any_of(relation.others, starts_so);
+        return !calls.is_wrong(k) || std::ranges::any_of(relation.others, starts_so);
     });
     if (rest.size() == 0 || only_wrong(rest).size() == 0) return;
-    const auto found = sure_relation(rest, ask_right, sampled, right_otherwise, left_of_forms);
+    const auto found = sure_relation(rest, ask_right, sampled, left_of_forms);
     relation.in_others = is_exact(found) ? found->all_words() : usual_wrong_answer(rest);
     relation.is_constant = relation.is_constant || (is_exact(found) && found->is_constant);
 }
@@ -130,8 +129,7 @@ std::optional<Relation> relation_of_parts(const Calls& calls, const Ask& ask_rig
         const std::size_t count = only_wrong(alone).size();
         if (count == 0) continue;
         ++wrong;
-        bool right_otherwise = false;
-        auto found = sure_relation(alone, ask_right, sampled, right_otherwise, left_of_forms);
+        auto found = sure_relation(alone, ask_right, sampled, left_of_forms);
         if (count < enough || !is_exact(found) || found->other_numbers) continue;
         ++explained;
         are_changes = are_changes && found->is_change();
@@ -157,11 +155,10 @@ std::optional<Relation> relation_of_parts(const Calls& calls, const Ask& ask_rig
 
 }  // namespace
 
-std::optional<Relation> surest_relation(const Calls& calls, const Ask& mine, const Ask& right, bool sampled,
-                                        bool& right_otherwise) {
+std::optional<Relation> surest_relation(const Calls& calls, const Ask& mine, const Ask& right, bool sampled) {
     std::size_t left_of_forms = most_of_textbook;
-    auto best = sure_relation(calls, right, sampled, right_otherwise, left_of_forms);
-    if (right_otherwise) return std::nullopt;
+    auto best = sure_relation(calls, right, sampled, left_of_forms);
+    if (is_no_mistake(best)) return best;
     const auto take = [&](std::optional<Relation> other) {
         if (is_exact(other)) best = std::move(other);
     };

@@ -4,18 +4,12 @@
 
 namespace grade {
 
-/// Whether a relation explains every call.
-inline bool is_exact(const std::optional<Relation>& found) {
-    return found && found->explains == Relation::Explains::all;
-}
-
 /// Of a relation of the arguments and one of a form's expressions, the simpler one; both, where nothing tells them
 /// apart.
-std::optional<Relation> simpler(const std::optional<Relation>& of_arguments, const std::optional<Relation>& of_steps);
+std::optional<Relation> simpler(const std::optional<Relation>& of_arguments, const std::optional<Relation>& of_form);
 
 /// The relation that says most: of all calls; else, of rays that start near the shape; of each part of the answer; of
-/// two mistakes in every call, or in some and in the others. right_otherwise: as of relation_of.
-std::optional<Relation> surest_relation(const Calls& calls, const Ask& mine, const Ask& right, bool sampled,
-                                        bool& right_otherwise);
+/// two mistakes in every call, or in some and in the others.
+std::optional<Relation> surest_relation(const Calls& calls, const Ask& mine, const Ask& right, bool sampled);
 
 }  // namespace grade

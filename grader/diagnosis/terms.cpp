@@ -167,7 +167,7 @@ std::vector<vec3> values(const PartOfCalls& of, Value value) {
 
 }  // namespace
 
-std::optional<Form> terms_of(const PartOfCalls& of) {
+std::optional<AnswerForm> terms_of(const PartOfCalls& of) {
     constexpr std::size_t enough = 8;
     const bool is_number = of.part.kind == Kind::number;
     if ((of.part.kind != Kind::vector && !is_number) || of.scope.size() < enough) return std::nullopt;
@@ -181,8 +181,9 @@ std::optional<Form> terms_of(const PartOfCalls& of) {
     const auto due = sum_of(right, all);
     const bool is_due = due && is_plain(*due);
     if (is_number && !is_due) return std::nullopt;
-    return Form{fmt::format("is `{}`{}", in_words(*own), is_due ? fmt::format(", must be `{}`", in_words(*due)) : ""),
-                own->terms.size() > 1 ? 1.6 : 1.5};
+    return AnswerForm{
+        fmt::format("is `{}`{}", in_words(*own), is_due ? fmt::format(", must be `{}`", in_words(*due)) : ""),
+        own->terms.size() > 1 ? 1.6 : 1.5};
 }
 
 std::string small_offsets(const Calls& calls) {

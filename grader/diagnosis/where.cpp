@@ -21,8 +21,7 @@ std::string table_of(const Calls& calls) {
         if (part.kind != Kind::flag && part.kind != Kind::choice) return {};
     std::set<std::string> all;
     for (std::size_t k = 0; k < calls.size(); ++k)
-        if (!is_equal(calls.result, calls.mine[k], calls.right[k]))
-            all.insert(arguments_in_words(calls.signature, calls.rows[k]));
+        if (calls.is_wrong(k)) all.insert(arguments_in_words(calls.signature, calls.rows[k]));
     std::string words;
     for (const std::string& one : all) words += (words.empty() ? "" : "; ") + one;
     return words;
@@ -40,9 +39,8 @@ WrongCalls where_among_alike(const Calls& calls) {
             };
             const bool are_all = std::ranges::all_of(calls.right, is_alike);
             const Calls some = those_of(calls, [&](std::size_t k) { return is_alike(calls.right[k]); });
-            const Calls rest = those_of(calls, [&](std::size_t k) {
-                return !is_alike(calls.right[k]) && !is_equal(calls.result, calls.mine[k], calls.right[k]);
-            });
+            const Calls rest =
+                those_of(calls, [&](std::size_t k) { return !is_alike(calls.right[k]) && calls.is_wrong(k); });
             if (are_all || some.size() == 0 || rest.size() > 0) continue;
             WrongCalls region = rule_of(some, true);
             if (!region.is_exact) continue;

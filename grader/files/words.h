@@ -6,6 +6,7 @@
 #include <cctype>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace grade {
 
@@ -22,6 +23,17 @@ inline std::string line_and_column(std::string_view text, std::size_t at) {
     const std::string_view before = text.substr(0, at);
     const std::size_t start = before.rfind('\n') + 1;  // npos + 1 is 0
     return fmt::format("{}:{}", 1 + std::ranges::count(before, '\n'), 1 + before.size() - start);
+}
+
+/// Without the ends of lines.
+inline std::vector<std::string_view> lines_of(std::string_view text) {
+    std::vector<std::string_view> lines;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        lines.push_back(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
 }
 
 inline std::string lower(std::string_view text) {

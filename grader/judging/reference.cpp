@@ -17,6 +17,14 @@ std::vector<double> all_measured(const Check& check, const Observation& observat
 
 }  // namespace
 
+void add_picture(rt::Image& mean, const rt::Image& next, std::size_t count) {
+    if (count == 0)
+        mean = next;
+    else
+        for (std::size_t k = 0; k < mean.pixels.size(); ++k)
+            mean.pixels[k] += (next.pixels[k] - mean.pixels[k]) / double(count + 1);
+}
+
 std::unique_ptr<Runner> SolutionRunners::take() {
     constexpr double patience = 120;  // s
     {
@@ -82,12 +90,8 @@ std::string Reference::trace(rt::ivec2 pixel) {
 }
 
 rt::Image Reference::picture(int replicates) {
-    rt::Image mean = image(0);
-    for (int i = 1; i < replicates; ++i) {
-        const rt::Image& next = image(i);
-        for (std::size_t k = 0; k < mean.pixels.size(); ++k)
-            mean.pixels[k] += (next.pixels[k] - mean.pixels[k]) / double(i + 1);
-    }
+    rt::Image mean;
+    for (int i = 0; i < replicates; ++i) add_picture(mean, image(i), std::size_t(i));
     return mean;
 }
 

@@ -11,6 +11,9 @@
 
 namespace grade {
 
+/// Adds one more picture to the mean of so many.
+void add_picture(rt::Image& mean, const rt::Image& next, std::size_t count);
+
 /// Children with the solution's fragments, which keep nothing between checks. A process ends with the thread that
 /// started it, so each thread has its own.
 class SolutionRunners {

@@ -74,14 +74,6 @@ std::string advice(const Fault& fault, Reference& reference) {
                        fault.is_endless ? ": look for a loop that does not end" : "");
 }
 
-void add_picture(rt::Image& mean, const rt::Image& next, std::size_t count) {
-    if (count == 0)
-        mean = next;
-    else
-        for (std::size_t k = 0; k < mean.pixels.size(); ++k)
-            mean.pixels[k] += (next.pixels[k] - mean.pixels[k]) / double(count + 1);
-}
-
 /// What the page shows of a picture: the solution's, and where both differ.
 void add_solution_picture(CheckRecord& record, const std::vector<rt::Image>& shown, Reference& reference) {
     record.solution_picture = reference.picture(int(shown.size()));

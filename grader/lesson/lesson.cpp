@@ -107,7 +107,7 @@ LessonCurve lesson_curve(const LessonIntegrand& integrand, Method method, Runner
         curve.points.push_back(level(integrand, method, count, runner));
         if (count >= 64) n.push_back(count), errors.push_back(curve.points.back().error);
     }
-    if (*std::ranges::min_element(errors) > rounding) curve.slope = log_log_slope(n, errors).value;
+    if (*std::ranges::min_element(errors) > rounding) curve.slope = log_log_slope(n, errors);
     return curve;
 }
 

@@ -38,7 +38,7 @@ using Clock = std::chrono::steady_clock;
 
 /// A running program, with ways to its stdin and from its stdout, stderr, and descriptor 3: sockets, which nobody can
 /// open again by a name. Its environment is empty but for PATH, LANG and options of sanitizers. When this object goes,
-/// so do the program and everything in its process group. This is the only place where the grader starts a process.
+/// so do the program and everything in its process group. The grader starts processes here, and in in_view.h.
 class Process {
 public:
     /// folder  its working directory

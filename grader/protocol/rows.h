@@ -14,25 +14,7 @@
 ///     Real, int, bool, enum      1   bool as 0 or 1, an enum as its position in the declaration
 ///     vec2, ivec2                2   x y
 ///     vec3, Color                3   x y z
-///     Ray                        8   origin, direction, near, far
-///     Hit                        7   point, normal, error
-///     Sphere                     4   center, radius
-///     Triangle                   9   a, b, c
-///     Quad                       9   center, u, v
-///     Disc                       7   center, normal, radius
-///     Camera                    17   eye, right, up, back, tan_half_fov, size (2), lens_radius, focus
-///     Shutter                    2   open, close
-///     Extent                     4   low (2), high (2)
-///     PointLight                 7   position, intensity, directional
-///     Emitter                   24   kind, quad, disc, sphere, radiance
-///     Material                  27   ambient, albedo, specular, shininess, reflectance, transmittance, exponent, ior,
-///                                    emission, sampled, extinction, medium albedo, g
-///     LightSample                5   direction, distance, density
-///     DiskSample                 3   point (2), density
-///     DirectionSample            4   direction, density
-///     FilmSample                 3   position (2), weight
-///     Scattered                  6   direction, weight
-///     Outgoing                   9   local, mirror, glass
+///     a struct                       its members, in the order of `members` below
 ///     Integrand              2 + n   kind, n, n parameters
 ///     list                   1 + …   count, elements
 ///     Stratum                3 + n   low, high, n, n random numbers
@@ -61,7 +43,7 @@ struct StratumOf {
     std::vector<double> u;
 };
 
-// ---- the types of several numbers: a line each, with the members in the order of the table ----
+// ---- the types of several numbers: a line each, with the members in the order of a row ----
 
 inline auto members(rt::vec2& v) { return std::tie(v.x, v.y); }
 inline auto members(rt::ivec2& v) { return std::tie(v.x, v.y); }

@@ -2,24 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <vector>
+
+#include "rt/files/words.h"
 
 namespace grade {
 
 namespace {
-
-std::string base64(const std::string& bytes) {
-    constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t group = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0);
-        for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? digits[group >> (18 - 6 * k) & 63] : '=';
-    }
-    return text;
-}
 
 double luminance(rt::Color c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; }
 
@@ -41,7 +30,7 @@ double bright(const rt::Image& image) {
 }  // namespace
 
 std::string data_uri(const rt::Image& image, double exposure) {
-    return "data:image/png;base64," + base64(rt::png_bytes(image, exposure));
+    return "data:image/png;base64," + rt::base64(rt::png_bytes(image, exposure));
 }
 
 double preview_exposure(const rt::Image& image) {

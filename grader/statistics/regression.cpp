@@ -4,13 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "statistics/distributions.h"
-
 namespace grade {
-
-double Coefficient::reach(double confidence) const {
-    return se > 0 ? student_quantile(degrees, (1 - confidence) / 2) * se : 0;
-}
 
 namespace {
 
@@ -27,8 +21,8 @@ private:
 
 }  // namespace
 
-/// By Gram and Schmidt's X = Q R, columns of Q orthonormal: R b = Q' y, and the covariance of b is s^2 (R' R)^-1.
-std::vector<Coefficient> least_squares(const std::vector<std::vector<double>>& rows, std::span<const double> y) {
+/// By Gram and Schmidt's X = Q R, columns of Q orthonormal: R b = Q' y.
+std::vector<double> least_squares(const std::vector<std::vector<double>>& rows, std::span<const double> y) {
     const std::size_t n = rows.size(), p = n > 0 ? rows[0].size() : 0;
     if (n <= p || y.size() != n) throw std::invalid_argument("least squares: fewer observations than unknowns");
 
@@ -50,29 +44,18 @@ std::vector<Coefficient> least_squares(const std::vector<std::vector<double>>& r
         for (std::size_t i = 0; i < n; ++i) q(i, j) /= r(j, j);
     }
 
-    // residuals
     std::vector<double> projection(p, 0), rest(y.begin(), y.end());
     for (std::size_t j = 0; j < p; ++j) {
         for (std::size_t i = 0; i < n; ++i) projection[j] += q(i, j) * rest[i];
         for (std::size_t i = 0; i < n; ++i) rest[i] -= projection[j] * q(i, j);
     }
-    double squares = 0;
-    for (double x : rest) squares += x * x;
-    const int degrees = int(n - p);
 
-    // b and the rows of R^-1, from the last one up
-    std::vector<Coefficient> b(p);
-    Columns inverse(p, p);
+    // from the last one up
+    std::vector<double> b(p);
     for (std::size_t j = p; j-- > 0;) {
         double value = projection[j];
-        inverse(j, j) = 1;
-        for (std::size_t k = j + 1; k < p; ++k) {
-            value -= r(j, k) * b[k].value;
-            for (std::size_t m = k; m < p; ++m) inverse(j, m) -= r(j, k) * inverse(k, m);
-        }
-        double length = 0;
-        for (std::size_t m = j; m < p; ++m) inverse(j, m) /= r(j, j), length += inverse(j, m) * inverse(j, m);
-        b[j] = {value / r(j, j), std::sqrt(length * squares / degrees), degrees};
+        for (std::size_t k = j + 1; k < p; ++k) value -= r(j, k) * b[k];
+        b[j] = value / r(j, j);
     }
     return b;
 }
@@ -80,11 +63,11 @@ std::vector<Coefficient> least_squares(const std::vector<std::vector<double>>& r
 Line fit_line(std::span<const double> x, std::span<const double> y) {
     std::vector<std::vector<double>> rows;
     for (double value : x) rows.push_back({1, value});
-    const std::vector<Coefficient> b = least_squares(rows, y);
+    const std::vector<double> b = least_squares(rows, y);
     return {b[0], b[1]};
 }
 
-Coefficient log_log_slope(std::span<const double> x, std::span<const double> y) {
+double log_log_slope(std::span<const double> x, std::span<const double> y) {
     std::vector<double> log_x, log_y;
     for (double value : x) log_x.push_back(std::log(value));
     for (double value : y) log_y.push_back(std::log(value));
@@ -96,7 +79,7 @@ double error_slope(std::span<const double> samples, std::span<const double> erro
     if (largest == 0) return 0;
     std::vector<double> cut;
     for (const double error : errors) cut.push_back(std::max(error, 1e-9 * largest));
-    return log_log_slope(samples, cut).value;
+    return log_log_slope(samples, cut);
 }
 
 double root_mean_square(std::span<const double> errors) {

@@ -6,6 +6,7 @@
 
 #include "files/source_text.h"
 #include "files/words.h"
+#include "rt/files/words.h"
 
 namespace grade {
 
@@ -15,13 +16,6 @@ struct SourceFault {
     std::size_t at;
     std::string wrong, expected;
 };
-
-std::string in_quotes(std::string_view line) {
-    std::string text(line.substr(0, std::min(line.find_first_of("\r\n"), std::size_t(60))));
-    for (char& c : text)
-        if (static_cast<unsigned char>(c) < 32 || c == 127) c = '?';
-    return "'" + text + "'";
-}
 
 bool is_wide(std::string_view text) {
     if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) return true;
@@ -43,8 +37,10 @@ SourceFault start_of(std::string_view text) {
                "elf") ||
         starts("\xd0\xcf\x11\xe0"))
         return {first, "this is no text file", source};
-    if (starts("```"))
-        return {first, "this is Markdown: the line " + in_quotes(text.substr(first)) + " is no C++", "C++ alone"};
+    if (starts("```")) {
+        const std::string_view line = text.substr(first, text.find_first_of("\r\n", first) - first);
+        return {first, "this is Markdown: the line " + rt::in_quotes(line) + " is no C++", "C++ alone"};
+    }
     if (starts("diff --git") || starts("--- a/")) return {first, "this is a patch, not the patched file", source};
     return {text.npos, {}, {}};
 }
@@ -55,7 +51,8 @@ SourceFault conflict_in(std::string_view text) {
         const std::string_view line = text.substr(at, std::min(text.find_first_of("\r\n", at), text.size()) - at);
         for (const char* marker : {"<<<<<<<", ">>>>>>>"})
             if (line.starts_with(marker) && (line.size() == 7 || line[7] == ' '))
-                return {at, fmt::format("a merge conflict is not resolved: git has left the line {}", in_quotes(line)),
+                return {at,
+                        fmt::format("a merge conflict is not resolved: git has left the line {}", rt::in_quotes(line)),
                         "one of the two versions, without the lines <<<<<<<, ======= and >>>>>>>"};
         at += line.size() + 1;
     }

@@ -74,9 +74,8 @@ def grade_killed(command, out, kills, longest):
     return run(command, 1)
 
 
-def check_small(grade, work):
-    export, out = work / "export", work / "out"
-    small_class(export)
+def check_tables(grade, work, export, out):
+    """The first grading of the class: what it says, its tables and its pages."""
     said = run([grade, "class", export, "-o", out, "--seed", "5", "--jobs", "2"], 1)
     table = {row["student"]: row for row in rows(out / "class.csv")}
     points = {name: row["points"] for name, row in table.items()}
@@ -110,7 +109,9 @@ def check_small(grade, work):
     for link in re.findall(r'href="([^"#:]+)"', page):
         expect((out / link).is_file(), f"the page links {link}, which is not there")
 
-    # again: nothing is graded; one at a time, in parts, and killed: the same
+
+def check_again(grade, work, export, out):
+    """Again: nothing is graded; one at a time, in parts, and killed: the same."""
     expect("0 graded now, 7 as before" in (said := run([grade, "class", export, "-o", out], 1)), f"graded again: {said}")
     one = work / "one"
     run([grade, "class", export, "-o", one, "--seed", "5", "--jobs", "1"], 1)
@@ -139,7 +140,8 @@ def check_small(grade, work):
     expect("1 graded now, 6 as before" in run([grade, "class", export, "-o", one], 1), "a broken record is taken")
     expect(outcome(one) == outcome(out), "another outcome after a broken record")
 
-    # a regrade
+
+def check_regrade(grade, work, export, out):
     (export / "hw1-alice/starter/fragments/phong.cpp").write_text((BLANKS / "phong.cpp").read_text())
     folder(export / "hw1-carol", {"moved.cpp": text("moved")})
     after = work / "after"
@@ -152,11 +154,18 @@ def check_small(grade, work):
     run([grade, "compare", out, out])
     file = next(path for path in (out / "submissions").glob("hw1-bob*.json"))
     run([grade, "verify", file, export / "hw1-bob"])
+    run([grade, "compare", out, file], 2)
 
+
+def check_small(grade, work):
+    export, out = work / "export", work / "out"
+    small_class(export)
+    check_tables(grade, work, export, out)
+    check_again(grade, work, export, out)
+    check_regrade(grade, work, export, out)
     run([grade, "class", work / "none"], 2)
     run([grade, "class", export, "-o", work / "x", "--shard", "3/2"], 2)
     expect("--shard needs --seed" in run([grade, "class", export, "-o", work / "x", "--shard", "1/2"], 2), "a part without a seed")
-    run([grade, "compare", out, file], 2)
     run([grade, "merge", work / "x", export], 2)
 
 

@@ -169,6 +169,51 @@ def check_tables(convert, file, record):
             expect(not any(len(cell) > 1 and cell[0] in "=+-@\t" for cell in row), f"{kind}: a formula")
 
 
+def check_hidden(record, work):
+    hidden = json.loads(json.dumps(record))
+    hidden["fragments"][0]["visibility"] = "hidden"
+    (work / "hidden.json").write_text(json.dumps(hidden))
+    result = json.loads(run([GRADE, "convert", work / "hidden.json", "--to", "gradescope"]))
+    expect(result["tests"][0]["visibility"] == "hidden" and "no total" in result["output"], "Gradescope: a hidden test")
+    expect(str(record["score"]) not in result["output"], "Gradescope: the words tell a score that is hidden")
+    expect(record["fragments"][0]["name"] not in run([GRADE, "convert", work / "hidden.json", "--to", "annotations"]), "Actions: a hidden result")
+
+
+def check_no_record(record, file, work):
+    old = work / "old.json"
+    old.write_text(json.dumps(record | {"schema": "penumbra/result/v1"}))
+    expect("a record of an older grader" in run([GRADE, "convert", old, "--to", "csv"], 2), "an older record is taken")
+    for change, words in [({"complete": False, "fragments": []}, "not complete"), ({"fragments": 3}, "/fragments is no such thing"),
+                          ({"seed": "x"}, "/seed"), ({"limits": {}}, "/limits/time_limit is missing")]:
+        old.write_text(json.dumps(record | change))
+        expect(words in run([GRADE, "convert", old, "--to", "csv"], 2), f"a record with {change} is not refused")
+    old.write_text("{")
+    expect("is no record" in run([GRADE, "convert", old, "--to", "csv"], 2), "a broken record is taken")
+    run([GRADE, "convert", file, "--to", "pdf"], 2)
+
+
+def check_again(record, file, folder, work):
+    """The same submission again, then another one."""
+    expect("the same points and verdicts" in run([GRADE, "verify", file, folder]), "verify: the same")
+    run([GRADE, "replay", file, folder, "-o", work / "again.json"])
+    same = lambda r: timeless(r) | {"command": "", "submission": ""}
+    expect(same(record_at(work / "again.json")) == same(record), "replay: another record")
+    before = file.read_bytes()
+    run([GRADE, "replay", file, folder, "-o", file], 2)
+    expect(file.read_bytes() == before, "replay overwrites a record")
+    expect("0 -> 0" not in run([GRADE, "compare", file, work / "again.json"]), "compare: what is the same")
+    shutil.copy(BLANKS / "moved.cpp", folder)
+    expect("other texts" in run([GRADE, "verify", file, folder], 2), "verify: other texts")
+    run([GRADE, "replay", file, folder, "-o", work / "third.json"])
+    said = run([GRADE, "compare", file, work / "third.json"], 1)
+    expect("moved: not started, was passed; another text" in said, f"compare: {said}")
+    broken = json.loads(file.read_text())
+    broken["fragments"][0]["verdict"] = "failed"
+    (work / "forged.json").write_text(json.dumps(broken))
+    shutil.copy(SOLUTION / "moved.cpp", folder)
+    run([GRADE, "verify", work / "forged.json", folder], 1)
+
+
 def main():
     with tempfile.TemporaryDirectory() as work:
         work = pathlib.Path(work)
@@ -205,47 +250,9 @@ def main():
         said = run([GRADE, folder, *names, "--seed", "7"])
         for line in table.splitlines():
             expect(line in said or "Efficiency" in line, f"the converted table says: {line}")
-
-        # a hidden result
-        hidden = json.loads(file.read_text())
-        hidden["fragments"][0]["visibility"] = "hidden"
-        (work / "hidden.json").write_text(json.dumps(hidden))
-        result = json.loads(run([GRADE, "convert", work / "hidden.json", "--to", "gradescope"]))
-        expect(result["tests"][0]["visibility"] == "hidden" and "no total" in result["output"], "Gradescope: a hidden test")
-        expect(str(record["score"]) not in result["output"], "Gradescope: the words tell a score that is hidden")
-        expect(record["fragments"][0]["name"] not in run([GRADE, "convert", work / "hidden.json", "--to", "annotations"]), "Actions: a hidden result")
-
-        # what is no record
-        old = work / "old.json"
-        old.write_text(json.dumps(record | {"schema": "penumbra/result/v1"}))
-        expect("a record of an older grader" in run([GRADE, "convert", old, "--to", "csv"], 2), "an older record is taken")
-        for change, words in [({"complete": False, "fragments": []}, "not complete"), ({"fragments": 3}, "/fragments is no such thing"),
-                              ({"seed": "x"}, "/seed"), ({"limits": {}}, "/limits/time_limit is missing")]:
-            old.write_text(json.dumps(record | change))
-            expect(words in run([GRADE, "convert", old, "--to", "csv"], 2), f"a record with {change} is not refused")
-        old.write_text("{")
-        expect("is no record" in run([GRADE, "convert", old, "--to", "csv"], 2), "a broken record is taken")
-        run([GRADE, "convert", file, "--to", "pdf"], 2)
-
-        # the same again
-        expect("the same points and verdicts" in run([GRADE, "verify", file, folder]), "verify: the same")
-        run([GRADE, "replay", file, folder, "-o", work / "again.json"])
-        same = lambda r: timeless(r) | {"command": "", "submission": ""}
-        expect(same(record_at(work / "again.json")) == same(record), "replay: another record")
-        before = file.read_bytes()
-        run([GRADE, "replay", file, folder, "-o", file], 2)
-        expect(file.read_bytes() == before, "replay overwrites a record")
-        expect("0 -> 0" not in run([GRADE, "compare", file, work / "again.json"]), "compare: what is the same")
-        shutil.copy(BLANKS / "moved.cpp", folder)
-        expect("other texts" in run([GRADE, "verify", file, folder], 2), "verify: other texts")
-        run([GRADE, "replay", file, folder, "-o", work / "third.json"])
-        said = run([GRADE, "compare", file, work / "third.json"], 1)
-        expect("moved: not started, was passed; another text" in said, f"compare: {said}")
-        broken = json.loads(file.read_text())
-        broken["fragments"][0]["verdict"] = "failed"
-        (work / "forged.json").write_text(json.dumps(broken))
-        shutil.copy(SOLUTION / "moved.cpp", folder)
-        run([GRADE, "verify", work / "forged.json", folder], 1)
+        check_hidden(record, work)
+        check_no_record(record, file, work)
+        check_again(record, file, folder, work)
     end("one record, all formats")
 
 

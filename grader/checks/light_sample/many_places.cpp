@@ -28,7 +28,7 @@ double leftover_power(const Observation& seen, std::size_t which) {
         logs.push_back(std::log(sum * r * r / (cosine * rt::area(light))));
         if (!std::isfinite(logs.back())) return NAN;
     }
-    return least_squares(factors, logs)[which].value;
+    return least_squares(factors, logs)[which];
 }
 
 }  // namespace

@@ -17,4 +17,7 @@ std::optional<std::string> nearest_word(std::string_view word, const std::vector
 /// A user's word as it may stand in a message: in quotes, without control characters, not too long.
 std::string in_quotes(std::string_view word);
 
+/// Bytes as letters and digits, as RFC 4648 has it.
+std::string base64(std::string_view bytes);
+
 }  // namespace rt

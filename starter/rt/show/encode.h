@@ -37,6 +37,4 @@ std::string kitty(std::string_view png, int rows);
 /// Source: Digital Equipment Corporation, "VT330/VT340 Programmer Reference Manual", volume 2, chapter 14, 1988.
 std::string sixel(const Shown& pixels);
 
-std::string base64(std::string_view bytes);
-
 }  // namespace rt

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "rt/files/words.h"
 #include "rt/show/encode.h"
 
 namespace rt {
@@ -10,19 +11,6 @@ namespace {
 constexpr std::size_t piece = 4096;  // characters at once, at most
 
 }  // namespace
-
-std::string base64(std::string_view bytes) {
-    constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-        unsigned bits = 0;
-        for (std::size_t k = 0; k < 3; ++k) bits = bits << 8 | (k < count ? std::uint8_t(bytes[i + k]) : 0u);
-        for (std::size_t k = 0; k < 4; ++k) text += k <= count ? digits[bits >> (18 - 6 * k) & 63] : '=';
-    }
-    return text;
-}
 
 std::string kitty(std::string_view png, int rows) {
     const std::string text = base64(png);

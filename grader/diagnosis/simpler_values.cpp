@@ -1,4 +1,4 @@
-#include "diagnosis/simpler.h"
+#include "diagnosis/simpler_values.h"
 
 #include <algorithm>
 #include <cmath>
