@@ -9,8 +9,9 @@
 ///     collect     the lanes of one way
 ///     send        their new rays; direction_of calls the way's fragment
 ///     bring_back  those that a mesh's interpolated normals have led astray
-///     append      those that carry anything, with what stays with their paths
+///     append      one that carries anything, with what stays with its path
 ///     follow      all of it, as many as the open batch has room for at once
+///     follow_both  mirror and glass of each lane
 namespace rt {
 namespace {
 
@@ -125,26 +126,32 @@ void cross_boundary(const Wave& wave, int i, Batch& to, int j) {
     if (world.plan.medium) to.inside[j] = world.regions.crossed(b.inside[i], b.shape[i], wave.surfaces.behind[i] != 0);
 }
 
-/// Adds the new rays to a batch, but for those that carry nothing or have nowhere to go.
+/// Adds new ray k, of lane i, to a batch, unless it carries nothing or has nowhere to go.
 template <WayOn way>
-void append(const Wave& wave, const Sent& sent, const Index* from, int count, Batch& to) {
+[[gnu::always_inline]] inline void append(const Wave& wave, const Sent& sent, int k, int i, Batch& to) {
     constexpr bool bounces = way == WayOn::bounce;
     constexpr Event event = bounces ? Event::diffuse : is_sharp(way) ? Event::specular : Event::lobe;
-    for (int k = 0; k < count; ++k) {
-        const int i = int(from[k]), j = to.count;
-        to.continue_path(j, wave.batch, i);
-        to.set_ray(j, {sent.origin.at(k), sent.direction.at(k), 0, inf});
-        to.weight.set(j, sent.weight.at(k));
-        to.event[j] = Index(event);
-        to.depth[j] += !bounces, to.bounce[j] += bounces;
-        if constexpr (!bounces && !is_sharp(way)) to.density[j] = sent.density[k];
-        if constexpr (leads_inside(way)) {
-            // Mirror and glass may both be followed: their random numbers must not be the same.
-            to.key[j] = branch_key(to.key[j], wave.pattern.sampler);
-            cross_boundary(wave, i, to, j);
-        }
-        to.count += !(sent.weight.at(k) == Color(0) || sent.direction.at(k) == vec3(0));
+    const int j = to.count;
+    to.continue_path(j, wave.batch, i);
+    to.set_ray(j, {sent.origin.at(k), sent.direction.at(k), 0, inf});
+    to.weight.set(j, sent.weight.at(k));
+    to.event[j] = Index(event);
+    to.depth[j] += !bounces, to.bounce[j] += bounces;
+    if constexpr (!bounces && !is_sharp(way)) to.density[j] = sent.density[k];
+    if constexpr (leads_inside(way)) {
+        // Mirror and glass may both be followed: their random numbers must not be the same.
+        to.key[j] = branch_key(to.key[j], wave.pattern.sampler);
+        cross_boundary(wave, i, to, j);
     }
+    to.count += !(sent.weight.at(k) == Color(0) || sent.direction.at(k) == vec3(0));
+}
+
+/// All rays of a way that takes no random numbers.
+template <WayOn way>
+void send_all(const Wave& wave, const Leaving& leaving, Crossing& crossing, Sent& sent) {
+    const Numbers none{};
+    send<way>(none, crossing, collect<way>(wave, leaving, 0, leaving.count, crossing), sent);
+    if (wave.world.plan.smooth) bring_back<way>(crossing, leaving.count, sent);
 }
 
 }  // namespace
@@ -176,9 +183,27 @@ template <WayOn way>
             for (int j = 0; j < count; ++j) sent.weight.set(j, after_roulette(sent.weight.at(j), u.x[j]));
         }
         if (way != WayOn::bounce && plan.smooth) bring_back<way>(crossing, taken, sent);
-        append<way>(wave, sent, leaving.lane + k, taken, to);
+        for (int j = 0; j < taken; ++j) append<way>(wave, sent, j, int(leaving.lane[k + j]), to);
         chunk.rays[int(kind)] += std::uint64_t(to.count - before);
         k += taken;
+    }
+}
+
+void follow_both(const Wave& wave, const AllLeaving& all, Queue& next, Chunk& chunk) {
+    const Leaving &mirror = all[WayOn::mirror], &glass = all[WayOn::glass];
+    Crossing crossing;
+    Sent mirrored, refracted;
+    send_all<WayOn::mirror>(wave, mirror, crossing, mirrored);
+    send_all<WayOn::glass>(wave, glass, crossing, refracted);
+    for (int m = 0, g = 0; m < mirror.count || g < glass.count;) {
+        Batch& to = next.open();
+        const int before = to.count;
+        const bool mirrors = g == glass.count || (m < mirror.count && mirror.lane[m] <= glass.lane[g]);
+        if (mirrors)
+            append<WayOn::mirror>(wave, mirrored, m, int(mirror.lane[m]), to), ++m;
+        else
+            append<WayOn::glass>(wave, refracted, g, int(glass.lane[g]), to), ++g;
+        chunk.rays[int(mirrors ? RayKind::mirror : RayKind::glass)] += std::uint64_t(to.count - before);
     }
 }
 

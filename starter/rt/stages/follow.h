@@ -29,4 +29,8 @@ struct AllLeaving {
 template <WayOn way>
 void follow(const Wave& wave, const AllLeaving& leaving, Queue& next, Chunk& chunk);
 
+/// Likewise mirror and glass, where both are followed. Two paths may then add to one sample: their rays go to next lane
+/// by lane, so that the order of the sum does not depend on what else is in the batch.
+void follow_both(const Wave& wave, const AllLeaving& leaving, Queue& next, Chunk& chunk);
+
 }  // namespace rt

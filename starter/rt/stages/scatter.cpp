@@ -11,12 +11,12 @@
 namespace rt {
 namespace {
 
-/// Decides how lanes from `begin` to `end` go on.
-void choose_ways(const Wave& wave, int begin, int end, AllLeaving& leaving) {
+/// Decides how all lanes go on.
+void choose_ways(const Wave& wave, AllLeaving& leaving) {
     Numbers u;
     bool drawn = false;
     leaving.clear();
-    for (int i = begin; i < end; ++i) {
+    for (int i = 0; i < wave.batch.count; ++i) {
         if (wave.surfaces.material[i] == nothing) continue;
         const Shares shares = shares_of(wave, i);
         const Color weight = wave.batch.weight.at(i);
@@ -54,22 +54,16 @@ void choose_bounces(const Wave& wave, Leaving& leaving) {
 
 void scatter_stage(const Wave& wave, Queue& next, Chunk& chunk) {
     const RenderPlan& plan = wave.world.plan;
-    const int count = wave.batch.count;
     if (!plan.specular && !plan.lobe && !plan.bounce) return;
     AllLeaving leaving;
     if (plan.split) {
-        // Two paths may add to one sample: lane by lane, so that the order of the sum does not depend on what else is
-        // in the batch.
-        for (int i = 0; i < count; ++i) {
-            choose_ways(wave, i, i + 1, leaving);
-            follow<WayOn::mirror>(wave, leaving, next, chunk);
-            follow<WayOn::glass>(wave, leaving, next, chunk);
-        }
+        choose_ways(wave, leaving);
+        follow_both(wave, leaving, next, chunk);
     } else if (!plan.specular && !plan.lobe) {
         choose_bounces(wave, leaving[WayOn::bounce]);
         follow<WayOn::bounce>(wave, leaving, next, chunk);
     } else {
-        choose_ways(wave, 0, count, leaving);
+        choose_ways(wave, leaving);
         follow<WayOn::mirror>(wave, leaving, next, chunk);
         follow<WayOn::glossy>(wave, leaving, next, chunk);
         follow<WayOn::glass>(wave, leaving, next, chunk);
