@@ -1,5 +1,7 @@
 #include "lesson/lesson.h"
 
+#include <cmath>
+
 #include "catch.h"
 
 using namespace grade;
@@ -45,8 +47,27 @@ TEST_CASE("a plot's guides have their slopes, and what is too small stands on it
     CHECK(svg.find("M58.0 34.0L215.0 159.0L372.0 284.0") != std::string::npos);  // the line
     CHECK(svg.find("1e-30") == std::string::npos);
 
+    CHECK(svg.find("<text x=\"375.0\"") != std::string::npos);  // its name, behind the border
+
     plot.series[0].joined = false;
     CHECK(log_log(plot).find("M58.0 34.0L215.0 159.0") == std::string::npos);
     plot.series[0].color = 1;
     CHECK(log_log(plot).find("#d55e00") != std::string::npos);
+}
+
+TEST_CASE("the name of a guide that ends at the foot stands on no curve") {
+    Plot plot{"lines", "x", "y", {{"beside", {{1, 1}, {47, 1e-4}}}, {"further", {{1, 1}, {100, 0.1}}}}};
+    plot.guides = {{-2.5, "steep"}};
+    const std::string svg = log_log(plot), name = svg.substr(0, svg.find(">steep<"));
+    INFO(svg);
+    const std::string place = name.substr(name.rfind("<text"));
+    const double x = std::stod(place.substr(place.find("x=\"") + 3)),
+                 y = std::stod(place.substr(place.find("y=\"") + 3));
+    CHECK(x > 58);
+    CHECK(x < 372);
+    for (double at = x; at < x + 26; at += 1) {
+        const double curve = 34 + (at - 58) / (314 * std::log10(47) / 2) * 250;
+        INFO(at);
+        CHECK((curve < y - 9 || curve > y + 1));
+    }
 }

@@ -106,6 +106,8 @@ expect 0 "" not_called grade_studies
 expect 0 "graded $tree: stress solution" in_it ./grade stress solution
 expect 0 "" called "cmake --build $build --target grade handout_page grade_studies"
 rm "$build/grader/grade_studies"
+expect 0 "in a second program, which is built first" in_it ./grade stress solution
+rm "$build/grader/grade_studies"
 expect 0 "graded $tree: lesson --help" in_it ./grade lesson --help
 
 # what is graded, from wherever it is called

@@ -6,7 +6,7 @@ grade=$1/grader/grade
 # shellcheck source=tests/expect.sh
 . "$(dirname "$0")/expect.sh"
 
-expect 0 "Scored tier" "$grade" stress solution --require --time-limit 60 --json "$work/a.json" --html "$work/page"
+expect 0 "Ordinary scenes: " "$grade" stress solution --require --time-limit 60 --json "$work/a.json" --html "$work/page"
 expect 0 '"schema": "penumbra/stress/v1"' cat "$work/a.json"
 expect 0 "<svg class=\"errors\"" cat "$work/page/stress.html"
 expect 0 "no family passes less" python3 - "$work/a.json" <<'END'

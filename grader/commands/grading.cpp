@@ -62,9 +62,8 @@ public:
         require_folder_of(arguments.json, "--json");
         cache_ = cache_folder(chain_);
         // what its user edits gets the page as well
-        html_ = arguments.html;
-        if (html_.empty() && chosen_.own && chosen_.fragments.empty() && !arguments.watch && cache_)
-            html_ = *cache_ / "report";
+        const bool whole = chosen_.own && chosen_.fragments.empty() && !arguments.watch;
+        html_ = page_folder(arguments.html, whole, chain_);
         set_up();
         // their closed forms take a while: meanwhile the fragments are compiled
         checks_ = std::async(std::launch::async, all_checks, settings_.seed).share();

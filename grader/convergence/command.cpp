@@ -102,12 +102,10 @@ void add_programs(Bench& bench, Programs& programs, const Assignment& assignment
     bench.submission_stamp = stamp.text();
 }
 
+/// A page with plots.
+///
 /// project  whose handout the page leads to
-void write_reports(const ConvergenceRecord& record, const ConvergeArguments& arguments, const fs::path& project) {
-    if (!arguments.json.empty()) write_text(arguments.json, to_json(record));
-    if (!arguments.csv.empty()) write_text(arguments.csv, to_csv(record));
-    if (arguments.out.empty()) return;
-    const fs::path out = arguments.out;
+void write_report(const ConvergenceRecord& record, const fs::path& out, const fs::path& project) {
     fs::create_directories(out);
     for (const SceneRecord& scene : record.scenes)
         for (const Against against : {Against::seconds, Against::rays})
@@ -158,9 +156,13 @@ int run_converge(const ConvergeArguments& arguments, const Context& context) {
         ++scenes_done;
     }
     line.clear();
-    write_reports(record, arguments, chain.source);
+    if (!arguments.json.empty()) write_text(arguments.json, to_json(record));
+    if (!arguments.csv.empty()) write_text(arguments.csv, to_csv(record));
+    const bool own = std::ranges::all_of(arguments.words, [](const std::string& w) { return w.ends_with(".toml"); });
+    const fs::path out = page_folder(arguments.out, own, chain);
+    if (!out.empty()) write_report(record, out, chain.source);
     fmt::print("{}", table(record, isatty(STDOUT_FILENO)));
-    if (!arguments.out.empty()) fmt::print("report: {}\n", (fs::path(arguments.out) / "converge.html").string());
+    if (!out.empty()) fmt::print("page: {}\n", (out / "converge.html").string());
     const bool broken = std::ranges::any_of(record.scenes, [](const SceneRecord& s) { return !s.fault.empty(); });
     return arguments.require && (broken || record.is_biased()) ? 1 : 0;
 }
@@ -197,7 +199,8 @@ Command converge_command(CLI::App& app) {
         ->check(CLI::Range(1.0, 600.0));
     converge->add_option("--json", arguments->json, "write the record")->type_name("FILE");
     converge->add_option("--csv", arguments->csv, "write one line for each level")->type_name("FILE");
-    converge->add_option("--out", arguments->out, "write a report with plots into this folder")->type_name("DIR");
+    converge->add_option("--out", arguments->out, "write a page with plots into this folder; starter gets one")
+        ->type_name("DIR");
     converge
         ->add_option("--folder", arguments->folder, "where results are kept, and work goes on after an interruption")
         ->type_name("DIR");

@@ -5,6 +5,7 @@
 
 #include "assignment/assignment.h"
 #include "lesson/lesson.h"
+#include "programs/cache.h"
 #include "programs/programs.h"
 #include "programs/runner.h"
 #include "report/folder.h"
@@ -57,7 +58,8 @@ int run_lesson(const LessonArguments& arguments, const Context& context) {
     Runner runner(programs.copy_for("lesson", programs.must_link(fragments)), programs.sandbox(),
                   chain.source / "scenes", time_limit);
 
-    if (!arguments.out.empty()) fs::create_directories(arguments.out);
+    const fs::path out = page_folder(arguments.out, arguments.submission.empty(), chain);
+    if (!out.empty()) fs::create_directories(out);
     std::string sections;
     for (const LessonIntegrand& integrand : lesson_integrands()) {
         std::vector<LessonCurve> curves;
@@ -72,18 +74,18 @@ int run_lesson(const LessonArguments& arguments, const Context& context) {
                 if (point.n == 16 || point.n == 256 || point.n == 4096) fmt::print("{:>12.2g}", point.error);
             fmt::print("  {}\n", curve.slope ? fmt::format("N^{:.2f}", *curve.slope) : "exact but for rounding");
         }
-        if (arguments.out.empty()) continue;
-        const fs::path file = fs::path(arguments.out) / fmt::format("lesson_{}.svg", integrand.name);
+        if (out.empty()) continue;
+        const fs::path file = out / fmt::format("lesson_{}.svg", integrand.name);
         sections += section_of(integrand, curves, file.filename().string());
         write_text(file, log_log(lesson_plot(integrand, curves)));
         fmt::print("  {}\n", file.string());
     }
     if (sections.empty()) return 0;
-    const std::string read = read_link("Integrals in one dimension", handout_beside(arguments.out, chain.source)) + ".";
-    write_page(arguments.out, "lesson.html",
+    const std::string read = read_link("Integrals in one dimension", handout_beside(out, chain.source)) + ".";
+    write_page(out, "lesson.html",
                plain_page("Integrals: how the error falls with the number of points", submission.name, read,
                           html_of_markdown(lesson_words + sections)));
-    fmt::print("page: {}\n", (fs::path(arguments.out) / "lesson.html").string());
+    fmt::print("page: {}\n", (out / "lesson.html").string());
     return 0;
 }
 
@@ -93,7 +95,8 @@ Command lesson_command(CLI::App& app) {
     const auto arguments = std::make_shared<LessonArguments>();
     CLI::App* lesson = app.add_subcommand("lesson", purpose_of("lesson"));
     lesson->add_option("SUBMISSION", arguments->submission, "a folder, a .zip or a .tar.gz; default: starter");
-    lesson->add_option("--out", arguments->out, "write the plots into this folder")->type_name("DIR");
+    lesson->add_option("--out", arguments->out, "write a page with the plots into this folder; starter gets one")
+        ->type_name("DIR");
     lesson->add_flag("--trusted", arguments->build.trusted, "the code is your own: limits, but no sandbox");
     lesson->fallthrough();
     return {lesson, [arguments](const Context& context) { return run_lesson(*arguments, context); }};

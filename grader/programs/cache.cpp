@@ -69,6 +69,12 @@ std::optional<fs::path> cache_folder(const Toolchain& chain) {
     return can_write(own) ? std::optional(own) : std::nullopt;
 }
 
+fs::path page_folder(const std::string& asked, bool own, const Toolchain& chain) {
+    if (!asked.empty() || !own) return asked;
+    const auto cache = cache_folder(chain);
+    return cache ? *cache / "report" : fs::path();
+}
+
 fs::path precompiled_header(const Toolchain& chain) try {
     if (chain.checked || !chain.is_gcc) return {};  // one call is not worth it
     static std::mutex lock;

@@ -23,13 +23,13 @@ struct FolderPage {
 };
 
 constexpr FolderPage folder_pages[] = {
-    {"index.html", "grading", "what is right, what is wrong, and why", "./grade SUBMISSION --html DIR"},
+    {"index.html", "grading", "what is right, what is wrong, and why", "./grade [SUBMISSION --html DIR]"},
     {"stress.html", "extreme cases", "how extreme a scene the fragments survive",
-     "./grade stress SUBMISSION --html DIR"},
+     "./grade stress [SUBMISSION --html DIR]"},
     {"converge.html", "error against run time", "how fast pictures lose their noise",
-     "./grade converge SUBMISSION --out DIR"},
+     "./grade converge [SUBMISSION --out DIR]"},
     {"lesson.html", "integrals", "how the error of part 1 falls with the points",
-     "./grade lesson SUBMISSION --out DIR"},
+     "./grade lesson [SUBMISSION --out DIR]"},
     {"calibration.html", "trust", "how often a verdict errs", "./grade calibrate --out DIR"},
 };
 

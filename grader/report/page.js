@@ -102,6 +102,8 @@ const compare = pictures => {
     pictures.after(box);
     draw();
     new ResizeObserver(draw).observe(stack);
+    slider.focus({ preventScroll: true });  // the button that had the focus is gone
+    box.scrollIntoView({ block: "nearest" });
 };
 for (const pictures of all(".pictures")) {
     const button = Object.assign(document.createElement("button"), { type: "button", textContent: "compare" });

@@ -78,19 +78,70 @@ struct Frame {
     double at_y(double value) const { return top + tall * (1 - std::clamp(y.share(value), 0.0, 1.0)); }
 };
 
-/// From the corner down to the border that is met first. Its name stands over its end, where no line passes.
-std::string guide_line(const Guide& guide, const Frame& frame) {
+struct Box {
+    double left, right, top, bottom;
+
+    bool meets(const Box& other) const {
+        return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+    }
+    bool holds(double x, double y) const { return left < x && x < right && top < y && y < bottom; }
+};
+
+/// Whether a curve passes through a box, or near by.
+bool is_crossed(const Box& bare, const Plot& plot, const Frame& frame) {
+    constexpr int steps = 64;  // of a line between two points
+    constexpr double near = 2.5;
+    const Box box{bare.left - near, bare.right + near, bare.top - near, bare.bottom + near};
+    for (const Series& series : plot.series) {
+        std::vector<std::pair<double, double>> places;
+        for (const auto& point : series.points)
+            if (point.x > 0 && point.y > 0) places.emplace_back(frame.at_x(point.x), frame.at_y(point.y));
+        for (std::size_t i = 1; i < places.size(); ++i)
+            for (int k = 0; k <= steps; ++k)
+                if (box.holds(std::lerp(places[i - 1].first, places[i].first, double(k) / steps),
+                              std::lerp(places[i - 1].second, places[i].second, double(k) / steps)))
+                    return true;
+    }
+    return false;
+}
+
+/// The name of a guide that ends at x, y: behind the right border, or of one that ends at the foot beside its line, as
+/// near to its end as there is neither a curve nor another name.
+std::string guide_name(const Guide& guide, double x, double y, double slope, const Plot& plot, const Frame& frame,
+                       std::vector<Box>& taken) {
+    constexpr double length = 26, height = 12, gap = 3, step = 6;
+    std::vector<Box> places;
+    const auto add = [&](double from, double middle) {
+        places.push_back({from, from + length, middle - height / 2, middle + height / 2});
+    };
+    if (x > left + wide - 1) add(x + gap, y);
+    for (double back = 0; x - back > left + length; back += step) {
+        const double beside = height / 2 + gap + std::abs(slope) * length / 2;
+        add(x - back, y - slope * (back - length / 2) - beside);
+        add(x - back - length, y - slope * (back + length / 2) + beside);
+    }
+    const auto is_free = [&](const Box& place) {
+        const bool inside = place.top > top && place.bottom < top + tall && place.right < left + wide;
+        return (inside || place.left > left + wide) && !is_crossed(place, plot, frame) &&
+               std::ranges::none_of(taken, [&](const Box& other) { return other.meets(place); });
+    };
+    const auto free = std::ranges::find_if(places, is_free);
+    if (free == places.end()) return {};
+    taken.push_back(*free);
+    return text(free->left, free->bottom - 2, "start", guide.name, "font-size=\"11\" fill=\"#666\"");
+}
+
+/// From the corner down to the border that is met first.
+std::string guide_line(const Guide& guide, const Plot& plot, const Frame& frame, std::vector<Box>& taken) {
     if (!(frame.corner_y > 0)) return {};
     const double from_x = std::log10(frame.corner_x), from_y = std::log10(frame.corner_y);
     const double to_x = std::min(frame.x.high, from_x + (frame.y.low - from_y) / guide.slope);
     const double to_y = from_y + (to_x - from_x) * guide.slope;
     const double x = frame.at_x(std::pow(10, to_x)), y = frame.at_y(std::pow(10, to_y));
     const double begin_x = frame.at_x(frame.corner_x), begin_y = frame.at_y(frame.corner_y);
-    constexpr double room = 28, above = 6;
-    const double name_y = y - (y - begin_y) / (x - begin_x) * room - above;
     return fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"#888\" stroke-dasharray=\"2 3\"/>\n", begin_x,
                        begin_y, x, y) +
-           text(x - room, name_y, "start", guide.name, "font-size=\"11\" fill=\"#666\"");
+           guide_name(guide, x, y, (y - begin_y) / (x - begin_x), plot, frame, taken);
 }
 
 std::string grid(const Frame& frame) {
@@ -155,14 +206,6 @@ std::string drawn(const Series& series, std::size_t place, std::size_t columns, 
     return svg + dots + legend_entry(series, place, columns, dashes);
 }
 
-struct Box {
-    double left, right, top, bottom;
-
-    bool meets(const Box& other) const {
-        return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
-    }
-};
-
 /// A name beside its dot, on the first side where it covers neither a dot nor another name nor the frame.
 std::string name_beside(double x, double y, const std::string& name, std::vector<Box>& taken) {
     constexpr double letter = 6, height = 12, gap = 7;
@@ -220,7 +263,8 @@ std::string log_log(const Plot& plot) {
     svg += grid(frame);
     svg += text(left + wide / 2, top + tall + 36, "middle", plot.x);
     svg += text(0, 0, "middle", plot.y, fmt::format("transform=\"translate(14 {:.1f}) rotate(-90)\"", top + tall / 2));
-    for (const Guide& guide : plot.guides) svg += guide_line(guide, frame);
+    std::vector<Box> names;
+    for (const Guide& guide : plot.guides) svg += guide_line(guide, plot, frame, names);
     svg += pairs(plot.pairs, frame);
     for (std::size_t i = 0; i < plot.series.size(); ++i) svg += drawn(plot.series[i], i, columns, frame);
     return svg + "</svg>\n";

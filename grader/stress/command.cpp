@@ -7,6 +7,7 @@
 
 #include "assignment/assignment.h"
 #include "files/files.h"
+#include "programs/cache.h"
 #include "report/folder.h"
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
@@ -44,8 +45,8 @@ void print_list() {
         fmt::print("{:<30}{:<24}{}; {}\n", family.name, family.fragments.front(), family.swept, family.error);
 }
 
-/// How extreme a scene a submission's fragments survive. Returns the exit code: 0; 1 with --require where the scored
-/// tier is not full.
+/// How extreme a scene a submission's fragments survive. Returns the exit code: 0; 1 with --require where ordinary
+/// scenes fail.
 int run_stress(const StressArguments& arguments, const Context& context) {
     if (arguments.list) return print_list(), 0;
     const Toolchain chain = read_toolchain(context.toolchain);
@@ -63,11 +64,11 @@ int run_stress(const StressArguments& arguments, const Context& context) {
     line.clear();
 
     if (!arguments.json.empty()) write_text(arguments.json, to_json(record));
-    if (!arguments.html.empty())
-        write_page(arguments.html, "stress.html",
-                   page(record, assignment.title, handout_beside(arguments.html, chain.source)));
+    const fs::path html = page_folder(arguments.html, arguments.submission.empty() && settings.only.empty(), chain);
+    if (!html.empty())
+        write_page(html, "stress.html", page(record, assignment.title, handout_beside(html, chain.source)));
     fmt::print("{}{}\n", table(record, isatty(STDOUT_FILENO)), record.sandbox);
-    if (!arguments.html.empty()) fmt::print("page: {}\n", (fs::path(arguments.html) / "stress.html").string());
+    if (!html.empty()) fmt::print("page: {}\n", (html / "stress.html").string());
     return arguments.require && record.scored() < record.most_scored() ? 1 : 0;
 }
 
@@ -82,7 +83,8 @@ Command stress_command(CLI::App& app) {
         ->allow_extra_args(false)
         ->type_name("NAME[,NAME...]");
     stress->add_option("--json", arguments->json, "write the record")->type_name("FILE");
-    stress->add_option("--html", arguments->html, "write a page with plots into this folder")->type_name("DIR");
+    stress->add_option("--html", arguments->html, "write a page with plots into this folder; all of starter gets one")
+        ->type_name("DIR");
     stress
         ->add_option("--jobs", arguments->settings.build.jobs,
                      "how many programs run at a time; default: one for each core")
@@ -97,7 +99,7 @@ Command stress_command(CLI::App& app) {
         ->check(CLI::Range(1.0, 1e12));
     stress->add_flag("--trusted", arguments->settings.build.trusted, "the code is your own: limits, but no sandbox");
     stress->add_flag("--list", arguments->list, "print the families and leave");
-    stress->add_flag("--require", arguments->require, "exit with 1 unless the scored tier is full");
+    stress->add_flag("--require", arguments->require, "exit with 1 unless all ordinary scenes are right");
     stress->fallthrough();
     return {stress, [arguments](const Context& context) { return run_stress(*arguments, context); }};
 }

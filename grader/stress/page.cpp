@@ -49,14 +49,18 @@ std::string reading_of(const FamilyRecord& f, const std::string& handout) {
 
 std::string overview(const StressRecord& record, const std::string& handout) {
     std::string text =
-        "<section class=\"card\"><p class=\"soft\">Decades of what is swept, each row on its own scale."
-        " <span class=\"entry\"><span class=\"key ordinary\"></span>ordinary scenes: scored</span> "
+        "<section class=\"card\"><p>Each row is a family of calls: one number, named below, is made more and more "
+        "extreme, "
+        "a power of ten at a time. A family passes where all of its ordinary scenes are right; what is right beyond "
+        "them "
+        "is a bonus.</p>\n<p class=\"soft\">Powers of ten, each row on its own scale: <span class=\"entry\"><span "
+        "class=\"key ordinary\"></span>ordinary scenes</span> "
         "<span class=\"entry\"><span class=\"key tried\"></span>tried</span> "
         "<span class=\"entry\"><span class=\"key passes good\"></span>passes</span> "
-        "<span class=\"entry\"><span class=\"key passes bad\"></span>passes, but not all scored</span> "
+        "<span class=\"entry\"><span class=\"key passes bad\"></span>passes, but not all that is ordinary</span> "
         "<span class=\"entry\"><span class=\"key solution\"></span>the right one</span></p>\n<table "
         "class=\"overview\">\n"
-        "<tr><th>family</th><th>scored tier</th><th>decades</th><th>passes</th><th>the right one</th></tr>\n";
+        "<tr><th>family</th><th>ordinary scenes</th><th>powers of ten</th><th>passes</th><th>the right one</th></tr>\n";
     std::string about;
     for (const FamilyRecord& f : record.families) {
         if (f.family->fragments.front() != about) {
@@ -89,7 +93,8 @@ std::string counts(const StressRecord& record) {
 std::string plots(const StressRecord& record) {
     std::string text =
         "<h2>How the errors grow</h2><section class=\"card\"><p class=\"soft\">Each dot is the greatest error at that "
-        "decade over the one that is allowed there; triangles fail. The foot of a plot is 1e-8 and less, its head a "
+        "power of ten over the one that is allowed there; triangles fail. The foot of a plot is 1e-8 and less, its "
+        "head a "
         "wrong verdict or no number. In the shade, the allowed error is what a picture forgives; outside, what double "
         "precision can do.</p><div class=\"plots\">\n";
     for (const FamilyRecord& f : record.families) {
@@ -111,7 +116,7 @@ std::string page(const StressRecord& record, const std::string& title, const std
         "<header><div><h1>{}: stiff and extreme cases</h1><p>{}</p></div><div "
         "class=\"score\"><b>{}</b> <span>of {} families</span>"
         "<div class=\"meter\" role=\"img\" aria-label=\"{:.0f} percent\"><i style=\"width:{:.1f}%\"></i></div>"
-        "<p class=\"soft\">bonus: {} decades beyond ordinary scenes; the right one {}</p></div></header>\n",
+        "<p class=\"soft\">bonus: {} powers of ten beyond ordinary scenes; the right one {}</p></div></header>\n",
         html(title), html(record.submission), record.scored(), record.most_scored(), 100 * share, 100 * share,
         record.bonus(), record.most_bonus());
     text += overview(record, handout) + counts(record) + plots(record);

@@ -10,8 +10,8 @@ std::string table(const StressRecord& record, bool color) {
     const auto paint = [&](const char* code, const std::string& text) {
         return color ? code + text + "\033[0m" : text;
     };
-    std::string text = paint(
-        "\033[1m", fmt::format("{:<30}{:<47}{:<13}{:<17}{}\n", "family", "swept", "scored tier", "passes", "right"));
+    std::string text = paint("\033[1m", fmt::format("{:<30}{:<47}{:<13}{:<17}{}\n", "family", "made extreme",
+                                                    "ordinary", "passes", "right"));
     for (const FamilyRecord& f : record.families) {
         const std::string scored = !f.is_scored() ? "" : f.scored_passed() ? "passed" : f.started ? "failed" : "-";
         const char* code = !f.is_scored() || !f.started ? "\033[2m" : f.scored_passed() ? "\033[32m" : "\033[31m";
@@ -33,7 +33,7 @@ std::string table(const StressRecord& record, bool color) {
                             c.seconds);
         if (!c.message.empty()) text += fmt::format("    {}\n", printable(c.message, 90));
     }
-    text += fmt::format("\nScored tier (ordinary scenes): {} of {} families. Bonus: {} decades beyond", record.scored(),
+    text += fmt::format("\nOrdinary scenes: {} of {} families pass. Bonus: {} powers of ten beyond", record.scored(),
                         record.most_scored(), record.bonus());
     return text + fmt::format("; the right one {}.\n", record.most_bonus());
 }

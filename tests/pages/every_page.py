@@ -89,6 +89,11 @@ def check_handout(browser, page_file):
             sizes = page.evaluate("[getComputedStyle(document.documentElement).fontSize, "
                                   f"Math.min(...{pairs}.map(i => i.getBoundingClientRect().width))]")
             expect(sizes[0] == "16px" and sizes[1] >= 480, f"handout, {scheme}: size of text and least width of pictures {sizes}")
+    with opened(browser, page_file, viewport={"width": 320, "height": 800}) as page:
+        lines = page.evaluate("[...document.querySelectorAll('.keys td:nth-last-child(4)')].map(td => td.getClientRects().length)")
+        expect(len(lines) > 50 and max(lines) == 1, f"handout, 320 wide: lines of the {len(lines)} keys {lines}")
+        drawn = page.evaluate("[...document.querySelectorAll('.drawing img')].map(i => i.getBoundingClientRect().width)")
+        expect(len(drawn) > 10 and min(drawn) >= 440, f"handout, 320 wide: widths of drawings {drawn}")
     with opened(browser, page_file) as page:
         names = page.evaluate("[...document.querySelectorAll('[role=region]')].map(e => e.ariaLabel)")
         expect(len(names) > 50 and len(names) == len(set(names)), f"handout: {len(names) - len(set(names))} tables go by another one's name")

@@ -29,6 +29,9 @@ def check_comforts(browser, page_file, fragments):
         expect(len(lost) == len(fragments) and lost == sorted(lost, reverse=True), f"most points first: {lost}")
         page.get_by_role("button", name="compare").first.press("Enter")
         canvas = page.locator(".stack canvas").first
+        canvas.wait_for()
+        where = page.evaluate("[document.activeElement.type, document.activeElement.getBoundingClientRect().bottom <= innerHeight]")
+        expect(where == ["range", True], f"compare: the focus is on {where[0]}, within the window: {where[1]}")
         canvas.hover()
         check_radiance(page)
         expect(page.locator(".stack .border").first.bounding_box()["width"] == 2, "compare: a line at the border")
