@@ -13,6 +13,7 @@
 #include "commands/last_run.h"
 #include "commands/words.h"
 #include "diagnosis/calls.h"
+#include "judging/breakdown.h"
 #include "programs/cache.h"
 #include "programs/process.h"
 #include "programs/programs.h"
@@ -142,7 +143,9 @@ int run_call(const CallArguments& arguments, const Context& context) {
     const Row answer = answer_in(read_text(results).value_or(""));
     const Row& expected = std::get<Rows>(right).front();
     if (answer.size() != expected.size()) {
-        fmt::print("no answer: {}\nmust be {}\n", why_no_answer(status), result_in_words(*signature, expected));
+        const std::string place = arguments.debugger ? "" : breakdown_of(programs, chain, arguments.fragment, {row});
+        fmt::print("no answer: {}\n{}{}must be {}\n", why_no_answer(status), place, place.empty() ? "" : "\n",
+                   result_in_words(*signature, expected));
         return 1;
     }
     fmt::print("answer  {}\nmust be {}\n", result_in_words(*signature, answer), result_in_words(*signature, expected));
