@@ -35,8 +35,8 @@ expect 0 "1/pi is missing" ./grade phong
 expect 0 "next: mend starter/fragments/phong.cpp, then ./grade phong" ./grade phong
 # what is wrong goes before what is blank
 expect 0 "next: mend starter/fragments/phong.cpp, then ./grade phong" ./grade hit_sphere phong
-cp "$solution/moved.cpp" starter/fragments/
-expect 0 "next: mend starter/fragments/phong.cpp, then ./grade phong" ./grade moved
+cp "$solution/hit_quad.cpp" starter/fragments/
+expect 0 "next: mend starter/fragments/phong.cpp, then ./grade phong" ./grade hit_quad
 # the call that the hint shows, without typing it
 expect 1 "must be" ./grade call phong
 expect 1 "" grep -q "Since the last run" <(./grade phong)

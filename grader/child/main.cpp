@@ -115,7 +115,7 @@ void tell_where(int) {
     constexpr itimerval soon{{0, 0}, {0, 1000}};
     static int told = 0;
     if (told == 0) {
-        char text[32] = {};
+        char text[64] = {};
         const int length = std::snprintf(text, sizeof text, "%s%zu\n", call_at_end, row_asked);
         (void)!write(STDERR_FILENO, text, std::size_t(length));
     }
