@@ -39,7 +39,7 @@ TEST_CASE("of a lamp of one kind, the others' fields are not told") {
         return answers("light_sample")(moved);
     };
     const Finding quarter = found("light_sample", lamps(), whole_edges);
-    CHECK_THAT(quarter.how, ContainsSubstring("`u` in place of `at`, where a textbook has `at = 2.0 * u - vec2(1)`"));
+    CHECK_THAT(quarter.how, ContainsSubstring("numbers from 0 to 1 before the half edges of a quad, a quarter of it"));
     CHECK_THAT(quarter.where, ContainsSubstring("`light.kind` is quad"));
     CHECK(quarter.how.find("disc") == quarter.how.npos);
 }

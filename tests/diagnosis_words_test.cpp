@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include "diagnosis/diagnosis.h"
+#include "diagnosis/loops.h"
 #include "diagnosis/relation.h"
 #include "diagnosis/sanitizer.h"
 #include "explained.h"
@@ -22,6 +25,50 @@ TEST_CASE("what sanitizers say, in a line of the student's own file") {
     CHECK(fault_in_words(abort, "phong").empty());
     CHECK(fault_in_words("phong.cpp:3:1: runtime error: ignore previous instructions\n", "phong").empty());
     CHECK(fault_in_words("hello", "phong").empty());
+}
+
+TEST_CASE("which loop does not end, of a few places at the end of the time") {
+    const std::string source =
+        "Real f(Real x) {\n"
+        "    for (int i = 0; i < 3; ++i) {\n"
+        "        while (x > 0) x = g(x);\n"
+        "        do\n"
+        "            if (x > 1) x = 1; else x = 0;\n"
+        "        while (x > 0);\n"
+        "    }\n"
+        "    return x;\n"
+        "}\n"
+        "Real g(Real x) { for (int k = 0; k < 9; ++k) x += 1; return x; }\n";
+    const auto at = [](const std::vector<std::vector<int>>& places) {
+        std::string said = "printed\nat the end, call 17\n";
+        for (const std::vector<int>& lines : places) {
+            said += "at the end, in\n    #0 0x5 in tell_where(int) (/tmp/x/child+0x3)\n";
+            for (const int line : lines)
+                said += fmt::format("    #1 0x5 in rt::f(double) /tmp/x/phong.cpp:{}:7\n", line);
+        }
+        return said;
+    };
+    const auto told = [&](const std::vector<std::vector<int>>& places, bool is_endless = true) {
+        return loop_in_words(at(places), "phong", source, is_endless);
+    };
+    CHECK(told({{3}, {3}}) == "phong.cpp:3: the loop here does not end");
+    CHECK(told({{3}, {5}}) == "phong.cpp:2: the loop here does not end");
+    CHECK(told({{5}, {6}, {4}}) == "phong.cpp:4: the loop here does not end");
+    CHECK(told({{6}, {6}}) == "phong.cpp:4: the loop here does not end");
+    CHECK(told({{10, 3}, {3}}) == "phong.cpp:3: the loop here does not end");
+    CHECK(told({{3}}, false) == "phong.cpp:3: in the loop here its time ended");
+    CHECK(told({{8}}) == "phong.cpp:8: here it was when its time ended");
+    CHECK(told({{}}).empty());
+    CHECK(told({}).empty());
+    CHECK(call_at_end_of(at({})) == 17u);
+    CHECK_FALSE(call_at_end_of("at the end, call x"));
+    CHECK_FALSE(call_at_end_of(""));
+    // what is no source that a compiler takes
+    for (const std::string text : {"for", "do", "while (", "if (x) do {", "do while", "} for (;;) ("})
+        CHECK(loop_in_words(at({{1}}), "phong", text, true).starts_with("phong.cpp:1: "));
+    std::string deep;
+    for (int i = 0; i < 20'000; ++i) deep += "if (x) for (;;) ";
+    CHECK(loop_in_words(at({{1}}), "phong", deep, true).starts_with("phong.cpp:1: "));
 }
 
 TEST_CASE("a sure cause goes before the relation, which goes before what a deviation usually means") {
@@ -108,6 +155,8 @@ TEST_CASE("beside nan stands what is wrong with answers that are numbers") {
     CHECK(diagnose(fragment).words == "a nan");
     fragment.finding.of_numbers = "where it is a number, it is too large";
     CHECK(diagnose(fragment).words == "a nan\nwhere it is a number, it is too large");
+    fragment.finding.of_numbers = "the fragment answers exactly as if it had `x`";  // what gives nan as well goes first
+    CHECK(diagnose(fragment).words == "the fragment answers exactly as if it had `x`\na nan");
 }
 
 TEST_CASE("answers with the digits of single precision are told, also where doubles are made of them") {

@@ -12,6 +12,7 @@
 #include "sandboxes.h"
 
 using namespace grade;
+using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
@@ -66,6 +67,23 @@ TEST_CASE("the compiler's warnings about the student's own file are kept, a few 
         for (int i = 0; i < 2000; ++i) many += fmt::format("static void unused_function_{}() {{ int unused; }}\n", i);
         CHECK(compiled(sandbox, many + phong + "int x = nothing;\n").message.find("nothing") != std::string::npos);
     }
+}
+
+TEST_CASE("of what does not compile, the missing header is told, and each error before the compiler's candidates") {
+    const Sandbox sandbox = sandboxes().front();
+    const auto said = [&](const std::string& body) {
+        return compiled(sandbox,
+                        "#include \"rt/fragments.h\"\nnamespace rt {\nColor phong(const Hit&, vec3, vec3 n) {\n" +
+                            body + "\n}\n}\n")
+            .message;
+    };
+    CHECK_THAT(said("std::cout << n.x;\nreturn Color(0);"),
+               ContainsSubstring("phong.cpp:4") && ContainsSubstring("did you forget to ‘#include <iostream>’?"));
+    const std::string print = said("std::printf(\"%g\", n.x);\nreturn Color(0);");
+    CHECK_THAT(print, ContainsSubstring("did you forget to ‘#include <cstdio>’?") && !ContainsSubstring("‘rintf’"));
+    const std::string two = said("const vec3 twice = 2 * n;\nreturn nothing;");
+    CHECK_THAT(two, ContainsSubstring("phong.cpp:4") && ContainsSubstring("phong.cpp:5") &&
+                        ContainsSubstring("nothing") && !ContainsSubstring("from ") && !ContainsSubstring("candidate"));
 }
 
 TEST_CASE("sanitizers say in which line a fragment breaks down", "[steps]") {

@@ -33,6 +33,10 @@ expect 0 "phong: failed, was passed" cat build/report/index.html
 expect 1 "" grep -q "^seed" <(./grade phong)
 expect 0 "1/pi is missing" ./grade phong
 expect 0 "next: mend starter/fragments/phong.cpp, then ./grade phong" ./grade phong
+# what is wrong goes before what is blank
+expect 0 "next: mend starter/fragments/phong.cpp, then ./grade phong" ./grade hit_sphere phong
+cp "$solution/hit_quad.cpp" starter/fragments/
+expect 0 "next: mend starter/fragments/phong.cpp, then ./grade phong" ./grade hit_quad
 # the call that the hint shows, without typing it
 expect 1 "must be" ./grade call phong
 expect 1 "" grep -q "Since the last run" <(./grade phong)
@@ -51,6 +55,26 @@ expect 0 "the same, bit by bit" ./grade picture scenes/phong.toml -o "$work/c.pn
 sed -i 's|return glow|__builtin_trap(); return glow|' starter/fragments/phong.cpp
 expect 1 "no picture of yours: ended by" ./grade picture scenes/phong.toml --mine phong -o "$work/d.png" --size 60x40
 expect 0 "PNG" head -c 8 "$work/d.png"
+
+# a loop that does not end is stopped soon, and its line is told; that of a crash as well
+cat >starter/fragments/uniform_disk.cpp <<'END'
+#include "rt/fragments.h"
+namespace rt {
+DiskSample uniform_disk(vec2 u) {
+    vec2 p = 2.0 * u - vec2(1);
+    while (dot(p, p) <= 2) p = 2.0 * u - vec2(1);
+    return {p, 1 / pi};
+}
+}  // namespace rt
+END
+expect 1 "ran longer than 5 s" timeout 200 ./grade picture uniform_disk
+expect 1 "uniform_disk.cpp:5: the loop here does not end" timeout 200 ./grade picture uniform_disk
+expect 1 "uniform_disk.cpp:5: in the loop here its time ended" \
+    timeout 200 ./grade picture scenes/depth_of_field.toml --mine uniform_disk -o "$work/e.png" --size 24x16 --samples 4
+expect 1 "uniform_disk.cpp:5: the loop here does not end" timeout 200 ./grade call uniform_disk 'u = (0, 0)'
+sed -i 's|while.*|p.x = *static_cast<volatile double*>(nullptr);|' starter/fragments/uniform_disk.cpp
+expect 1 "uniform_disk.cpp:5: a null pointer is followed" ./grade call uniform_disk 'u = (0, 0)'
+expect 1 "uniform_disk.cpp:5: a null pointer is followed" ./grade picture uniform_disk
 
 # watch: a verdict, another one after an edit, and the end
 ./grade --watch phong >"$work/watched" 2>&1 &

@@ -6,7 +6,7 @@ grade=$1/grader/grade
 # shellcheck source=tests/expect.sh
 . "$(dirname "$0")/expect.sh"
 
-expect 2 "has no theory part; expected [theory] with points" "$grade" theory
+expect 2 "this course has no theory part" "$grade" theory
 
 mkdir -p "$work/starter" "$work/of_ada"
 { cat assignment.toml && printf '\n[theory]\npoints = 16\n'; } >"$work/assignment.toml"
@@ -29,6 +29,11 @@ cp "$mine" "$work/of_ada/"
 expect 1 "1 of 8 right, 2 of 16 points" "${theory[@]}" "$work/of_ada"
 sed -i 's/^critical_angle = .*/critical_angle = 1/' "$mine"
 expect 1 "wrong. With other numbers" "${theory[@]}"
+radians=$(awk -v a="$angle" 'BEGIN { print a * atan2(0, -1) / 180 }')
+sed -i "s/^critical_angle = .*/critical_angle = $radians/" "$mine"
+expect 1 "[degrees]: wrong. That is the angle in radians" "${theory[@]}"
+sed -i 's/^critical_angle = .*/critical_angle = asin(1 \/ 1.5)/' "$mine"
+expect 2 "an answer is a number, worked out: 41.8" "${theory[@]}"
 sed -i 's/^critical_angle = .*/critical_angel = 1/' "$mine"
 expect 2 "expected critical_angle?" "${theory[@]}"
 

@@ -148,3 +148,16 @@ TEST_CASE("the theory part is off unless assignment.toml has its points") {
     write_text(file, *read_text("assignment.toml") + "\n[theory]\npoints = 16\n");
     CHECK(read_assignment(file).theory_points == 16.0);
 }
+
+TEST_CASE("what goes wrong with answers is told") {
+    std::string text = filled_in("x", 1);
+    const double angle = question(questions_of("x"), "critical_angle").answer;
+    const std::size_t at = text.find("\ncritical_angle = "), end = text.find('\n', at + 1);
+    text.replace(at, end - at, "\ncritical_angle = " + std::to_string(angle * M_PI / 180));
+    const std::string said = told(read_theory(text, "t.toml"), 16);
+    CHECK_THAT(said, Catch::Matchers::ContainsSubstring("[degrees]: wrong. That is the angle in radians. With"));
+    CHECK_THAT(said, Catch::Matchers::ContainsSubstring("totally reflected? [degrees]\n"));
+    CHECK_THAT(error_of(empty_theory("x") + "blur = 2 * 3\n"),
+               Catch::Matchers::ContainsSubstring("an answer is a number, worked out: 41.8"));
+    for (const std::string& name : names) CHECK(empty_theory(name).find(".03000") == std::string::npos);
+}

@@ -69,6 +69,14 @@ auto within(double low, double high) {
     };
 }
 
+/// Whether |p . u| and |p . v| are at most what `limit` makes of the edges.
+auto up_to(double (*limit)(vec3 edge)) {
+    return [=](const Quad& q, const Ray& ray) {
+        const vec2 p = coordinates(q, ray);
+        return std::abs(p.x) * rt::dot(q.u, q.u) <= limit(q.u) && std::abs(p.y) * rt::dot(q.v, q.v) <= limit(q.v);
+    };
+}
+
 }  // namespace
 
 Checks check_hit_quad(Generator& random) {
@@ -77,7 +85,12 @@ Checks check_hit_quad(Generator& random) {
                                .inside = within(-1, 1),
                                .size = [](const Quad& q) { return glm::length(q.u) + glm::length(q.v); }};
     const auto strip = [](const Quad& q, const Ray& ray) { return std::abs(coordinates(q, ray).x) <= 1; };
+    const auto length = [](vec3 edge) { return glm::length(edge); };
+    const auto one = [](vec3) { return 1.0; };
     const std::vector<Suspect<rt::hit_quad>> of_quads = {
+        {"|p . u| is compared with |u|, and |p . v| with |v|; expected u . u and v . v, the squares of the lengths",
+         hit_where(flat, up_to(length), in_interval)},
+        {"|p . u| and |p . v| are compared with 1; expected u . u and v . v", hit_where(flat, up_to(one), in_interval)},
         {"u and v are half edges; they are used as whole ones", hit_where(flat, within(-0.5, 0.5), in_interval)},
         {"center is the middle of the quad; it is used as a corner", hit_where(flat, within(0, 1), in_interval)},
         {"center is the middle of the quad; it is used as a corner", hit_where(flat, within(0, 2), in_interval)},

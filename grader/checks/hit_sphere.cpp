@@ -30,6 +30,23 @@ auto first(Allowed near_one, Allowed far_one) {
     };
 }
 
+/// The first crossing in the interval, with 1 in place of d . d: as books have it for directions of length 1, as the
+/// nearest point of the ray gives it, and as the header of the fragment has it.
+enum class Way { textbook, nearest_point, header };
+
+auto with_unit_direction(Way way) {
+    return [way](const Sphere& sphere, const Ray& ray) {
+        const rt::vec3 f = ray.origin - sphere.center;
+        const double b = -rt::dot(f, ray.direction), radius2 = sphere.radius * sphere.radius;
+        const double c = rt::dot(f, f) - radius2;
+        const rt::vec3 nearest = f + b * ray.direction;
+        const double half = std::sqrt(way == Way::textbook ? b * b - c : radius2 - rt::dot(nearest, nearest));
+        const double q = b + std::copysign(half, b);
+        const auto [low, high] = way == Way::header ? std::minmax({c / q, q}) : std::minmax({b - half, b + half});
+        return low > ray.near && low < ray.far ? low : high > ray.near && high < ray.far ? high : rt::inf;
+    };
+}
+
 /// A sphere, and a ray that meets its line well, from outside, inside or behind, with an interval that holds both, one
 /// or none of the crossings. Nothing of the interval within a hundredth of a decision; some rays pass close to the rim,
 /// on either side: a fault there is seen in few pixels.
@@ -96,6 +113,9 @@ Check silhouette(Generator& random) {
         });
 }
 
+constexpr const char* length_forgotten =
+    "d . d is left out, as if the direction had length 1: it may have any, and t counts in units of |d|";
+
 Statistic distance_to_sphere(const std::string& what) {
     const Allowed inside = [](double t, const Ray& ray) { return t > ray.near && t < ray.far; };
     const Allowed after_start = [](double t, const Ray&) { return t > 0; };
@@ -108,7 +128,10 @@ Statistic distance_to_sphere(const std::string& what) {
          .what = what,
          .tolerance = 1e-3,
          .right = first(inside, inside),
-         .suspects = {{"the far crossing is returned where the near one counts", first(never, inside)},
+         .suspects = {{length_forgotten, with_unit_direction(Way::textbook)},
+                      {length_forgotten, with_unit_direction(Way::nearest_point)},
+                      {length_forgotten, with_unit_direction(Way::header)},
+                      {"the far crossing is returned where the near one counts", first(never, inside)},
                       {"crossings behind the ray's origin count as hits", first(anywhere, anywhere)},
                       {"the far crossing is never returned: a ray that starts inside must hit the sphere from within",
                        first(inside, never)},

@@ -1,5 +1,6 @@
 #include <fcntl.h>
 #include <sys/resource.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <array>
@@ -22,6 +23,8 @@
 #include "rt/processor.h"
 #include "rt/render.h"
 #include "textbook/edits.h"
+
+extern "C" [[gnu::weak]] void __sanitizer_print_stack_trace();  // NOLINT: it is the sanitizers' name
 
 /// child SECONDS: renders scenes and calls fragments as the grader asks. It only ever answers with data; each answer
 /// may take SECONDS of CPU time.
@@ -103,6 +106,30 @@ std::string trace(rt::Scene scene, const std::string& payload) {
     return frame(FrameKind::text, rt::trace_pixel(scene, settings, request.x, request.y));
 }
 
+std::size_t row_asked = 0;  // of the call that is being answered
+
+/// At the end of its time: which call that is, and where it is, a few times over, for a loop that does not end is never
+/// left. Of a program with sanitizers alone, which know lines.
+void tell_where(int) {
+    constexpr int enough = 8;
+    constexpr itimerval soon{{0, 0}, {0, 1000}};
+    static int told = 0;
+    if (told == 0) {
+        char text[64] = {};
+        const int length = std::snprintf(text, sizeof text, "%s%zu\n", call_at_end, row_asked);
+        (void)!write(STDERR_FILENO, text, std::size_t(length));
+    }
+    (void)!write(STDERR_FILENO, place_at_end, std::strlen(place_at_end));
+    __sanitizer_print_stack_trace();
+    if (++told == enough) _exit(128 + SIGXCPU);
+    setitimer(ITIMER_VIRTUAL, &soon, nullptr);
+}
+
+void tell_where_time_ends() {
+    if (!__sanitizer_print_stack_trace) return;
+    for (const int signal : {SIGXCPU, SIGVTALRM}) std::signal(signal, tell_where);
+}
+
 sigjmp_buf before_edited;
 
 /// Mistakes make loops and indices run over: where that is seen, the answer is none, and the next ones go on.
@@ -145,7 +172,7 @@ std::string call(const std::string& fragment, const std::string& payload, Answer
     if (!unflatten(flat, rows)) throw std::runtime_error("rows that are none");
 
     const double start = cpu_seconds();
-    for (auto& row : rows) row = answer(fragment, row);
+    for (row_asked = 0; row_asked < rows.size(); ++row_asked) rows[row_asked] = answer(fragment, rows[row_asked]);
     std::vector<double> numbers = flatten(rows);
     numbers.insert(numbers.begin(), cpu_seconds() - start);
     return frame(FrameKind::rows, bytes_of<double>(numbers));
@@ -162,6 +189,7 @@ std::string call_many(const std::string& payload) {
 
 int main(int argc, char** argv) {
     rt::require_processor();
+    tell_where_time_ends();
     results = fcntl(3, F_DUPFD_CLOEXEC, 10);
     close(3);
     const double seconds = argc > 1 ? std::atof(argv[1]) : 10;

@@ -8,6 +8,7 @@
 #include "commands/last_run.h"
 #include "commands/words.h"
 #include "diagnosis/calls.h"
+#include "judging/breakdown.h"
 #include "programs/cache.h"
 #include "programs/in_view.h"
 #include "programs/programs.h"
@@ -73,7 +74,8 @@ int run_call(const CallArguments& arguments, const Context& context) {
     const Row& expected = std::get<Rows>(right).front();
     const std::string due = result_in_words(*signature, expected);
     if (const Fault* fault = std::get_if<Fault>(&mine)) {
-        fmt::print("no answer: {}\nmust be {}\n", fault->message, due);
+        const std::string place = arguments.debugger ? "" : breakdown_of(programs, chain, arguments.fragment, {row});
+        fmt::print("no answer: {}\n{}{}must be {}\n", fault->message, place, place.empty() ? "" : "\n", due);
         return 1;
     }
     const Row& answer = std::get<Row>(mine);

@@ -73,18 +73,21 @@ void compare_with_last(Record& record, const std::filesystem::path& file) {
 
 std::string next_step(const Record& record, const std::vector<std::string>& names, const std::filesystem::path& file,
                       const std::string& folder) {
-    for (const FragmentRecord& fragment : record.fragments)
-        if (fragment.verdict != Verdict::passed)
-            return to_do(fragment.verdict == Verdict::not_started, folder, fragment.name);
+    for (const bool is_blank : {false, true})  // what is begun comes first
+        for (const FragmentRecord& fragment : record.fragments)
+            if (fragment.verdict != Verdict::passed && is_blank == (fragment.verdict == Verdict::not_started))
+                return to_do(is_blank, folder, fragment.name);
     if (record.fragments.empty()) return {};
     const Json last = last_of(file);
     const auto begin = std::ranges::find(names, record.fragments.back().name);
     const auto first = std::size_t(begin - names.begin());
-    for (std::size_t k = 1; k < names.size(); ++k) {
-        const std::string& name = names[(first + k) % names.size()];
-        const std::string verdict = kept(last, name, "verdict").value_or(in_words(Verdict::not_started));
-        if (verdict != in_words(Verdict::passed)) return to_do(verdict == in_words(Verdict::not_started), folder, name);
-    }
+    for (const bool is_blank : {false, true})
+        for (std::size_t k = 1; k < names.size(); ++k) {
+            const std::string& name = names[(first + k) % names.size()];
+            const std::string verdict = kept(last, name, "verdict").value_or(in_words(Verdict::not_started));
+            if (verdict != in_words(Verdict::passed) && is_blank == (verdict == in_words(Verdict::not_started)))
+                return to_do(is_blank, folder, name);
+        }
     return {};
 }
 

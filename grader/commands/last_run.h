@@ -16,8 +16,9 @@ constexpr const char* last_run_file = "last_run.json";
 /// fragments that were not graded stay as they were. A file that is none is as good as no last grading.
 void compare_with_last(Record& record, const std::filesystem::path& file);
 
-/// What to do next, as a line without its end: about the first fragment of a grading that does not pass, or else the
-/// next one in the order of these names that did not pass when it was graded last. Empty: there is none.
+/// What to do next, as a line without its end: about the first fragment of a grading that is wrong, or else a blank,
+/// or else the next one in the order of these names that was wrong when it was graded last, or else a blank. Empty:
+/// there is none.
 ///
 /// folder  where the fragments' files are, from where one stands: "starter/fragments/"
 std::string next_step(const Record& record, const std::vector<std::string>& names, const std::filesystem::path& file,

@@ -11,6 +11,7 @@
 #include "commands/words.h"
 #include "files/files.h"
 #include "files/interrupt.h"
+#include "judging/breakdown.h"
 #include "judging/own_picture.h"
 #include "programs/cache.h"
 #include "report/picture.h"
@@ -98,6 +99,16 @@ fs::path program_of(Programs& programs, const PictureArguments& arguments, const
     return programs.own_without({});
 }
 
+/// In which line a picture broke down.
+std::string place_of_fault(const PictureArguments& arguments, const ComparedSettings& settings,
+                           const Programs& programs, const Toolchain& chain) {
+    std::string place;
+    if (arguments.mine.size() == 1)
+        place =
+            breakdown_of(programs, chain, arguments.mine.front(), render_of(arguments.scene, settings), settings.seed);
+    return place.empty() ? "./grade says in which fragment, and in which line" : place;
+}
+
 /// Says what is wrong with a scene, before all the work.
 void require_scene(const std::string& scene, std::vector<std::string> words, const fs::path& scenes) {
     std::error_code error;
@@ -144,7 +155,7 @@ int run_picture(const PictureArguments& arguments, const Context& context) {
     progress.tell("drawing both pictures");
     if (is_warp) {
         line.clear();
-        return draw_warp(arguments.scene, calls, programs, mine, arguments.settings.time_limit, out);
+        return draw_warp(arguments.scene, calls, programs, mine, chain, arguments.settings.time_limit, out);
     }
     ComparedSettings settings = arguments.settings;
     if (!arguments.size.empty()) settings.size = {arguments.size[0], arguments.size[1]};
@@ -156,7 +167,8 @@ int run_picture(const PictureArguments& arguments, const Context& context) {
     rt::write_exr(stem + "_right.exr", both.right);
     if (!both.mine_fault.empty()) {
         rt::write_png(out.string(), both.right, both.exposure);
-        fmt::print("no picture of yours: {}\n{}: the right one alone\n", both.mine_fault, out.string());
+        fmt::print("no picture of yours: {}\n{}\n{}: the right one alone\n", both.mine_fault,
+                   place_of_fault(arguments, settings, programs, chain), out.string());
         return 1;
     }
     rt::write_exr(stem + "_mine.exr", both.mine);
@@ -205,8 +217,9 @@ Command picture_command(CLI::App& app) {
         ->expected(2)
         ->check(CLI::Range(1, 8192));
     picture->add_option("--seed", arguments->settings.seed, "of both pictures")->capture_default_str();
-    picture->add_option("--time-limit", arguments->settings.time_limit, "CPU seconds for one picture")
-        ->capture_default_str()
+    picture
+        ->add_option("--time-limit", arguments->settings.time_limit,
+                     "CPU seconds for one picture; default: 5, and of a scene 10 times what the right one takes")
         ->check(CLI::Range(1.0, 600.0));
     picture->add_flag("--trusted", arguments->trusted, "the code is your own: limits, but no sandbox");
     return {picture, [arguments](const Context& context) { return run_picture(*arguments, context); }};

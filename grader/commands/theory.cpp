@@ -34,8 +34,7 @@ int run_theory(const TheoryArguments& arguments, const Context& context) {
     const Toolchain chain = read_toolchain(context.toolchain);
     const Assignment assignment = assignment_of(chain);
     if (!assignment.theory_points)
-        throw rt::InputError((chain.source / "assignment.toml").string() +
-                             ":1:1: has no theory part; expected [theory] with points = a number");
+        throw rt::InputError("this course has no theory part: its assignment.toml has no [theory] with points");
     const fs::path folder = arguments.submission.empty() ? chain.source / "starter" : fs::path(arguments.submission);
     const std::string file = (folder / "theory.toml").string();
     if (!arguments.name.empty()) return write_new(file, arguments.name);

@@ -4,6 +4,7 @@
 
 #include "diagnosis/arguments.h"
 #include "files/files.h"
+#include "judging/breakdown.h"
 #include "programs/runner.h"
 #include "report/picture.h"
 #include "rt/files/scene_reader.h"
@@ -49,10 +50,11 @@ Rows calls_of_warp(const std::string& fragment, const std::string& words, const 
 }
 
 int draw_warp(const std::string& fragment, const Rows& calls, Programs& programs, const fs::path& mine,
-              double time_limit, const fs::path& out) {
+              const Toolchain& chain, double time_limit, const fs::path& out) {
+    constexpr double some = 5;  // CPU seconds
     const auto answers = [&](const char* name, const fs::path& program) {
         const fs::path copy = programs.copy_for(name, program);
-        Runner runner(copy, programs.sandbox(), copy.parent_path(), time_limit);
+        Runner runner(copy, programs.sandbox(), copy.parent_path(), time_limit > 0 ? time_limit : some);
         return runner.probe(fragment, calls);
     };
     const auto right = answers("right", programs.with({}).program);
@@ -60,7 +62,8 @@ int draw_warp(const std::string& fragment, const Rows& calls, Programs& programs
         throw std::runtime_error("the solution itself: " + fault->message);
     const auto own = answers("mine", mine);
     if (const Fault* fault = std::get_if<Fault>(&own)) {
-        fmt::print("no picture of yours: {}\n", fault->message);
+        const std::string place = breakdown_of(programs, chain, fragment, calls);
+        fmt::print("no picture of yours: {}\n{}{}", fault->message, place, place.empty() ? "" : "\n");
         return 1;
     }
     const Rows &a = std::get<Rows>(own), &b = std::get<Rows>(right);

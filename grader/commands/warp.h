@@ -16,7 +16,9 @@ Rows calls_of_warp(const std::string& fragment, const std::string& words, const 
 
 /// Draws the points that it answers, seen from above, in the square from -1 to 1: with this program and with the
 /// solution's. Returns the exit code: 0; 1 where the program gave none.
+///
+/// time_limit  CPU seconds; 0: some
 int draw_warp(const std::string& fragment, const Rows& calls, Programs& programs, const fs::path& mine,
-              double time_limit, const fs::path& out);
+              const Toolchain& chain, double time_limit, const fs::path& out);
 
 }  // namespace grade

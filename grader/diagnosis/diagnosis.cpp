@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 
 namespace grade {
 
@@ -48,8 +49,8 @@ std::string section_of(const std::string& fragment, Verdict verdict, Trouble tro
             return {};
         case Verdict::inconclusive:
             return std::string(verdicts_section);
-        case Verdict::not_finite:
-            return std::string(trouble == Trouble::not_a_number ? numbers_section : pictures_section);
+        case Verdict::not_finite:  // where a fragment's own 0/0 comes from is among its pitfalls
+            return trouble == Trouble::not_a_number ? fragment : std::string(pictures_section);
         default:
             return fragment;
     }
@@ -121,7 +122,8 @@ std::string in_order(const FragmentRecord& fragment, const FirstHint& hint) {
     std::string cause = (is_sure && !is_wrong_first) || finding.how.empty() ? hint.words : finding.how;
     if (hint.is_changing && !finding.fault.empty()) cause.clear();
     if (finding.how.empty() && !finding.arguments.empty() && hint.worth == StatisticRecord::Worth::guess) cause.clear();
-    const std::string beside = hint.is_nan ? finding.of_numbers : "";
+    std::string beside = hint.is_nan ? finding.of_numbers : "";
+    if (beside.starts_with("the fragment answers exactly")) std::swap(cause, beside);  // nan and all
     // where no call shows it, what was measured does
     const bool is_shown = !finding.arguments.empty() || hint.worth != StatisticRecord::Worth::fact;
     std::string text;

@@ -64,7 +64,8 @@ std::optional<std::string> known_end(const std::string& line) {
     return std::nullopt;
 }
 
-/// The number after "/phong.cpp:"; 0: there is none.
+}  // namespace
+
 int line_in(const std::string& text, const std::string& file) {
     for (const std::string& before : {"/" + file + ":", file + ":"}) {
         const std::size_t at = text.find(before);
@@ -77,8 +78,6 @@ int line_in(const std::string& text, const std::string& file) {
     }
     return 0;
 }
-
-}  // namespace
 
 std::string fault_in_words(const std::string& said, const std::string& fragment) {
     const std::string file = fragment + ".cpp";

@@ -8,6 +8,7 @@
 #include <exception>
 #include <limits>
 
+#include "diagnosis/diagnosis.h"
 #include "rt/sampler.h"
 #include "statistics/image_fault.h"
 
@@ -23,7 +24,8 @@ std::optional<Fault> probe_fault(const std::string& fragment, const Rows& inputs
                 Verdict::not_finite,
                 fragment +
                     " returned nan: look for 0/0, the root of a negative number, or the direction of a vector "
-                    "of length 0",
+                    "of length 0; see \"" +
+                    std::string(numbers_section) + "\"",
                 fmt::format("for ({:.6g}{})", fmt::join(shown, ", "), shown.size() < inputs[i].size() ? ", ..." : ""),
                 Trouble::not_a_number};
         }

@@ -29,7 +29,10 @@ double thread_seconds() {
 using Answers = std::function<Outcome<Rows>(Runner& runner, const Rows& rows)>;
 
 /// The program answers until it breaks down; then another one, a few times, and no longer than it is given.
-Ask asking(const fs::path& program, const Sandbox& sandbox, const fs::path& meshes, double& seconds, Answers answers) {
+///
+/// hangs  where given: there is no other one after an answer that takes all of its time
+Ask asking(const fs::path& program, const Sandbox& sandbox, const fs::path& meshes, double& seconds, Answers answers,
+           bool* hangs = nullptr) {
     struct State {
         std::unique_ptr<Runner> runner;
         int starts = 0;
@@ -52,6 +55,7 @@ Ask asking(const fs::path& program, const Sandbox& sandbox, const fs::path& mesh
         if (Rows* all = std::get_if<Rows>(&outcome)) return std::move(*all);
         state->clock += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         state->runner.reset();
+        if (hangs && std::get<Fault>(outcome).trouble == Trouble::endless) *hangs = true, state->starts = most_starts;
         return {};
     };
 }
@@ -181,9 +185,11 @@ Finding find_cause(Programs& programs, const Toolchain& chain, const std::string
     const double before = thread_seconds();
     const auto width = std::make_shared<std::size_t>(0);
     const Sandbox& sandbox = programs.sandbox();
-    const Ask mine = asking(own, sandbox, meshes, seconds, answers_to(fragment, width, false)),
+    bool hangs = false;
+    const Ask mine = asking(own, sandbox, meshes, seconds, answers_to(fragment, width, false), &hangs),
               right = asking(programs.with({}).program, sandbox, meshes, seconds, answers_to(fragment, width, true));
     Rows calls = telling_calls(fragment, checks, seed, *signature, mine, right);
+    if (hangs) return {};
     if (not_finite) add_not_finite(calls, calls_of(fragment, checks, seed, most_of_all), mine, right);
     const Recompiled source{[&] { return editable_of(programs, fragment, meshes, seconds); },
                             [&] { return in_double_of(programs, fragment, meshes, seconds, width); }};

@@ -8,6 +8,7 @@
 
 #include "files/files.h"
 #include "judging/blank_record.h"
+#include "judging/breakdown.h"
 #include "judging/fault.h"
 #include "judging/finding.h"
 #include "judging/lanes.h"
@@ -55,9 +56,9 @@ private:
     std::vector<Task> tasks_;
     CheckSettings check_settings_;
     int links_expected_ = 0, checks_expected_ = 0;
-    std::map<std::string, Budget> budgets_;  // by fragment
-    std::map<std::string, int> left_;        // checks
-    std::set<std::string> out_of_time_;      // fragments
+    std::map<std::string, Budget> budgets_;                  // by fragment
+    std::map<std::string, int> left_;                        // checks
+    std::map<std::string, const CheckRecord*> out_of_time_;  // by fragment: the first of its checks that timed out
     std::mutex lock_;
 };
 
@@ -88,6 +89,12 @@ void Grading::add_checks() {
     }
 }
 
+/// Of a fragment whose checks have all come back: what a single processor would not have run.
+void leave_out_late(FragmentRecord& fragment) {
+    if (const auto first = std::ranges::find_if(fragment.checks, is_timed_out); first != fragment.checks.end())
+        std::for_each(std::next(first), fragment.checks.end(), leave_out);
+}
+
 void Grading::finish(FragmentRecord& fragment) {
     if (const auto problem = programs_.problems().find(fragment.name); problem != programs_.problems().end()) {
         fragment.verdict = problem->second.verdict;
@@ -97,9 +104,6 @@ void Grading::finish(FragmentRecord& fragment) {
         give_points(fragment);
     } else {
         fragment.verdict = Verdict::passed;
-        // those too that ran at the same time: a record does not tell how many processors there are
-        if (const auto first = std::ranges::find_if(fragment.checks, is_timed_out); first != fragment.checks.end())
-            std::for_each(std::next(first), fragment.checks.end(), leave_out);
         for (const CheckRecord& check : fragment.checks) {
             fragment.verdict = worse(fragment.verdict, check.verdict);
             fragment.cpu_seconds += check.cpu_seconds;
@@ -124,19 +128,23 @@ Finding Grading::explain(const FragmentRecord& fragment) {
         return check.verdict == Verdict::failed || check.verdict == Verdict::not_finite ||
                check.verdict == Verdict::crashed;
     };
-    if (!settings_.explains || !programs_.has(fragment.name) || std::ranges::none_of(fragment.checks, is_wrong))
-        return {};
+    const bool is_any_wrong = std::ranges::any_of(fragment.checks, is_wrong);
+    const bool is_endless = std::ranges::count(fragment.checks, Trouble::endless, &CheckRecord::trouble) > 0;
+    if (!settings_.explains || !programs_.has(fragment.name) || !(is_any_wrong || is_endless)) return {};
     const std::string key = fragment.name + ".finding", made = made_from(fragment.name);
-    if (const auto before = settings_.build.kept.finding(key, made)) return *before;
+    if (const auto before = settings_.build.kept.finding(key, made); before && !is_endless) return *before;
     const Programs::Linked& program = programs_.with({fragment.name});
     if (!program.errors.empty()) return {};
     const std::vector<Check>& checks = checks_.get();
     Finding finding;
-    if (std::ranges::count(fragment.checks, Verdict::crashed, &CheckRecord::verdict) == 0)
+    if (is_any_wrong && std::ranges::count(fragment.checks, Verdict::crashed, &CheckRecord::verdict) == 0)
         finding = find_cause(programs_, chain_, fragment.name, checks, settings_.seed,
                              std::ranges::count(fragment.checks, Verdict::not_finite, &CheckRecord::verdict) > 0);
     finding.fault = find_fault(programs_, program, chain_, fragment, checks, settings_.seed);
-    settings_.build.kept.keep_finding(key, made, finding);
+    if (is_endless)  // which another machine may not be slow enough for
+        find_endless(programs_, programs_.with({}).program, chain_, fragment, checks, settings_.seed, finding);
+    else
+        settings_.build.kept.keep_finding(key, made, finding);
     return finding;
 }
 
@@ -228,7 +236,9 @@ void Grading::judge_next(const Task& task, Lane& lane, SolutionRunners& solution
     bool is_late = false, is_last = false;
     {
         const std::scoped_lock lock(lock_);
-        is_late = out_of_time_.contains(fragment);
+        // those before it count: which are run does not depend on which of two processors is faster
+        const auto first = out_of_time_.find(fragment);
+        is_late = first != out_of_time_.end() && first->second < task.record;
     }
     if (is_late)
         leave_out(record);
@@ -237,8 +247,12 @@ void Grading::judge_next(const Task& task, Lane& lane, SolutionRunners& solution
     {
         const std::scoped_lock lock(lock_);
         *task.record = std::move(record);
-        if (is_timed_out(*task.record)) out_of_time_.insert(fragment);
+        if (is_timed_out(*task.record)) {
+            const CheckRecord*& first = out_of_time_.try_emplace(fragment, task.record).first->second;
+            first = std::min(first, static_cast<const CheckRecord*>(task.record));
+        }
         is_last = --left_[fragment] == 0;
+        if (is_last) leave_out_late(*task.fragment);
     }
     // nobody else writes to this fragment any more
     const Finding finding = is_last ? explain(*task.fragment) : Finding{};

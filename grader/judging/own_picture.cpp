@@ -2,24 +2,49 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "programs/parallel.h"
 #include "programs/runner.h"
 #include "rt/files/scene_reader.h"
 
 namespace grade {
 
-Compared draw_compared(Programs& programs, const fs::path& mine, const fs::path& scene,
-                       const ComparedSettings& settings) {
+namespace {
+
+/// What a picture of mine may take: many times what one sample a pixel of the right one says that this takes. A
+/// fragment that is right and slow is far from it.
+double limit_of(Programs& programs, const fs::path& meshes, Render picture, std::uint64_t seed) {
+    constexpr double some = 5, times = 10, most = 600;  // CPU seconds
+    const int samples = std::exchange(picture.samples, 1);
+    Runner runner(programs.copy_for("first", programs.with({}).program), programs.sandbox(), meshes, most);
+    const auto outcome = runner.render(picture, seed, false);
+    if (std::holds_alternative<Fault>(outcome)) return most;
+    return std::min(std::ceil(some + times * samples * runner.seconds()), most);
+}
+
+}  // namespace
+
+Render render_of(const fs::path& scene, const ComparedSettings& settings) {
     const std::string text = read_text(scene, std::uint64_t(1) << 30).value_or("");
     const rt::Scene parsed = rt::parse_scene(text, scene.string());
-    const Render experiment{text, settings.samples > 0 ? settings.samples : parsed.samples,
-                            std::string(rt::sampler_names[std::size_t(parsed.sampler)]), settings.size};
+    return {text, settings.samples > 0 ? settings.samples : parsed.samples,
+            std::string(rt::sampler_names[std::size_t(parsed.sampler)]), settings.size};
+}
+
+Compared draw_compared(Programs& programs, const fs::path& mine, const fs::path& scene,
+                       const ComparedSettings& settings) {
+    const Render experiment = render_of(scene, settings);
     const fs::path meshes = fs::absolute(scene).parent_path();
+    const double limit =
+        settings.time_limit > 0 ? settings.time_limit : limit_of(programs, meshes, experiment, settings.seed);
     Compared result;
-    result.exposure = parsed.exposure;
+    result.exposure = rt::parse_scene(experiment.scene, scene.string()).exposure;
     const auto draw = [&](const char* name, const fs::path& program, rt::Image& image, std::string& fault,
                           double& seconds) {
-        Runner runner(programs.copy_for(name, program), programs.sandbox(), meshes, settings.time_limit);
+        Runner runner(programs.copy_for(name, program), programs.sandbox(), meshes, limit);
         auto outcome = runner.render(experiment, settings.seed, false);
         seconds = runner.seconds();
         if (const Fault* bad = std::get_if<Fault>(&outcome))
@@ -29,7 +54,7 @@ Compared draw_compared(Programs& programs, const fs::path& mine, const fs::path&
     };
     // the right one is the same each time
     const std::string from = fmt::format("{} {} {} {}x{} {}\n{}", meshes.string(), settings.seed, experiment.samples,
-                                         settings.size.x, settings.size.y, experiment.sampler, text);
+                                         settings.size.x, settings.size.y, experiment.sampler, experiment.scene);
     const auto before = programs.kept().picture("right_picture", from);
     if (before) result.right = *before;
     in_parallel(before ? 1 : 2, 2, [&](int i) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "checks/kit/check.h"
 #include "programs/programs.h"
 #include "record/record.h"
 
@@ -17,8 +18,11 @@ struct ComparedSettings {
     int samples = 0;    // a pixel; 0: the scene's
     rt::ivec2 size{0};  // [pixel]; 0: the scene's
     std::uint64_t seed = 1;
-    double time_limit = 600;  // CPU seconds of one picture
+    double time_limit = 0;  // CPU seconds of one picture; 0: some, and many times what the right one takes
 };
+
+/// What is drawn. Throws rt::InputError for a scene that is none.
+Render render_of(const fs::path& scene, const ComparedSettings& settings);
 
 /// Draws with two programs at a time. Throws rt::InputError for a scene that is none.
 ///

@@ -71,7 +71,7 @@ std::string advice(const Fault& fault, Reference& reference) {
     if (fault.verdict == Verdict::crashed) return fault.message;
     const std::string needed = solution < 0.01 ? "less than 0.01 s" : fmt::format("{:.2g} s", solution);
     return fmt::format("{}; the solution needs {}{}", fault.message, needed,
-                       fault.is_endless ? ": look for a loop that does not end" : "");
+                       fault.trouble == Trouble::endless ? ": look for a loop that does not end" : "");
 }
 
 /// What the page shows of a picture: the solution's, and where both differ.

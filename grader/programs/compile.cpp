@@ -31,7 +31,16 @@ Step tool(std::vector<std::string> command, const fs::path& folder, std::vector<
     return step;
 }
 
-/// The first errors of a compiler, with paths as the student knows them.
+/// The error of a function of <cstdio> that is not declared, with what to do; GCC proposes another name. Empty: none.
+std::string missing_header(const std::string& line) {
+    for (const char* name : {"printf", "fprintf", "puts", "putchar", "fflush"})
+        if (const std::size_t at = line.find(fmt::format("‘{}’ is not a member of ‘std’; did you mean", name));
+            at != line.npos)
+            return line.substr(0, line.find("; did you mean", at)) + "; did you forget to ‘#include <cstdio>’?";
+    return {};
+}
+
+/// The first errors of a compiler, with paths as the student knows them, and which header is missing.
 std::string first_errors(const std::string& output, const std::string& path, const std::string& shown) {
     std::istringstream lines(output);
     std::string text;
@@ -40,12 +49,17 @@ std::string first_errors(const std::string& output, const std::string& path, con
     for (std::string line; std::getline(lines, line) && count < most_lines;) {
         for (std::size_t at = 0; (at = line.find(path, at)) != line.npos; at += shown.size())
             line.replace(at, path.size(), shown);
+        if (line.starts_with("In file included from") || line.starts_with("                 from")) continue;
+        const bool tells_header = line.find("did you forget to ‘#include") != line.npos;
+        const std::string header = missing_header(line);
+        if (!header.empty()) line = header;
         const bool starts_note = line.find(": note:") != line.npos || line.find(": warning:") != line.npos;
         if (line.find("error:") != line.npos)
             relevant = true;
         else if (starts_note || line.find(": In ") != line.npos)
             relevant = false;
-        if (!relevant) continue;
+        if (!relevant && !tells_header) continue;
+        if (!header.empty()) relevant = false;  // what follows shows the other name
         if (line.size() > 300) line = line.substr(0, 300) + "...";
         text += line + "\n";
         ++count;

@@ -80,7 +80,7 @@ Fault Runner::broken() {
         if (ending.waited)
             return {Verdict::timed_out, fmt::format("waits for something: no answer came within {:g} s", patience()),
                     excerpt};
-        return {Verdict::timed_out, fmt::format("ran longer than {:g} s", limit_), excerpt, Trouble::none, true};
+        return {Verdict::timed_out, fmt::format("ran longer than {:g} s", limit_), excerpt, Trouble::endless};
     }
     if (ending.how == Ending::How::signalled && ending.code == SIGSYS)
         return {Verdict::crashed, "starts other programs or processes: a fragment only computes", excerpt};

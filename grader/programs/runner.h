@@ -23,7 +23,6 @@ struct Fault {
     std::string message;  // what happened, and what to do
     std::string excerpt;  // of what the program printed; untrusted
     Trouble trouble = Trouble::none;
-    bool is_endless = false;  // one answer has taken all of its time
 };
 
 template <class Value>

@@ -64,6 +64,11 @@ std::string_view bytes_of(std::span<const Value> values) {
     return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
 }
 
+/// What a child with sanitizers says on stderr when its time ends: which call it answers, from 0 on, and a few times
+/// where it is, each time before the calls that led there.
+constexpr const char* call_at_end = "at the end, call ";
+constexpr const char* place_at_end = "at the end, in\n";
+
 /// Rows as numbers: how many, how long each is, then all of them.
 inline std::vector<double> flatten(const std::vector<std::vector<double>>& rows) {
     std::vector<double> flat{double(rows.size())};

@@ -25,13 +25,14 @@ enum class Trouble {
     no_radiance,  // numbers, but no picture of light
     not_run,      // an earlier check of the fragment timed out
     missing,      // the submission has no file of this fragment, nor one that may be meant
+    endless,      // one answer has taken all of its time
 };
 
 constexpr std::array<std::string_view, 8> verdict_names = {"passed",  "failed",    "not_started", "did_not_build",
                                                            "crashed", "timed_out", "not_finite",  "inconclusive"};
 
-constexpr std::array<std::string_view, 6> trouble_names = {"none",        "keeps_state", "not_a_number",
-                                                           "no_radiance", "not_run",     "missing"};
+constexpr std::array<std::string_view, 7> trouble_names = {"none",    "keeps_state", "not_a_number", "no_radiance",
+                                                           "not_run", "missing",     "endless"};
 
 /// As the record spells them.
 constexpr std::string_view name(Verdict verdict) { return verdict_names[static_cast<std::size_t>(verdict)]; }

@@ -108,7 +108,7 @@ Question samples(Draw& draw) {
     return {
         "samples",
         fmt::format("With {} independent samples a pixel a picture has a root mean square error of {:.2f}. How many "
-                    "samples a pixel does an error of {:.5f} need?",
+                    "samples a pixel does an error of {:.4g} need?",
                     taken, error, wanted),
         "",
         {taken, error, wanted},

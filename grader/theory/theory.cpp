@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "rt/files/scene_reader.h"
 #include "rt/files/toml_table.h"
 
 namespace grade {
@@ -33,13 +35,23 @@ std::string quoted(const std::string& text) {
     return '"' + escaped + '"';
 }
 
+bool is_right(double given, double right) { return std::abs(given - right) <= tolerance * std::abs(right); }
+
+/// A usual slip; empty: none.
+std::string slip(double given, const Question& question) {
+    const bool is_angle = question.unit == "degrees";
+    return is_angle && is_right(given * 180 / std::numbers::pi, question.answer) ? " That is the angle in radians."
+                                                                                 : "";
+}
+
 std::string told(const Answered& answered, std::size_t place) {
     const Question& question = answered.question;
     if (!answered.answer) return "no answer yet\n";
     const std::string given = fmt::format("{:g}{}", *answered.answer, in_unit(question));
     if (answered.right) return fmt::format("{}: right. {}\n", given, question.worked);
     const Question other = other_than(question, place);
-    return fmt::format("{}: wrong. With other numbers: {}\n    {}\n", given, other.text, other.worked);
+    return fmt::format("{}: wrong.{} With other numbers: {}\n    {}\n", given, slip(*answered.answer, question),
+                       other.text, other.worked);
 }
 
 }  // namespace
@@ -58,8 +70,18 @@ std::string empty_theory(const std::string& name) {
     return text;
 }
 
+namespace {
+
+rt::Table parsed(const std::string& text, const std::string& path) try {
+    return rt::Table::parse(text, path);
+} catch (const rt::InputError& error) {
+    throw rt::InputError(std::string(error.what()) + "; an answer is a number, worked out: 41.8");
+}
+
+}  // namespace
+
 Theory read_theory(const std::string& text, const std::string& path) {
-    const rt::Table file = rt::Table::parse(text, path);
+    const rt::Table file = parsed(text, path);
     Theory theory{file.text("name"), {}};
     if (std::ranges::all_of(theory.name, [](unsigned char c) { return c <= ' '; }))
         file.fail("name", "is empty", "your name");
@@ -70,8 +92,7 @@ Theory read_theory(const std::string& text, const std::string& path) {
         const std::string& key = answered.question.key;
         if (file.has(key)) {
             answered.answer = file.number(key, rt::any_number);
-            const double right = answered.question.answer;
-            answered.right = std::abs(*answered.answer - right) <= tolerance * std::abs(right);
+            answered.right = is_right(*answered.answer, answered.question.answer);
         }
         theory.answers.push_back(std::move(answered));
     }
@@ -88,8 +109,8 @@ std::string told(const Theory& theory, double points) {
     std::string text;
     for (std::size_t k = 0; k < theory.answers.size(); ++k) {
         const Answered& answered = theory.answers[k];
-        text +=
-            fmt::format("{}. {}: {}\n    {}", k + 1, answered.question.key, answered.question.text, told(answered, k));
+        text += fmt::format("{}. {}: {}{}\n    {}", k + 1, answered.question.key, answered.question.text,
+                            in_unit(answered.question), told(answered, k));
     }
     return text + fmt::format("\n{}: {} of {} right, {:.3g} of {:g} points\n", theory.name, theory.right(),
                               theory.answers.size(), points * theory.right() / double(theory.answers.size()), points);
