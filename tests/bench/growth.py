@@ -82,32 +82,39 @@ class Bench:
         print(f"{what}: {three_digits(value)} {unit}, at most {goal}: {verdict}", flush=True)
 
 
-def measure(bench, most_triangles):
-    plain = ["--threads", 1]
+PLAIN = ["--threads", 1]
+
+
+def grow_pictures(bench):
     sizes = [64, 128, 256, 512, 1024]
-    runs = bench.runs([(SCENE, [*plain, "--samples", 16, "--size", f"{n}x{n}"]) for n in sizes])
+    runs = bench.runs([(SCENE, [*PLAIN, "--samples", 16, "--size", f"{n}x{n}"]) for n in sizes])
     bench.growth("Pixels", "pixels", [n * n for n in sizes], runs, "linear is 1")
 
     sizes = [1, 4, 16, 64, 256, 1024]
-    runs = bench.runs([(SCENE, [*plain, "--size", "128x128", "--samples", n]) for n in sizes])
+    runs = bench.runs([(SCENE, [*PLAIN, "--size", "128x128", "--samples", n]) for n in sizes])
     bench.growth("Samples", "samples a pixel", sizes, runs, "linear is 1")
 
+
+def grow_lamps(bench):
     sizes, jobs = [1, 4, 16, 64, 256], []
     for n in sizes:
         file = bench.folder / f"lamps-{n}.toml"
         file.write_text(lamps(n).replace("[render]", "[render]\none_lamp = false"))
-        jobs.append((file, plain))
+        jobs.append((file, PLAIN))
     bench.growth("Lamps, all of them sampled at each point", "lamps", sizes, bench.runs(jobs), "each of them sampled from each point is 1")
 
     sizes, jobs = [4, 16, 64, 256, 1024, 4096, 10000], []
     for n in sizes:
         file = bench.folder / f"one-of-{n}.toml"
         file.write_text(lamps(n).replace("[render]", "[render]\none_lamp = true"))
-        jobs.append((file, plain))
+        jobs.append((file, PLAIN))
     runs = bench.runs(jobs)
     columns = [("reading, CPU s", medians(runs, lambda r: r.cpu - r.render)), ("peak, MB", medians(runs, lambda r: r.megabytes))]
     bench.growth("One of many lamps, chosen at each point", "lamps", sizes, runs, "to be below 1 is the goal", columns)
 
+
+def grow_meshes(bench, most_triangles):
+    """The peak memory [MB] of the mesh of about a million triangles, and how many these are."""
     sizes, jobs = [], []
     for n in [10**k * f for k in range(2, 8) for f in (1, 3)]:
         if n > most_triangles:
@@ -115,7 +122,7 @@ def measure(bench, most_triangles):
         mesh, file = bench.folder / f"mesh-{n}.obj", bench.folder / f"mesh-{n}.toml"
         sizes.append(bumps(n, mesh))
         file.write_text(MESH.replace("FILE", mesh.name))
-        jobs.append((file, plain))
+        jobs.append((file, PLAIN))
     runs = bench.runs(jobs)
     rest, peak = medians(runs, lambda r: r.cpu - r.render), medians(runs, lambda r: r.megabytes)
     columns = [("reading and building, CPU s", rest), ("peak, MB", peak)]
@@ -125,8 +132,10 @@ def measure(bench, most_triangles):
         f"{math.log(sizes[-1]) / math.log(sizes[0]):.2f}.\n\n"
     )
     million = max((k for k, n in enumerate(sizes) if n < 2e6), key=lambda k: sizes[k])
-    largest, most = peak[million], sizes[million]
+    return peak[million], sizes[million]
 
+
+def grow_threads(bench):
     # One and two threads in turn: of the wall time, what two save; of the CPU time, what they add.
     threads = bench.runs([(SCENE, ["--samples", 256, "--threads", n]) for n in (1, 2)])
     one, two = ([statistics.median(getattr(r, k) for r in each) for k in ("render_wall", "render")] for each in threads)
@@ -137,9 +146,11 @@ def measure(bench, most_triangles):
         f"({2 * one[1] / two[1]:.2f} by CPU seconds, which other work on the machine disturbs less); the goal is 1.9.\n\n"
     )
 
+
+def measure_starts(bench, megabytes, triangles):
     small = bench.runs([(SCENE, [])])[0]
     bench.target("peak memory, soft_shadow", max(r.megabytes for r in small), 40, "MB")
-    bench.target(f"peak memory, {most} triangles", largest, 400, "MB")
+    bench.target(f"peak memory, {triangles} triangles", megabytes, 400, "MB")
     starts = [Run(bench.raytrace, SCENE, "-o", bench.out, "--crop", "0,0,1,1", "--samples", 1) for _ in range(21)]
     bench.target("start to the first pixel, process, wall", 1000 * statistics.median(r.wall for r in starts), 20, "ms")
     bench.target("the same, CPU", 1000 * statistics.median(r.cpu for r in starts), 20, "ms")
@@ -147,6 +158,14 @@ def measure(bench, most_triangles):
     bench.target("soft_shadow, 16 samples, process, wall", statistics.median(r.wall for r in whole), 0.05, "s")
     bench.target("the same, CPU", statistics.median(r.cpu for r in whole), 0.05, "s")
     bench.text += "## Memory and start\n\n" + table(["what", "measured", "goal", ""], bench.targets)
+
+
+def measure(bench, most_triangles):
+    grow_pictures(bench)
+    grow_lamps(bench)
+    megabytes, triangles = grow_meshes(bench, most_triangles)
+    grow_threads(bench)
+    measure_starts(bench, megabytes, triangles)
 
 
 def main():

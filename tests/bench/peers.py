@@ -132,22 +132,9 @@ def time_to(renderer, scene, curve, target, seed):
     return statistics.median(times)
 
 
-def compare(scene, ours, peers, rounds, rows):
-    """Adds a scene to the tables."""
-    start = time.monotonic()
-    everybody = [ours] + [p for p in peers if p.ways(scene)]
-    shared = {}  # Mitsuba's variants have one picture
-    for r in everybody:
-        family = r.name.split()[0]
-        if family not in shared:
-            shared[family] = r.references(scene)
-        r.halves = shared[family]
+def add_biases(scene, ours, shared, targets, rows):
+    """Whether all draw the same picture, to the table."""
     ours_mean = (ours.halves[0] + ours.halves[1]) / 2
-    mitsuba = next(r for r in everybody if r.name.startswith("Mitsuba"))
-    plain = mitsuba.plain_way(scene)
-    of_64 = statistics.fmean(squared_error(mitsuba.render(scene, plain, 64, s)[0], mitsuba.halves) for s in (3, 4))
-    targets = [of_64, of_64 / 16]
-
     for family, halves in shared.items():
         if family == "Penumbra":
             continue
@@ -164,6 +151,9 @@ def compare(scene, ours, peers, rounds, rows):
             )
         )
 
+
+def curves_of(scene, everybody, targets):
+    """By renderer, the best way to each target error, or None."""
     curves = {}
     for r in everybody:
         ways = r.ways(scene)
@@ -179,13 +169,11 @@ def compare(scene, ours, peers, rounds, rows):
             ),
             flush=True,
         )
+    return curves
 
-    at_64 = {}
-    for r in everybody:
-        if curves[r.name][0]:
-            image, _, n = r.render(scene, curves[r.name][0].way, 64, 5)
-            at_64[r.name] = (n, squared_error(image, r.halves))
 
+def add_times(scene, ours, everybody, curves, targets, at_64, rounds, rows):
+    """All in turn, to the table."""
     for k, target in enumerate(targets):
         for r in everybody:
             if r.compiles and curves[r.name][k]:
@@ -204,6 +192,30 @@ def compare(scene, ours, peers, rounds, rows):
             rows["time"].append(
                 (scene.stem, (64, 1024)[k], target, r.name, curve, times.get(r.name), pairs, at_64.get(r.name))
             )
+
+
+def compare(scene, ours, peers, rounds, rows):
+    """Adds a scene to the tables."""
+    start = time.monotonic()
+    everybody = [ours] + [p for p in peers if p.ways(scene)]
+    shared = {}  # Mitsuba's variants have one picture
+    for r in everybody:
+        family = r.name.split()[0]
+        if family not in shared:
+            shared[family] = r.references(scene)
+        r.halves = shared[family]
+    mitsuba = next(r for r in everybody if r.name.startswith("Mitsuba"))
+    plain = mitsuba.plain_way(scene)
+    of_64 = statistics.fmean(squared_error(mitsuba.render(scene, plain, 64, s)[0], mitsuba.halves) for s in (3, 4))
+    targets = [of_64, of_64 / 16]
+    add_biases(scene, ours, shared, targets, rows)
+    curves = curves_of(scene, everybody, targets)
+    at_64 = {}
+    for r in everybody:
+        if curves[r.name][0]:
+            image, _, n = r.render(scene, curves[r.name][0].way, 64, 5)
+            at_64[r.name] = (n, squared_error(image, r.halves))
+    add_times(scene, ours, everybody, curves, targets, at_64, rounds, rows)
     print(f"  {scene.stem}: {time.monotonic() - start:.0f} s", flush=True)
 
 
@@ -237,8 +249,7 @@ def time_cells(name, curve, target, times, pairs):
     return [*cells, f"**{ratio}**", f"{low} to {high}"]
 
 
-def write_tables(rows, missing, whole, words, out, seconds):
-    d = three_digits
+def pictures_table(rows, words, seconds):
     text = f"""# Side by side with other renderers
 
 Made by `{words}` in {seconds / 60:.0f} minutes, on {machine()}, shared with other work;
@@ -255,11 +266,15 @@ renderer's own picture, so no renderer pays for a difference.
     text += table(
         ["scene", "peer", "means", "pixels, RMS", "of the error of 64", "of 1024"],
         [
-            [scene, family, f"{100 * means:+.3f} %", f"{100 * rms:.2f} %", d(max(a, 0)), d(max(b, 0))]
+            [scene, family, f"{100 * means:+.3f} %", f"{100 * rms:.2f} %", three_digits(max(a, 0)), three_digits(max(b, 0))]
             for scene, family, means, rms, a, b in rows["bias"]
         ],
     )
-    text += """
+    return text
+
+
+def times_table(rows):
+    text = """
 Mitsuba has no moving shapes: its motion_blur and lens_motion_lobes are means of 16 time slices. What was set in Cycles to draw
 the same is said in [cycles_child.py](cycles_child.py); it takes no part in candle, since its exact balls hold no medium.
 POV-Ray's lamps and lenses differ as [povray_scene.py](povray_scene.py) says. Where there are lobes, all follow up to 6
@@ -273,7 +288,11 @@ Each with the fastest of its ways. The ratio is a peer's time over Penumbra's, w
     heads = ["scene", "error of", "MSE", "renderer", "its way", "samples", "CPU s", "ratio", "interval"]
     text += table(heads, [[scene, level, f"{target:.2e}", name, *time_cells(name, curve, target, times, pairs)]
                           for scene, level, target, name, curve, times, pairs, _ in rows["time"]])
-    text += """
+    return text
+
+
+def patterns_table(rows):
+    text = """
 ## The pattern alone
 
 Mean squared error with 64 samples a pixel, or the nearest number that the pattern has.
@@ -287,6 +306,12 @@ Mean squared error with 64 samples a pixel, or the nearest number that the patte
             if level == 64 and at_64
         ],
     )
+    return text
+
+
+def write_tables(rows, missing, whole, words, out, seconds):
+    d = three_digits
+    text = pictures_table(rows, words, seconds) + times_table(rows) + patterns_table(rows)
     text += """
 ## The whole process
 
