@@ -14,7 +14,8 @@ std::array<Triangle, 8> octahedron(Generator& random, vec3 center, double size) 
     std::array<vec3, 6> corners;
     for (std::size_t i = 0; i < 6; ++i) {
         const vec3 axis = i < 2 ? frame.x : i < 4 ? frame.y : frame.z;
-        corners[i] = center + size * (between(random, 0.7, 1.4) * (i % 2 ? -axis : axis) + box(random, -0.2, 0.2));
+        const double out = between(random, 0.7, 1.4);  // drawn first: the terms of a sum have no order
+        corners[i] = center + size * (out * (i % 2 ? -axis : axis) + box(random, -0.2, 0.2));
     }
     std::array<Triangle, 8> faces;
     for (std::size_t i = 0; i < 8; ++i) faces[i] = {corners[i & 1], corners[2 + (i >> 1 & 1)], corners[4 + (i >> 2)]};
