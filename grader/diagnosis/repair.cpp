@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/calls_made.h"
 #include "diagnosis/edits_in_words.h"
 #include "diagnosis/integrals.h"
 #include "diagnosis/quantities.h"

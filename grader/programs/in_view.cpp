@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "files/files.h"
 #include "protocol/bytes.h"
 #include "protocol/protocol.h"
 #include "protocol/width.h"
