@@ -11,7 +11,7 @@
 ///     bring_back  those that a mesh's interpolated normals have led astray
 ///     append      one that carries anything, with what stays with its path
 ///     follow      all of it, as many as the open batch has room for at once
-///     follow_both  mirror and glass of each lane
+///     follow_both mirror and glass of each lane, where both are followed
 namespace rt {
 namespace {
 
