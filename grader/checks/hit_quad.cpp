@@ -46,6 +46,14 @@ Row fine_quad(Generator& random) {
     return row(q, ray_from_afar(random, target, normal_of_quad(q), size));
 }
 
+Row rim_of_quad(Generator& random) {
+    const ExactFrame frame = exact_frame(random);
+    const Quad q{frame.corner, frame.x, double(whole_between(random, 1, 2)) * frame.y};
+    double x = chance(random, 0.5) ? 1 : -1, y = 0.25 * whole_between(random, -4, 4);
+    if (chance(random, 0.5)) std::swap(x, y);
+    return row(q, exact_ray(random, q.center + x * q.u + y * q.v, frame));
+}
+
 Row small_quad(Generator& random) {
     const double size = log_between(random, 5e-4, 5e-3);
     const rt::Frame frame = rt::frame_about(direction(random));
@@ -83,6 +91,11 @@ Checks check_hit_quad(Generator& random) {
     const FlatShape<Quad> flat{.point = [](const Quad& q) { return q.center; },
                                .normal = normal_of_quad,
                                .inside = within(-1, 1),
+                               .on_rim =
+                                   [](const Quad& q, const Ray& ray) {
+                                       const vec2 p = glm::abs(coordinates(q, ray));
+                                       return std::max(p.x, p.y) == 1;
+                                   },
                                .size = [](const Quad& q) { return glm::length(q.u) + glm::length(q.v); }};
     const auto strip = [](const Quad& q, const Ray& ray) { return std::abs(coordinates(q, ray).x) <= 1; };
     const auto length = [](vec3 edge) { return glm::length(edge); };
@@ -96,7 +109,7 @@ Checks check_hit_quad(Generator& random) {
         {"center is the middle of the quad; it is used as a corner", hit_where(flat, within(0, 2), in_interval)},
         {"only |p . u| is tested; |p . v| <= v . v as well", hit_where(flat, strip, in_interval)}};
     const auto suspects = joined(of_quads, flat_suspects<rt::hit_quad>(flat));
-    return joined(flat_checks<rt::hit_quad>(flat, suspects, ordinary_quad, fine_quad, small_quad),
+    return joined(flat_checks<rt::hit_quad>(flat, suspects, ordinary_quad, fine_quad, rim_of_quad, small_quad),
                   {slanted_quad(random)});
 }
 

@@ -68,6 +68,17 @@ Row fine_triangle(Generator& random) {
     return row(t, ray_from_afar(random, on_triangle(t, share), normal_of_triangle(t), size));
 }
 
+Row rim_of_triangle(Generator& random) {
+    const ExactFrame frame = exact_frame(random);
+    std::array corners{frame.corner, frame.corner + frame.x, frame.corner + frame.y};
+    std::rotate(corners.begin(), corners.begin() + whole_between(random, 0, 2), corners.end());
+    const Triangle t{corners[0], corners[1], corners[2]};
+    const double along = 0.25 * whole_between(random, 0, 4);
+    std::array share{0.0, along, 1 - along};
+    std::rotate(share.begin(), share.begin() + whole_between(random, 0, 2), share.end());
+    return row(t, exact_ray(random, on_triangle(t, share), frame));
+}
+
 Row small_triangle(Generator& random) {
     const double size = log_between(random, 5e-4, 5e-3);
     if (chance(random, 0.2)) {
@@ -138,6 +149,11 @@ Checks check_hit_triangle(Generator& random) {
         .point = [](const Triangle& t) { return t.a; },
         .normal = normal_of_triangle,
         .inside = inside,
+        .on_rim =
+            [](const Triangle& t, const Ray& ray) {
+                const auto share = shares(t, ray);
+                return std::ranges::min(share) == 0;
+            },
         .size = [](const Triangle& t) { return glm::length(t.b - t.a) + glm::length(t.c - t.a); }};
     const auto nothing = rows_of(24, [](Generator& draw) {
         const vec3 a = box(draw, -1, 1), b = box(draw, -1, 1), origin = box(draw, 3, 4);
@@ -149,9 +165,9 @@ Checks check_hit_triangle(Generator& random) {
                   .what = "a triangle without area is hit",
                   .violation = of_call<rt::hit_triangle>([](double t) { return t == rt::inf ? 0.0 : 1.0; }),
                   .says = "a triangle whose corners coincide must give inf, not nan or a hit"});
-    return joined(
-        flat_checks<rt::hit_triangle>(flat, triangle_suspects(flat), ordinary_triangle, fine_triangle, small_triangle),
-        {probe_check("no_area", nothing, {never}), two_triangles(random)});
+    return joined(flat_checks<rt::hit_triangle>(flat, triangle_suspects(flat), ordinary_triangle, fine_triangle,
+                                                rim_of_triangle, small_triangle),
+                  {probe_check("no_area", nothing, {never}), two_triangles(random)});
 }
 
 }  // namespace grade

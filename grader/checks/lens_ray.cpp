@@ -81,7 +81,8 @@ Check in_focus() {
               miss([](const Camera& camera, vec3) { return camera.focus; })},
              {"the cosine is on the wrong side: the plane in focus is further away along an oblique ray, focus/cosine",
               miss([](const Camera& camera, vec3 d) { return camera.focus * -rt::dot(d, camera.back); })},
-             {"the rays of a pixel are parallel; expected that they meet in the plane in focus",
+             {"the rays of a pixel are parallel; expected that they meet in the plane in focus, at a point that is "
+              "found from the pinhole, before the origin moves",
               miss([](const Camera&, vec3) { return rt::inf; })},
              {"the rays of a pixel meet behind the camera: a sign is wrong",
               miss([](const Camera& camera, vec3 d) { return -plane_in_focus(camera, d); })},

@@ -63,7 +63,7 @@ bool are_near(const Calls& all) {
     return true;
 }
 
-constexpr std::size_t most_of_spread = 20'000;  // of the solution's answers
+constexpr std::size_t most_of_spread = 50'000;  // of the solution's answers
 
 /// An explanation of one fragment, as it is made.
 class Explanation {
@@ -162,7 +162,10 @@ private:
 
     /// Of samples that lie elsewhere than the solution's, what must stand in the source: no call says it.
     bool tell_repair_of_spread() {
-        const bool is_known = !finding_.how.empty() || is_exact(relation_) || (relation_ && relation_->by_repair);
+        // two changes may be the mistake and what makes the numbers be used as the solution does
+        const bool are_two = relation_ && relation_->by_repair && relation_->of_two;
+        const bool is_known =
+            !finding_.how.empty() || (!are_two && (is_exact(relation_) || (relation_ && relation_->by_repair)));
         if (!sampled_ || is_known || !editable_) return false;
         std::size_t left = most_of_spread;
         const auto repair = repair_of_spread(all_, *editable_, limited(ask_right_, left));

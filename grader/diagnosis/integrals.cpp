@@ -1,6 +1,7 @@
 #include "diagnosis/integrals.h"
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 namespace grade {
@@ -84,7 +85,23 @@ std::optional<Integrals> Integrals::of(const Calls& calls, const Ask& right, std
         }
         all.due_.push_back(all.moments(due, base)), all.within_.push_back(all.within_samples(due, base));
     }
-    return all;
+    return all.find_tolerances(u, right) ? std::optional(all) : std::nullopt;
+}
+
+bool Integrals::find_tolerances(const std::vector<std::size_t>& u, const Ask& right) {
+    Rows mirrored = rows_;
+    for (Row& row : mirrored)
+        for (const std::size_t at : u) row[at] = 1 - row[at];
+    const Rows answers = right(mirrored);
+    if (answers.size() != rows_.size()) return false;
+    for (std::size_t base = 0; base < due_.size(); ++base) {
+        const std::vector<Moment> again = moments(answers, base);
+        tolerances_.emplace_back();
+        for (std::size_t i = 0; i < again.size(); ++i)
+            tolerances_.back().push_back(close_ * (std::sqrt(due_[base][i].square) + 1e-9) +
+                                         3 * std::abs(again[i].mean - due_[base][i].mean));
+    }
+    return true;
 }
 
 std::vector<Integrals::Moment> Integrals::moments(const Rows& answers, std::size_t base) const {
@@ -130,10 +147,8 @@ bool Integrals::are_right(const Rows& answers) const {
         if (of_sample_ < each_ && !(std::abs(within_samples(answers, base) - within_[base]) <= about * within_[base]))
             return false;
         const std::vector<Moment> all = moments(answers, base);
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            const double scale = std::sqrt(due_[base][i].square) + 1e-9;
-            if (!(std::abs(all[i].mean - due_[base][i].mean) <= close_ * scale)) return false;
-        }
+        for (std::size_t i = 0; i < all.size(); ++i)
+            if (!(std::abs(all[i].mean - due_[base][i].mean) <= tolerances_[base][i])) return false;
     }
     return true;
 }

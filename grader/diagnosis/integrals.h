@@ -36,6 +36,9 @@ private:
     /// How far answers are from the middle of those of the same sample: samples in cells must not lie all over.
     double within_samples(const Rows& answers, std::size_t base) const;
     std::vector<Moment> moments(const Rows& answers, std::size_t base) const;
+    /// Of the moments: also what the grid leaves, by the solution's with each number u in the place of 1 - u; false: it
+    /// does not answer.
+    bool find_tolerances(const std::vector<std::size_t>& u, const Ask& right);
 
     Layout result_;
     Rows rows_, solution_;                              // and its answers
@@ -46,6 +49,7 @@ private:
     std::vector<std::vector<double>> middles_;  // of each base: the mean of each place
     std::vector<double> within_;
     std::vector<std::vector<Moment>> due_;
+    std::vector<std::vector<double>> tolerances_;
 };
 
 }  // namespace grade

@@ -85,9 +85,16 @@ private:
         return all.size() > 1 && all.front() == first_ + int(node) ? all : std::vector<int>();
     }
 
+    /// Whether what a mistake takes can be written there.
+    bool is_known(const Mistake& mistake, int where) const {
+        const int other = mistake.made.other_node;
+        return other < 0 || nodes_[std::size_t(other)].is_known_at(nodes_[std::size_t(where - first_)]);
+    }
+
     void add(std::size_t node, Mistake mistake) {
-        if (all_.size() >= most) return;
-        if (!everywhere_.empty()) {
+        if (all_.size() >= most || !is_known(mistake, first_ + int(node))) return;
+        const auto is_known_there = [&](int where) { return is_known(mistake, where); };
+        if (!everywhere_.empty() && std::ranges::all_of(everywhere_, is_known_there)) {
             Mistake all = mistake;
             all.made.nodes = everywhere_, all.cost += 0.1;
             all_.push_back(std::move(all));
@@ -169,6 +176,7 @@ private:
         for (std::size_t f = from; f < std::size(functions); ++f) {
             const bool is_sign = std::string_view(functions[f].words) == "-{}";  // of a constant, it is rarely lost
             Mistake mistake{functions[f].words, "", functions[f].cost + (is_sign ? 2 : 1) * more, {{}, 0, made, f}};
+            if (is_sign && nodes_[i].text.starts_with('-')) mistake.cost -= 0.05;  // one too many, rather than two
             if constexpr (requires { functions[f].usually; }) mistake.usually = functions[f].usually;
             add(i, std::move(mistake));
         }

@@ -54,6 +54,8 @@ std::string changed_in_words(const Expressions& all, const Mistake& mistake) {
     const textbook::Node& node = all.node(mistake.made.nodes.front());
     if (mistake.made.alternative != 0)
         return mistake.made.nodes.size() > 1 ? called(mistake.pattern) : in_its_place(node, mistake.pattern);
+    const bool is_sign_too_many = mistake.pattern == "-{}" && node.name.starts_with('-');
+    if (is_sign_too_many && node.name.find(' ') == node.name.npos) return node.name.substr(1);
     if (!mistake.other.empty()) return filled(mistake.pattern, node.name, mistake.other);
     return is_number(node.text) ? other_number(node, mistake) : filled(mistake.pattern, node.name);
 }

@@ -47,8 +47,9 @@ public:
         const Calls wrong = only_wrong(calls_);
         if (wrong.size() == 0) return std::nullopt;
         // 36 samples of one call turn nearly all changes away, within four times what so few leave to chance; what
-        // passes must hold in four calls of 2,304 samples, which leave less than half a percent
-        const auto rough = Integrals::of(wrong, right, 1, 6, 0.3), fine = Integrals::of(wrong, right, 4, 48, 0.02);
+        // passes must hold in nine calls of 2,304 samples, which leave less than half a percent: a number of arguments
+        // whose rows take turns, lest all be of one kind
+        const auto rough = Integrals::of(wrong, right, 1, 6, 0.3), fine = Integrals::of(wrong, right, 9, 48, 0.02);
         if (!rough || !fine || !see()) return std::nullopt;
         if (const auto as_it_is = answers({Edit{}}, fine->rows()); as_it_is.empty() || fine->are_right(as_it_is[0]))
             return std::nullopt;
@@ -193,7 +194,8 @@ private:
                 if (edits = right_in(edits, k); edits.empty()) return std::nullopt;
         const Edit& best = *std::ranges::min_element(edits, {}, &Edit::cost);
         constexpr double simple = 1.6;
-        return Repair{in_words(all_, best) + ", every answer is right", line_of(all_, best), 1, best.cost() <= simple};
+        return Repair{in_words(all_, best) + ", every answer is right", line_of(all_, best), 1, best.cost() <= simple,
+                      best.second != nullptr};
     }
 
     /// The one with which most of the wrong calls are right, and all others stay so.
@@ -290,7 +292,7 @@ void add_repair(std::optional<Relation>& relation, const Calls& calls, const std
     } else if (is_all || !relation || relation->explains == Relation::Explains::nothing ||
                relation->share < repair->share) {
         relation = Relation{known.empty() ? repair->words : known + "; " + repair->words};
-        relation->by_repair = is_all, relation->share = repair->share;
+        relation->by_repair = is_all, relation->share = repair->share, relation->of_two = repair->is_of_two;
         relation->explains = is_all ? Relation::Explains::all : Relation::Explains::some;
     }
 }

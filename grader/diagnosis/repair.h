@@ -20,6 +20,7 @@ struct Repair {
     int line = 0;            // of the first change
     double share = 1;        // of the wrong calls that it puts right
     bool is_simple = false;  // of one expression, and simpler than two mistakes that explain as much
+    bool is_of_two = false;
 };
 
 /// The simplest one; none: there is none. It breaks no right answer.

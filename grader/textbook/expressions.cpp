@@ -50,6 +50,7 @@ int ExpressionReader::add(const std::string& text, const std::vector<Expression>
     if (++read_ > most_read) throw TooLong();
     if (nodes_.size() >= most || text.size() > longest) fail("a long expression; expected a short one");
     nodes_.push_back({text, text, "", "", {}, std::move(alternatives)});
+    nodes_.back().blocks = blocks_;
     for (const Expression& part : parts)
         if (part.node >= 0) nodes_.back().parts.push_back(part.node);
     return first_ + int(nodes_.size()) - 1;

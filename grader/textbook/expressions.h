@@ -59,6 +59,20 @@ protected:
         int& depth_;
     };
 
+    /// What is read until its end stands in one more block.
+    class Block {
+    public:
+        explicit Block(ExpressionReader& reader) : blocks_(reader.blocks_) { blocks_.push_back(reader.at_); }
+        Block(const Block&) = delete;
+        Block& operator=(const Block&) = delete;
+        ~Block() { blocks_.pop_back(); }
+
+    private:
+        std::vector<std::size_t>& blocks_;
+    };
+
+    void declare(const std::string& name) { declared_[name].push_back(blocks_); }
+
     const Token& now() const { return tokens_[std::min(at_, tokens_.size() - 1)]; }
 
     bool is(std::string_view text) const { return now().kind != Token::Kind::end && now().text == text; }
@@ -172,6 +186,8 @@ protected:
     std::vector<Token> tokens_;
     std::set<std::string> fragments_, constants_, locals_;
     std::map<std::string, int> uses_;
+    std::vector<std::size_t> blocks_;                                        // that are open, by where they begin
+    std::map<std::string, std::vector<std::vector<std::size_t>>> declared_;  // in which blocks
     int first_;
     std::size_t at_ = 0;
     std::size_t read_ = 0;  // expressions, also those that were given up

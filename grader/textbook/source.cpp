@@ -36,9 +36,13 @@ public:
         if (all.text.size() > most_written) throw TooLong();
         all.nodes = std::move(nodes_);
         all.varying = varying();
-        for (Node& node : all.nodes)
-            for (const Token& token : tokens_of(node.name == node.text ? node.text : node.name + ", " + node.text))
+        for (Node& node : all.nodes) {
+            node.known_in = 1;  // in its function
+            for (const Token& token : tokens_of(node.name == node.text ? node.text : node.name + ", " + node.text)) {
                 node.varies = node.varies || all.varying.contains(token.text);
+                node.known_in = std::max(node.known_in, known_in(token.text, node.blocks));
+            }
+        }
         if (all.nodes.empty()) fail("no expression; expected some");
         return all;
     }
@@ -62,6 +66,16 @@ private:
             }
             if (is_defined && changes) changing_.insert(tokens_[i].text);
         }
+    }
+
+    /// How many of these blocks a variable needs to be known.
+    std::size_t known_in(const std::string& name, const std::vector<std::size_t>& blocks) const {
+        std::size_t most = 0;
+        if (const auto found = declared_.find(name); found != declared_.end())
+            for (const auto& at : found->second)
+                if (at.size() <= blocks.size() && std::equal(at.begin(), at.end(), blocks.begin()))
+                    most = std::max(most, at.size());
+        return most;
     }
 
     /// Names behind which, or behind an element or a part of which, an assignment stands that is no declaration.
@@ -202,9 +216,15 @@ private:
     Expression function_object() override {
         const std::size_t start = at_;
         at_ = closing(at_) + 1;
+        const std::size_t open = at_;
         if (is("(")) at_ = closing(at_) + 1;
+        const std::size_t close = at_;
         skip_to({"{"});
         const std::string head = raw(start, at_);
+        const Block scope(*this);
+        for (std::size_t i = open; i + 1 < close; ++i)
+            if (tokens_[i].kind == Token::Kind::name && (tokens_[i + 1].text == "," || tokens_[i + 1].text == ")"))
+                declare(tokens_[i].text);
         const Inside lambda(*this, false);
         Expression all;
         all.text = "a function";

@@ -7,6 +7,7 @@ bool is_assigned(const std::string& sign) {
 }
 
 std::string StatementReader::block() {
+    const Block scope(*this);
     expect("{");
     std::string all = "{\n";
     while (!is("}")) {
@@ -56,10 +57,12 @@ std::string StatementReader::in_brackets() {
 }
 
 std::string StatementReader::loop() {
+    const Block scope(*this);
     expect("(");
     const bool is_constant = take("const");
     const std::size_t start = at_;
     skip_to({":", "="});
+    declare(tokens_[at_ - 1].text);
     std::string head = (is_constant ? "const " : "") + joined(start, at_);
     if (take(":")) {
         const Expression range = expression();
@@ -118,7 +121,7 @@ std::string StatementReader::declaration() {
         ++at_;
         all += " " + name;
         if (is_constant) constants_.insert(name);
-        locals_.insert(name);
+        locals_.insert(name), declare(name);
         if (take("=")) {
             const Expression of = is("{") ? braced() : expression();
             all += " = " + of.code;

@@ -47,16 +47,38 @@ inline rt::Ray near_ray(Generator& random, rt::vec3 target, rt::vec3 normal, dou
     return {target - distance * d, speed * d, 0, rt::inf};
 }
 
+/// Three axes of the world in any order and of either sign, all as long as one power of two: what is computed of them,
+/// of whole multiples and of quarters is not rounded.
+struct ExactFrame {
+    rt::vec3 x{0}, y{0}, z{0}, corner;
+};
+inline ExactFrame exact_frame(Generator& random) {
+    const double size = std::exp2(whole_between(random, -6, 3));
+    const int x = whole_between(random, 0, 2), y = (x + whole_between(random, 1, 2)) % 3;
+    ExactFrame frame;
+    frame.x[x] = chance(random, 0.5) ? size : -size;
+    frame.y[y] = chance(random, 0.5) ? size : -size;
+    frame.z[3 - x - y] = chance(random, 0.5) ? size : -size;
+    for (int k = 0; k < 3; ++k) frame.corner[k] = size * whole_between(random, -4, 4);
+    return frame;
+}
+
+/// A ray straight down to a point, whose t is exact.
+inline rt::Ray exact_ray(Generator& random, rt::vec3 target, const ExactFrame& frame) {
+    const double away = whole_between(random, 1, 8), speed = std::exp2(whole_between(random, -2, 2));
+    return {target + away * frame.z, -speed * frame.z, 0, rt::inf};
+}
+
 /// Where the ray's line meets a plane.
 inline double plane_crossing(const rt::Ray& ray, rt::vec3 point, rt::vec3 normal) {
     return rt::dot(point - ray.origin, normal) / rt::dot(ray.direction, normal);
 }
 
-/// A flat shape, by its normal, and by whether the point where a ray's line meets its plane is inside.
+/// A flat shape, by its normal, and by whether the point where a ray's line meets its plane is inside, as its rim is.
 template <class Shape>
 struct FlatShape {
     std::function<rt::vec3(const Shape&)> point, normal;
-    std::function<bool(const Shape&, const rt::Ray&)> inside;
+    std::function<bool(const Shape&, const rt::Ray&)> inside, on_rim;
     std::function<double(const Shape&)> size;
 
     double crossing(const Shape& s, const rt::Ray& ray) const { return plane_crossing(ray, point(s), normal(s)); }
@@ -82,30 +104,38 @@ std::vector<Suspect<fragment>> flat_suspects(const FlatShape<Shape>& flat) {
             return side * rt::dot(ray.direction, normal(s)) > 0 ? right : rt::inf;
         };
     };
+    const auto within_rim = [=](const Shape& s, const rt::Ray& ray) {
+        return flat.inside(s, ray) && !flat.on_rim(s, ray);
+    };
     using rt::Ray;
-    return {{"the back side is never hit: a shape is hit from either side", on_side(-1)},
-            {"the front side is never hit: a shape is hit from either side", on_side(1)},
-            {"hits behind the ray's origin count", when([](const Ray&, double) { return true; })},
-            {"the ray's interval is ignored: a hit counts only for near < t < far",
-             when([](const Ray&, double t) { return t > 0; })},
-            {"the near end of the ray's interval is ignored",
-             when([](const Ray& r, double t) { return t > 0 && t < r.far; })},
-            {"the far end of the ray's interval is ignored", when([](const Ray& r, double t) { return t > r.near; })},
-            {"the whole plane is hit, not the shape alone",
-             hit_where(
-                 flat, [](const Shape&, const Ray&) { return true; }, in_interval)},
-            {"t is a length; expected in units of |direction|, which need not be 1",
-             [](double right, const Shape&, const Ray& r) { return right * glm::length(r.direction); }}};
+    return {
+        {"a ray that meets an edge or a corner exactly is a miss: it must hit, or neighbours have a gap between them",
+         hit_where(flat, within_rim, in_interval)},
+        {"the back side is never hit: a shape is hit from either side", on_side(-1)},
+        {"the front side is never hit: a shape is hit from either side", on_side(1)},
+        {"hits behind the ray's origin count", when([](const Ray&, double) { return true; })},
+        {"the ray's interval is ignored: a hit counts only for near < t < far",
+         when([](const Ray&, double t) { return t > 0; })},
+        {"the near end of the ray's interval is ignored",
+         when([](const Ray& r, double t) { return t > 0 && t < r.far; })},
+        {"the far end of the ray's interval is ignored", when([](const Ray& r, double t) { return t > r.near; })},
+        {"the whole plane is hit, not the shape alone",
+         hit_where(
+             flat, [](const Shape&, const Ray&) { return true; }, in_interval)},
+        {"t is a length; expected in units of |direction|, which need not be 1",
+         [](double right, const Shape&, const Ray& r) { return right * glm::length(r.direction); }}};
 }
 
 /// The checks of a flat shape: distances of whole rays, and within their intervals.
 ///
 /// draw(random, clipped)  a row
 /// fine(random)           one of a small shape that is met a hair from its rim
+/// rim(random)            one that meets the rim exactly: it counts, or a gap is left between neighbours
 /// small(random)          one of a shape a millimetre large, close by; or of a ray that runs along its plane
 template <auto fragment, class Shape>
 Checks flat_checks(const FlatShape<Shape>& flat, const std::vector<Suspect<fragment>>& suspects,
-                   Row (*draw)(Generator&, bool clipped), Row (*fine)(Generator&), Row (*small)(Generator&)) {
+                   Row (*draw)(Generator&, bool clipped), Row (*fine)(Generator&), Row (*rim)(Generator&),
+                   Row (*small)(Generator&)) {
     const auto distance = [&](const std::string& what) {
         return formula<fragment>(
             {.id = "W1",
@@ -120,7 +150,8 @@ Checks flat_checks(const FlatShape<Shape>& flat, const std::vector<Suspect<fragm
                   [size = flat.size](const Shape& s, const rt::Ray&) { return size(s) < 0.2; }}}});
     };
     const auto ordinary = [=](Generator& random) { return draw(random, false); };
-    return {probe_check("inside", rows_then(rows_of(128, ordinary), rows_of(32, fine)), {distance("distance, off by")}),
+    const auto inside = rows_then(rows_then(rows_of(128, ordinary), rows_of(32, fine)), rows_of(24, rim));
+    return {probe_check("inside", inside, {distance("distance, off by")}),
             probe_check("small_and_edge_on", rows_of(96, small), {distance("distance to a small shape, off by")}),
             probe_check("interval", rows_of(160, [=](Generator& random) { return draw(random, true); }),
                         {distance("distance within the interval, off by")})};

@@ -135,11 +135,13 @@ void search_together(const World& world, const Real* far, Journeys& journeys, Be
     Shears shears;
     if (world.plan.triangles && !world.plan.time) start(journeys, beam, shears);
     const auto sieve = [&](Index item, std::uint64_t rays) {
+        // Sixteen rays are sieved at a time: for one or two, testing them takes as long.
         const bool pays = shears.axis != Shears::none && std::popcount(rays) > 2;
         if (!pays || item < world.first_triangle || item >= world.first_quad) return rays;
         return may_hit(corners_of(world.triangles[std::size_t(item - world.first_triangle)], world.bvh), shears, rays);
     };
-    // Where any hit will do, rays may leave the beam early: what is near need not come first.
+    // A node that only so few want is left to each by itself: tried on the meshes of tests/bench/rays.py. Where any hit
+    // will do, more may leave the beam: what is near need not come first.
     const int few = beam.spread > widest_beam ? lanes : any ? 12 : 2;
     std::uint64_t alive = ~std::uint64_t(0);
     for (bool root = true; beam.depth > 0; root = false) {
