@@ -55,6 +55,26 @@ TEST_CASE("a student's source: variables that get other values are not what they
     CHECK_FALSE(node(source, "m * x").varies);
 }
 
+TEST_CASE("a student's source: where its variables are known") {
+    const auto source =
+        textbook::editable("namespace rt {\nReal other(Real z) { return z + 7; }\n" +
+                           function("    const Real k = 2 * x;\n    const auto half = [&](Real y) {\n"
+                                    "        const Real q = y + x;\n        return q / 2;\n    };\n"
+                                    "    for (int i = 0; i < 3; ++i) {\n        const Real m = k + i;\n"
+                                    "        if (m > 2) return m * k;\n    }\n    return half(k) + u.x * x;\n") +
+                           "}\n");
+    const auto is_known = [&](const std::string& text, const std::string& at) {
+        return node(source, text).is_known_at(node(source, at));
+    };
+    CHECK(is_known("2 * x", "q / 2"));  // it is called k
+    CHECK(is_known("2 * x", "m * k"));
+    CHECK(is_known("y + x", "q / 2"));
+    CHECK(is_known("k + i", "m * k"));
+    CHECK_FALSE(is_known("y + x", "u.x * x"));
+    CHECK_FALSE(is_known("k + i", "u.x * x"));
+    CHECK_FALSE(is_known("z + 7", "u.x * x"));
+}
+
 TEST_CASE("a student's source: break and continue may be taken for each other, where both may stand") {
     const auto source = textbook::editable(
         function("    Real sum = 0;\n    for (int i = 0; i < 4; ++i) {\n        if (i == 2) break;\n"

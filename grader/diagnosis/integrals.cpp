@@ -45,6 +45,7 @@ Rows over_grid(const Row& call, const std::vector<std::size_t>& u, std::optional
 
 std::optional<Integrals> Integrals::of(const Calls& calls, const Ask& right, std::size_t bases, std::size_t side,
                                        double close) {
+    if (calls.size() == 0) return std::nullopt;
     Integrals all;
     all.result_ = calls.result, all.close_ = close;
     const std::vector<std::size_t> u = numbers_of(calls.layouts.front());

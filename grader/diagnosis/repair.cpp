@@ -45,38 +45,37 @@ public:
     /// See repair_of_spread.
     std::optional<Repair> of_spread(const Ask& right) {
         const Calls wrong = only_wrong(calls_);
-        if (wrong.size() == 0) return std::nullopt;
         // 36 samples of one call turn nearly all changes away, within four times what so few leave to chance; what
         // passes must hold in nine calls of 2,304 samples, which leave less than half a percent: a number of arguments
         // whose rows take turns, lest all be of one kind
-        const auto rough = Integrals::of(wrong, right, 1, 6, 0.3), fine = Integrals::of(wrong, right, 9, 48, 0.02);
-        if (!rough || !fine || !see()) return std::nullopt;
-        if (const auto as_it_is = answers({Edit{}}, fine->rows()); as_it_is.empty() || fine->are_right(as_it_is[0]))
-            return std::nullopt;
+        const auto rough = Integrals::of(wrong, right, 1, 6, 0.3), closer = Integrals::of(wrong, right, 2, 12, 0.1),
+                   fine = Integrals::of(wrong, right, 9, 48, 0.02);
+        if (!rough || !closer || !fine || !see() || are_right({}, *fine)) return std::nullopt;
         std::vector<Mistake> changes = mistakes_in(all_, arguments_, told_);  // the simplest first
         // integrals of an odd one may be right by chance: none that is less simple than `max(x, 0)`, but for another
         // value in the place of one
         constexpr double dearest = 1.35;
-        const auto is_odd = [](const Mistake& change) { return change.cost > dearest && change.pattern != "{1}"; };
-        std::erase_if(changes, is_odd);
+        std::erase_if(changes, [](const Mistake& m) { return m.cost > dearest && m.pattern != "{1}"; });
         const std::size_t at_once = most_at_once / rough->rows().size() + 1;
         for (std::size_t from = 0; from < changes.size() && asked_ < most_rows_of_spread; from += at_once) {
             std::vector<Edit> edits;
             for (std::size_t i = from; i < std::min(changes.size(), from + at_once); ++i)
                 edits.push_back({&changes[i]});
             const std::vector<Rows> all = answers(edits, rough->rows());
-            for (std::size_t i = 0; i < all.size(); ++i) {
-                if (!rough->are_right(all[i])) continue;
-                const auto again = answers({edits[i]}, fine->rows());
-                if (!again.empty() && fine->are_right(again[0]))
+            for (std::size_t i = 0; i < all.size(); ++i)
+                if (rough->are_right(all[i]) && are_right(edits[i], *closer) && are_right(edits[i], *fine))
                     return Repair{in_words(all_, edits[i]) + ", the samples are spread as they must be",
                                   line_of(all_, edits[i])};
-            }
         }
         return std::nullopt;
     }
 
 private:
+    bool are_right(const Edit& edit, const Integrals& integrals) {
+        const std::vector<Rows> all = answers({edit}, integrals.rows());
+        return !all.empty() && integrals.are_right(all[0]);
+    }
+
     /// Of each edit, to all of these calls; empty: the program has ended.
     std::vector<Rows> answers(const std::vector<Edit>& edits, const Rows& calls) {
         Rows rows;
