@@ -50,6 +50,15 @@ std::string Asked::words_of(const Mistake& mistake, bool with_context) const {
     return has_context ? fmt::format("{}, where a textbook has `{}`", words, node.context) : words;
 }
 
+Ask answers_of(const textbook::Form& form, const Signature& signature) {
+    return [&form, &signature](const Rows& rows) {
+        Asked asked(form);
+        Rows all;
+        for (const Row& row : rows) all.push_back(asked.answer(row, signature.of_arguments(row)));
+        return all;
+    };
+}
+
 std::optional<Calls> with_answers_of(Asked& asked, Calls calls) {
     for (std::size_t k = 0; k < calls.size(); ++k) {
         Row answer = asked.answer(calls.rows[k], calls.layouts[k]);

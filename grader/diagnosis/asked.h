@@ -13,6 +13,7 @@ class Asked {
 public:
     explicit Asked(const textbook::Form& form) : form_(form) {}
 
+    const textbook::Form& form() const { return form_; }
     int first() const { return form_.first; }
 
     /// The answer with so many mistakes in it; none where it breaks off.
@@ -28,6 +29,8 @@ private:
     const textbook::Form& form_;
     Row changed_;
 };
+
+Ask answers_of(const textbook::Form& form, const Signature& signature);
 
 /// The calls with the form's answers as the right ones; none: it breaks off in one.
 std::optional<Calls> with_answers_of(Asked& asked, Calls calls);

@@ -20,6 +20,13 @@ void each_form(const Calls& calls, bool sampled, Visit visit) {
     }
 }
 
+/// Whether answers are right as the calls have it.
+bool are_right(const Calls& answers, const Calls& calls) {
+    for (std::size_t k = 0; k < calls.size(); ++k)
+        if (!is_answer(calls.result, answers.right[k], calls.right[k])) return false;
+    return true;
+}
+
 /// Whether those parts of an answer are mine.
 bool is_as(const Calls& calls, std::size_t k, const std::vector<const Field*>& parts, const Row& answer) {
     if (answer.size() != calls.mine[k].size()) return false;
@@ -86,6 +93,7 @@ std::optional<Relation> relation_of_textbook(const Calls& calls, bool sampled, s
             auto found = search.one();
             if (!found) continue;
             found->cost += base.cost, found->other_numbers = base.cost > 0;
+            if (sampled && is_of_all && !are_right(own, calls)) found->other_form = &asked.form();
             if (found->explains != Relation::Explains::all) {
                 if (base.cost == 0 && (!some || some->share < found->share)) some = std::move(found);
             } else if (!best || best->cost > found->cost) {

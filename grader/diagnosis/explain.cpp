@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/asked.h"
 #include "diagnosis/bounds.h"
 #include "diagnosis/calls_made.h"
 #include "diagnosis/how.h"
@@ -62,8 +63,6 @@ bool are_near(const Calls& all) {
         if (!is_alike(all.result, all.mine[k], all.right[k], nearly)) return false;
     return true;
 }
-
-constexpr std::size_t most_of_spread = 50'000;  // of the solution's answers
 
 /// An explanation of one fragment, as it is made.
 class Explanation {
@@ -167,7 +166,7 @@ private:
         const bool is_known =
             !finding_.how.empty() || (!are_two && (is_exact(relation_) || (relation_ && relation_->by_repair)));
         if (!sampled_ || is_known || !editable_) return false;
-        std::size_t left = most_of_spread;
+        std::size_t left = 50'000;  // of the solution's answers
         const auto repair = repair_of_spread(all_, *editable_, limited(ask_right_, left));
         if (!repair) return false;
         finding_.how = broken_ ? broken_->words + "; " + repair->words : repair->words;
@@ -201,6 +200,8 @@ private:
             }
         if (wrong == all.size()) return {};
         WrongCalls region = region_of(all, is_known);
+        constexpr double nearly_all = 0.9;  // of the few that are right, what they have in common may be chance
+        if (!region.is_exact && double(wrong) > nearly_all * double(all.size())) region = {};
         finding_.where = fmt::format("{} of {} calls are wrong", wrong, all.size());
         if (not_numbers > 0) finding_.where += fmt::format(", {} of them nan", not_numbers);
         if (!region.words.empty()) finding_.where += ", " + which(region);
@@ -234,12 +235,14 @@ private:
     void add_example(const WrongCalls& region, bool is_one_right) {
         std::size_t left = 4000, left_of_own = 400'000;
         if (not_numbers_ > 0) return add_nan_example(region);
+        const bool is_form = relation_ && relation_->other_form;
         const bool is_elsewhere = is_elsewhere_ || (relation_ && (relation_->other_numbers || relation_->is_elsewhere));
         const Ask mine = limited(ask_mine_, left),
-                  right = is_elsewhere ? at_own_places(all_, mine, limited(ask_right_, left_of_own))
-                                       : limited(ask_right_, left);
-        Calls all = is_elsewhere ? picked(all_, most_compared) : all_;
-        if (is_elsewhere) all.right = right(all.rows);
+                  right = is_form        ? answers_of(*relation_->other_form, all_.signature)
+                          : is_elsewhere ? at_own_places(all_, mine, limited(ask_right_, left_of_own))
+                                         : limited(ask_right_, left);
+        Calls all = is_elsewhere || is_form ? picked(all_, most_compared) : all_;
+        if (is_elsewhere || is_form) all.right = right(all.rows);
         const Example simplest = simplest_wrong(all, region, mine, right);
         std::vector<bool> wrong_parts;
         bool is_place_wrong = false;

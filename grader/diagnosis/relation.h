@@ -1,6 +1,7 @@
 #pragma once
 
 #include "diagnosis/calls.h"
+#include "textbook/form.h"
 
 namespace grade {
 
@@ -24,10 +25,11 @@ struct Relation {
     /// mistake: the answers are right, for other random numbers that are as good.
     enum class Explains { all, some, nothing, no_mistake };
     Explains explains = Explains::all;
-    bool other_numbers = false;    // the answers are the right fragment's for other random numbers
-    bool is_elsewhere = false;     // so are its places, which are as good, and more is wrong with the rest
-    bool has_other_order = false;  // samples come in another order, which is as good: of a named mistake
-    double share = 1;              // of what is wrong that is explained
+    bool other_numbers = false;  // the answers are the right fragment's for other random numbers
+    bool is_elsewhere = false;   // so are its places, which are as good, and more is wrong with the rest
+    const textbook::Form* other_form = nullptr;  // that is right, and whose samples lie elsewhere than the solution's
+    bool has_other_order = false;                // samples come in another order, which is as good: of a named mistake
+    double share = 1;                            // of what is wrong that is explained
     // explained exactly by a change of arguments, of a textbook's expression; put right by one of the fragment's own
     bool by_arguments = false, by_textbook = false, by_repair = false;
     bool of_two = false;                  // of two mistakes at once

@@ -35,6 +35,8 @@ std::vector<std::vector<double>> simpler_values(const Field& part, const Row& ro
     } else if (part.kind == Kind::flag) {
         add({0});
     } else if (part.kind != Kind::choice) {
+        // the same number as 1 - u, by which others sample as well
+        if (part.name == "u") add(std::vector<double>(n, 0.5));
         for (const double x : {0.0, 1.0, 0.5, 2.0, -1.0, 0.25, 3.0, 10.0, 100.0, rt::inf})
             add(std::vector<double>(n, x));
         if (n == 2)
