@@ -4,7 +4,6 @@
 #include <csignal>
 #include <fstream>
 #include <sstream>
-#include <iterator>
 
 #include "catch.h"
 #include "files/files.h"
