@@ -1,5 +1,6 @@
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "calibration/nominal.h"
 #include "calibration/peers.h"
@@ -125,6 +126,28 @@ TEST_CASE("a store comes back as it was written; half a file is none") {
     write_text(file, text.substr(0, text.size() / 2));
     CHECK_FALSE(read_pool(file));
     CHECK_FALSE(read_pool(folder.path() / "missing"));
+}
+
+TEST_CASE("a store is filled up: what is there stays, and what is added is as if all were made at once") {
+    const TemporaryFolder folder;
+    const Workshop workshop(GRADE_TOOLCHAIN, folder.path(), {}, {"uniform_disk"});
+    const fs::path program = workshop.solution_program();
+    const auto collected = [&](int replicates, const Pool& before) {
+        return collect(*workshop.checks(1, "uniform_disk").front(), 1, replicates, program, program, workshop.sandbox(),
+                       workshop.meshes(), before);
+    };
+    const Pool all = collected(5, {});
+    Pool some = collected(2, {});
+    CHECK((some.has(2) && !some.has(5) && all.has(5)));
+    const double first = std::exchange(some.scalars.at(0), -7);
+    some.cpu_seconds = 100;
+    Pool filled = collected(5, some);
+    CHECK(std::exchange(filled.scalars.at(0), first) == -7);
+    CHECK(filled.scalars == all.scalars);
+    CHECK(filled.cpu_seconds >= 100);
+    // a program that breaks down gives no more
+    some.faults = most_faults;
+    CHECK((some.has(5) && collected(5, some).replicates() == 2));
 }
 
 TEST_CASE("replays pass what is right, fail what is off, and cost what their replicates cost") {

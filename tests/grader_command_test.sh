@@ -63,10 +63,15 @@ expect 0 "moved(vec3(" cat "$work/c.json"
 expect 0 "the code is its owner's" "$grade" solution moved --trusted
 
 # known variants: really graded, kept, gone on with, and reported
-calibrate=("$grade" calibrate mirror_direction --folder "$work/calibration" --replicates 64 --gradings 1 --draws 1000)
+calibrate=("$grade" calibrate mirror_direction --folder "$work/calibration" --gradings 1 --draws 1000 --replicates)
 expect 0 "gradings of variants, 0 off" "$grade" calibrate --fast mirror_direction
-expect 0 "shard 1/2 is done" "${calibrate[@]}" --shard 1/2
-expect 0 "wrong variants failed, real gradings" "${calibrate[@]}" --out "$work/report"
+expect 0 "shard 1/2 is done" "${calibrate[@]}" 64 --shard 1/2
+expect 0 "wrong variants failed, real gradings" "${calibrate[@]}" 64 --out "$work/report"
+expect 0 "was measured 64 times or more" cat "$work/report/calibration.md"
+# more of what is there: only what lacks is measured
+expect 0 "was measured 128 times or more" "${calibrate[@]}" 128
+# how far it is, where there is no terminal either
+expect 0 "1 of " bash -c 'exec "$@" >/dev/null' - "${calibrate[@]}" 128 --report
 expect 0 "What was to be shown" cat "$work/report/calibration.md"
 expect 0 "</svg>" cat "$work/report/calibration.svg"
 expect 2 "expected one like 2/4" "$grade" calibrate --shard 5/4

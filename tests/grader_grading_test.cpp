@@ -1,96 +1,12 @@
-
 #include "catch.h"
-#include "checks/kit/probe_check.h"
 #include "diagnosis/diagnosis.h"
-#include "files/files.h"
-#include "judging/budget.h"
-#include "judging/grading.h"
-#include "protocol/rows.h"
+#include "graded.h"
 #include "report/json.h"
 
 using namespace grade;
+using namespace grade::small;
 
 namespace {
-
-/// A check of one statistic, of calls with random arguments.
-Check toy(const std::string& fragment, std::function<Rows(Generator&)> inputs, Statistic statistic) {
-    return {"toy", fragment, Probe{fragment, std::move(inputs)}, {std::move(statistic)}};
-}
-
-/// A few small checks: one without noise, one with, one that is like the solution.
-std::vector<Check> toy_checks() {
-    const auto change_of_length = [](const Observation& seen) {
-        double most = 0;
-        for (std::size_t i = 0; i < seen.inputs.size(); ++i) {
-            const auto d = from_row<rt::vec3>(seen.inputs[i]), r = from_row<rt::vec3>(seen.outputs[i]);
-            most = std::max(most, std::abs(glm::length(d) - glm::length(r)));
-        }
-        return most;
-    };
-    const auto squared_radius = [](const Observation& seen) {
-        double sum = 0;
-        for (const Row& out : seen.outputs) {
-            const auto sample = from_row<rt::DiskSample>(out);
-            sum += rt::dot(sample.point, sample.point);
-        }
-        return sum / double(seen.outputs.size());
-    };
-    const auto directions = [](const Observation& seen) {
-        rt::vec3 total(0);
-        for (const Row& out : seen.outputs) total += rt::unit(from_row<rt::Ray>(out).direction);
-        return total.x + 2 * total.y + 3 * total.z;
-    };
-    const auto keep = [](double, double) { return std::string("keep the length"); };
-    return {toy("mirror_direction",
-                rows_of(20,
-                        [](Generator& random) {
-                            const rt::vec3 d = box(random, -2, 2);
-                            return row(d, direction(random));
-                        }),
-                {"M", "largest change of length [1]", change_of_length, 0.0, 0, 1e-12, true, keep}),
-            toy("uniform_disk", rows_of(200, [](Generator& random) { return row(square(random)); }),
-                {"D2", "mean squared radius [1]", squared_radius, 0.5, 0.002, 0.05, false, {}}),
-            toy("camera_ray", rows_of(10, [](Generator& random) { return row(rt::Camera{}, 256.0 * square(random)); }),
-                {"C", "sum of directions [1]", directions, std::nullopt, 0, 1e-9, true, {}})};
-}
-
-const std::vector<std::string> names{"mirror_direction", "uniform_disk", "camera_ray"};
-
-const Toolchain& toolchain() {
-    static const Toolchain chain = read_toolchain(GRADE_TOOLCHAIN);
-    return chain;
-}
-
-std::string solution(const std::string& fragment) { return read_text("solution/" + fragment + ".cpp").value(); }
-
-/// The solution of the three, with other texts for some.
-Submission submission(const std::map<std::string, std::string>& changed) {
-    Submission result{.name = "test"};
-    for (const std::string& name : names)
-        result.texts[name] = changed.contains(name) ? changed.at(name) : solution(name);
-    return result;
-}
-
-Record graded(const Submission& submission) {
-    GradingSettings settings;
-    settings.only = {names.begin(), names.end()};
-    settings.seed = 7;
-    settings.build.jobs = 2;
-    settings.time_limit = 1;
-    return grade_submission(submission, read_assignment("assignment.toml"), toolchain(), ready(toy_checks()), settings);
-}
-
-const FragmentRecord& of(const Record& record, const std::string& name) {
-    return *std::ranges::find(record.fragments, name, &FragmentRecord::name);
-}
-
-/// A text of mirror_direction with this body, and this before it.
-std::string mirror(const std::string& body, const std::string& before = "") {
-    return "#include \"rt/fragments.h\"\n#include <cstdlib>\n#include <cstdio>\n" + before +
-           "namespace rt {\nvec3 mirror_direction(vec3 d, vec3 n) {\n" + body + "\n}\n}\n";
-}
-
-const std::string right = "return d - 2.0 * dot(d, n) * n;";
 
 /// Grades a mirror_direction; the two others must not suffer.
 FragmentRecord graded_mirror(const std::string& text) {
@@ -178,84 +94,12 @@ TEST_CASE("what goes wrong in a fragment is told, and costs only itself") {
     }
 }
 
-namespace {
-
-/// Calls of mirror_direction with these d.x, a row each.
-Check mirror_check(const std::string& name, std::vector<double> xs) {
-    Check check = toy_checks().front();
-    check.name = name;
-    check.experiment = Probe{"mirror_direction", [xs](Generator&) {
-                                 Rows rows;
-                                 for (const double x : xs) rows.push_back(row(rt::vec3(x, 0, 0), rt::vec3(0, 0, 1)));
-                                 return rows;
-                             }};
-    return check;
-}
-
-FragmentRecord graded_with(const std::string& text, std::vector<Check> checks, int jobs) {
-    GradingSettings settings;
-    settings.only = {"mirror_direction"};
-    settings.time_limit = 1;
-    settings.build.jobs = jobs;
-    settings.build.trusted = true;
-    const Record record = grade_submission(submission({{"mirror_direction", text}}), read_assignment("assignment.toml"),
-                                           toolchain(), ready(std::move(checks)), settings);
-    return of(record, "mirror_direction");
-}
-
-}  // namespace
-
-TEST_CASE("of a loop that does not end its line is told, and the first call that it does not answer") {
-    const std::string text = mirror("while (d.x > 2) {\n    d.y += 1;\n}\n" + right);
-    const FragmentRecord fragment = graded_with(text, {mirror_check("one", {1, 2, 3, 4})}, 1);
-    CHECK(fragment.verdict == Verdict::timed_out);
-    CHECK(fragment.checks[0].trouble == Trouble::endless);
-    INFO(first_message(fragment));
-#ifndef __SANITIZE_ADDRESS__
-    CHECK(fragment.finding.fault == "mirror_direction.cpp:6: the loop here does not end");
-    CHECK(fragment.finding.command == "./grade call mirror_direction 'd = (3, 0, 0), n = (0, 0, 1)'");
-    CHECK_THAT(first_message(fragment), Catch::Matchers::ContainsSubstring("\nFor d = (3, 0, 0)"));
-#endif
-}
-
-TEST_CASE("checks before one that does not end count, whichever processor was faster") {
-    const std::string text =
-        mirror("if (d.x == 1) usleep(1'200'000);\nwhile (d.x > 2) d.y += 1;\n" + right, "#include <unistd.h>\n");
-    const auto verdicts = [&](int jobs) {
-        std::vector<Verdict> all;
-        const FragmentRecord fragment =
-            graded_with(text,
-                        {mirror_check("a", {1}), mirror_check("b", {0}), mirror_check("c", {2}), mirror_check("d", {3}),
-                         mirror_check("e", {0})},
-                        jobs);
-        for (const CheckRecord& check : fragment.checks) all.push_back(check.verdict);
-        return all;
-    };
-    using enum Verdict;
-    const std::vector<Verdict> expected{passed, passed, passed, timed_out, timed_out};
-    CHECK(verdicts(1) == expected);
-    CHECK(verdicts(2) == expected);
-}
-
 TEST_CASE("a fragment that does not compile shows the first error with file and line") {
     const FragmentRecord fragment = graded_mirror(mirror("return d - 2.0 * dot(d, normal) * n;"));
     CHECK(fragment.verdict == Verdict::did_not_build);
     INFO(fragment.message);
     CHECK(fragment.message.starts_with("mirror_direction.cpp:6:"));
     CHECK(fragment.message.find("normal") != std::string::npos);
-}
-
-TEST_CASE("a fragment's budget is a time for whatever it does, and many times what the solution needs") {
-    double mine = 0, other = 0;
-    int asked = 0;
-    const auto needs = [&](double seconds) { return [&asked, seconds] { return ++asked, seconds; }; };
-    Budget budget;
-    CHECK(budget.covers(mine, 4, needs(0)));
-    CHECK(budget.covers(other, 4.9, needs(0)));
-    CHECK(asked == 0);                                              // where it cannot matter, the solution does not run
-    CHECK(budget.covers(mine, 1000, needs(1000 / Budget::times)));  // as the solution, on a machine that is much slower
-    CHECK(budget.covers(other, 29, needs(0.01)));
-    CHECK_FALSE(budget.covers(mine, 1010, needs(1000 / Budget::times)));
 }
 
 TEST_CASE("a fragment that divides by 0 does not pass, be it inf or nan") {

@@ -43,14 +43,18 @@ int run_calibrate(const CalibrateArguments& arguments, const Context& context) {
         throw rt::InputError("no variant and no fragment has such a name; tests/variants holds them");
     if (arguments.fast) return grade_fast(workshop, !arguments.names.empty(), arguments.seeds, arguments.jobs) ? 0 : 1;
 
-    ProgressLine line;
-    if (!arguments.report) run_steps(steps_of(workshop), shard, shards, arguments.jobs, line.listener());
+    ProgressLine line(true);
+    const auto tell = [&line](int done, int all, const std::string& doing) {
+        constexpr int step = int(Work::check);  // all steps and all replays are counted alike
+        line.show(done / step, all / step, doing);
+    };
+    if (!arguments.report) run_steps(steps_of(workshop), shard, shards, arguments.jobs, tell);
     if (!arguments.report && shards > 1) {
         line.clear();
         fmt::print("shard {} is done: {}\n", arguments.shard, workshop.results().string());
         return 0;
     }
-    const Summary summary = summarize(workshop, arguments.jobs, line.listener());
+    const Summary summary = summarize(workshop, arguments.jobs, tell);
     line.clear();
     const fs::path out = arguments.out.empty() ? workshop.results() : fs::path(arguments.out);
     fs::create_directories(out);

@@ -9,14 +9,12 @@ namespace grade::calibration {
 
 namespace {
 
-constexpr int most_faults = 8;
 constexpr double patience_with_replicate = 10;  // CPU seconds of a replicate, as in a grading
 
 }  // namespace
 
 Pool collect(const Check& check, std::uint64_t seed, int replicates, const fs::path& program,
-             const fs::path& solution_program, const Sandbox& sandbox, const fs::path& meshes) {
-    Pool pool;
+             const fs::path& solution_program, const Sandbox& sandbox, const fs::path& meshes, Pool pool) {
     pool.statistics = int(check.statistics.size());
     SolutionRunners solutions(solution_program, sandbox, meshes);
     Reference reference(check, seed, solutions);
@@ -31,14 +29,15 @@ Pool collect(const Check& check, std::uint64_t seed, int replicates, const fs::p
         return std::nullopt;
     };
 
-    const auto first = next(0);
-    if (first) {
-        const auto again = next(0), second = next(1);
-        pool.unfit = again && unfit(check, *first, *again, reference);
-        pool.ignores_seed = second && ignores_seed(check, *first, *second, reference);
+    if (pool.replicates() == 0) {
+        if (const auto first = next(0)) {
+            const auto again = next(0), second = next(1);
+            pool.unfit = again && unfit(check, *first, *again, reference);
+            pool.ignores_seed = second && ignores_seed(check, *first, *second, reference);
+        }
+        pool.faults = 0, pool.cpu_seconds = 0;
     }
-    pool.faults = 0, pool.cpu_seconds = 0;
-    for (int k = 0; k < replicates && pool.faults < most_faults; ++k) {
+    for (int k = pool.replicates(); k < replicates && pool.faults < most_faults; ++k) {
         const auto observation = next(k);
         for (const Statistic& statistic : check.statistics)
             pool.scalars.push_back(observation ? measured(statistic, *observation)

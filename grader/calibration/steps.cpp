@@ -30,6 +30,7 @@ void write_json(const fs::path& path, const Json& json) {
 Step pool_step(const Workshop& workshop, const Variant* variant, const std::string& fragment, int part) {
     const std::string name = variant ? variant->name : "solution";
     const std::uint64_t seed = pool_seed(part);
+    const int replicates = workshop.amount().replicates / workshop.amount().seeds;
     Step step{fmt::format("replicates of {}, {}", name, fragment), {}, {}};
     for (const Check* check : workshop.checks(seed, fragment))
         step.results.push_back(pool_file(workshop, name, *check, seed));
@@ -37,12 +38,13 @@ Step pool_step(const Workshop& workshop, const Variant* variant, const std::stri
         const fs::path program = variant ? workshop.program(*variant) : workshop.solution_program();
         for (const Check* check : workshop.checks(seed, fragment)) {
             const fs::path file = pool_file(workshop, name, *check, seed);
-            if (fs::exists(file)) continue;
-            const int replicates = workshop.amount().replicates / workshop.amount().seeds;
+            const Pool before = read_pool(file).value_or(Pool{});
+            if (before.has(replicates)) continue;
             write_pool(file, collect(*check, seed, replicates, program, workshop.solution_program(), workshop.sandbox(),
-                                     workshop.meshes()));
+                                     workshop.meshes(), before));
         }
     };
+    step.is_whole = [replicates](const fs::path& file) { return read_pool(file).value_or(Pool{}).has(replicates); };
     return step;
 }
 

@@ -205,8 +205,9 @@ public:
         Progress progress(listener);
         progress.expect(Work::check, int(work_.size()));
         in_parallel(int(work_.size()), jobs, [&](int i) {
-            work_[std::size_t(i)].second();
-            progress.tell("replays: " + work_[std::size_t(i)].first);
+            const auto& [name, job] = work_[std::size_t(i)];
+            progress.tell("replays: " + name);
+            job();
             progress.done(Work::check);
         });
     }
@@ -273,6 +274,7 @@ private:
 
 Summary summarize(const Workshop& workshop, int jobs, const Progress::Listener& listener) {
     Summary summary;
+    Progress(listener).tell("reading what was measured");
     for (const Step& step : steps_of(workshop)) ++summary.steps, summary.steps_done += step.is_done();
     for (const Variant* variant : workshop.variants(Variant::Kind::right)) summary.right.push_back({variant});
     for (const Variant* variant : workshop.variants(Variant::Kind::wrong)) summary.wrong.push_back({variant});

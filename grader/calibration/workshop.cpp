@@ -127,9 +127,7 @@ fs::path Workshop::solution_program() const {
     return program("solution", "", "");
 }
 
-bool Step::is_done() const {
-    return std::ranges::all_of(results, [](const fs::path& path) { return fs::exists(path); });
-}
+bool Step::is_done() const { return std::ranges::all_of(results, is_whole); }
 
 void run_steps(const std::vector<Step>& steps, int shard, int shards, int jobs, const Progress::Listener& listener) {
     std::vector<const Step*> open;

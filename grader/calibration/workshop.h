@@ -73,11 +73,12 @@ private:
     mutable std::map<std::string, fs::path> folders_;
 };
 
-/// One piece of work, whose result is a file: done when the file is there.
+/// One piece of work, whose results are files: done when they are whole.
 struct Step {
     std::string name;
     std::vector<fs::path> results;
     std::function<void()> run;
+    std::function<bool(const fs::path&)> is_whole = [](const fs::path& result) { return fs::exists(result); };
 
     bool is_done() const;
 };

@@ -18,16 +18,6 @@ CheckRecord blank_record(const Check& check) {
     return record;
 }
 
-void leave_out(CheckRecord& record) {
-    record.verdict = Verdict::timed_out;
-    record.message = "not run, since an earlier check of this fragment timed out";
-    record.trouble = Trouble::not_run;
-    record.excerpt.clear();
-    record.statistics.clear();
-    record.cost = record.solution_cost = std::nullopt;
-    record.picture = record.solution_picture = {};
-}
-
 Record blank_record(const Programs& programs, const Assignment& assignment, const GradingSettings& settings) {
     Record grading;
     grading.submission = programs.submission();

@@ -8,9 +8,6 @@ namespace grade {
 /// A check as the record has it before it ran.
 CheckRecord blank_record(const Check& check);
 
-/// The same of a check that there is no time for any more.
-void leave_out(CheckRecord& record);
-
 /// A grading with its fragments, and yet without checks.
 Record blank_record(const Programs& programs, const Assignment& assignment, const GradingSettings& settings);
 

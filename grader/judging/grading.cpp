@@ -14,6 +14,7 @@
 #include "judging/lanes.h"
 #include "judging/provenance.h"
 #include "judging/run_check.h"
+#include "judging/time_outs.h"
 #include "programs/parallel.h"
 
 namespace grade {
@@ -56,13 +57,10 @@ private:
     std::vector<Task> tasks_;
     CheckSettings check_settings_;
     int links_expected_ = 0, checks_expected_ = 0;
-    std::map<std::string, Budget> budgets_;                  // by fragment
-    std::map<std::string, int> left_;                        // checks
-    std::map<std::string, const CheckRecord*> out_of_time_;  // by fragment: the first of its checks that timed out
+    std::map<std::string, Budget> budgets_;  // by fragment
+    std::map<std::string, int> left_;        // checks
     std::mutex lock_;
 };
-
-bool is_timed_out(const CheckRecord& record) { return record.verdict == Verdict::timed_out; }
 
 bool is_measured(const CheckRecord& record) {
     return record.verdict == Verdict::passed || record.verdict == Verdict::failed ||
@@ -87,12 +85,6 @@ void Grading::add_checks() {
                 fragment.name));
         for (std::size_t i = 0; i < own.size(); ++i) tasks_.push_back({own[i], &fragment, &fragment.checks[i]});
     }
-}
-
-/// Of a fragment whose checks have all come back: what a single processor would not have run.
-void leave_out_late(FragmentRecord& fragment) {
-    if (const auto first = std::ranges::find_if(fragment.checks, is_timed_out); first != fragment.checks.end())
-        std::for_each(std::next(first), fragment.checks.end(), leave_out);
 }
 
 void Grading::finish(FragmentRecord& fragment) {
@@ -233,24 +225,18 @@ void Grading::judge_next(const Task& task, Lane& lane, SolutionRunners& solution
     const std::string& fragment = task.check->fragment;
     progress_.tell(key_of(*task.check));
     CheckRecord record = blank_record(*task.check);
-    bool is_late = false, is_last = false;
+    bool late = false, is_last = false;
     {
         const std::scoped_lock lock(lock_);
-        // those before it count: which are run does not depend on which of two processors is faster
-        const auto first = out_of_time_.find(fragment);
-        is_late = first != out_of_time_.end() && first->second < task.record;
+        late = is_late(*task.fragment, *task.record);
     }
-    if (is_late)
+    if (late)
         leave_out(record);
     else
         record = judge(task, lane, solutions);
     {
         const std::scoped_lock lock(lock_);
         *task.record = std::move(record);
-        if (is_timed_out(*task.record)) {
-            const CheckRecord*& first = out_of_time_.try_emplace(fragment, task.record).first->second;
-            first = std::min(first, static_cast<const CheckRecord*>(task.record));
-        }
         is_last = --left_[fragment] == 0;
         if (is_last) leave_out_late(*task.fragment);
     }
