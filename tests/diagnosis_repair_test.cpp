@@ -3,6 +3,7 @@
 #include "diagnosis/repair.h"
 #include "explained.h"
 #include "textbook/edits.h"
+#include "textbook/in_double.h"
 #include "textbook/operators.h"
 #include "textbook/source.h"
 
@@ -127,6 +128,18 @@ TEST_CASE("a student's source that is not read") {
     refused(function("    return " + lambdas + ";\n"));
 }
 
+TEST_CASE("a student's source: real numbers in the places of whole ones, one at a time") {
+    const auto all = textbook::with_reals(
+        function("    const int cut = x;\n    for (int i = 0; i < 3; ++i) x += (i + 1) / 3 + cut / 2.0;\n"
+                 "    return x / 0.5;\n"));
+    REQUIRE(all.size() == 2);
+    CHECK_THAT(all[0].text, ContainsSubstring("const double cut = x;") && ContainsSubstring("(i + 1) / 3"));
+    CHECK(all[0].line == 6);
+    CHECK_THAT(all[1].text, ContainsSubstring("(i + 1) * 1.0 / 3 + cut / 2.0") && ContainsSubstring("int cut"));
+    CHECK(all[1].is_quotient);
+    CHECK(all[1].line == 7);
+}
+
 TEST_CASE("comments are not quoted") {
     const auto source =
         textbook::editable(function("    Real volatile /* all points, please */ y = x + 1;\n    return y;\n"));
@@ -216,7 +229,8 @@ Finding found(const Flight& flight) {
 
 TEST_CASE("what must stand in a student's own expression is told, with its line") {
     const Finding one = found({-1, 1, 0.3});
-    CHECK_THAT(one.how, ContainsSubstring("with `extinction` in place of `down` in line 5"));
+    CHECK_THAT(one.how,
+               ContainsSubstring("with `down = extinction` in place of `down = pow(extinction, p)` in line 5"));
     CHECK_THAT(one.how, ContainsSubstring("every answer is right"));
     CHECK(one.by_repair);
     // where a textbook's form says what it is, the line alone
@@ -235,7 +249,7 @@ TEST_CASE("what must stand where samples lie elsewhere than the solution's") {
         const auto found = repair_of_spread(told, flight.editable(), answers("free_flight"));
         return found ? found->words : "";
     };
-    CHECK_THAT(repair({-1, 2, 0, 0}), ContainsSubstring("in place of `down` in line 5") &&
+    CHECK_THAT(repair({-1, 2, 0, 0}), ContainsSubstring("in place of `down = pow(extinction, p)` in line 5") &&
                                           ContainsSubstring("the samples are spread as they must be"));
     CHECK(repair({-1, 1, 0, 0}).empty());      // right, elsewhere
     CHECK(repair({-1, 1, 0.3, 0}) != "");      // `extinction`

@@ -211,9 +211,24 @@ std::string independence(const Calls& calls, const std::vector<Dependence>& all)
     const auto tell = [](std::string& list, const std::string& name) {
         list += (list.empty() ? "`" : ", `") + name + "`";
     };
+    // of two arguments that are one, either may be used
+    const auto has_twin = [&](std::size_t i) {
+        for (std::size_t j = 0; j < parts.size(); ++j) {
+            std::size_t k = 0;
+            const auto same = [&] {
+                const double *a = &calls.rows[k][calls.layouts[k].parts[i].at],
+                             *b = &calls.rows[k][calls.layouts[k].parts[j].at];
+                return std::equal(a, a + size_of(parts[i].kind), b);
+            };
+            if (i == j || parts[i].kind != Kind::vector || parts[j].kind != Kind::vector) continue;
+            while (k < calls.size() && same()) ++k;
+            if (k == calls.size()) return true;
+        }
+        return false;
+    };
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (all[i].right > often && all[i].mine == 0) tell(lost, parts[i].name);
-        if (all[i].mine > often && all[i].right == 0) tell(added, parts[i].name);
+        if (all[i].right > often && all[i].mine == 0 && !has_twin(i)) tell(lost, parts[i].name);
+        if (all[i].mine > often && all[i].right == 0 && !has_twin(i)) tell(added, parts[i].name);
     }
     if (!lost.empty()) return fmt::format("the answer is the same whatever {} is", lost);
     if (!added.empty()) return fmt::format("the answer depends on {}, which must not matter", added);

@@ -89,6 +89,8 @@ public:
         const bool is_nothing = !relation_ || relation_->explains == Relation::Explains::nothing;
         if (is_nothing) broken_ = broken_bound(all_, right_);
         if (is_rare(broken_) && sampled_ && spread_of(all_, all_, mine_, right_)) broken_.reset();
+        if (finding_.how.empty() && !(relation_ && relation_->by_repair))
+            finding_.how = by_reals(all_, source.with_reals);
         tell_how();
         tell_what_else_is_broken();
         if (relation_ && relation_->has_other_order)  // then no call by itself is wrong but for what leaves its bounds
@@ -128,7 +130,7 @@ private:
             editable_ = source.editable();
             add_repair(relation_, many_calls_, editable_, unused.empty() ? independence(all_, depends_) : unused);
         }
-        finding_.sampled = sampled_;
+        finding_.sampled = sampled_, finding_.line = relation_ ? relation_->line_of_repair : 0;
         if (is_exact(relation_)) {
             finding_.by_arguments = relation_->by_arguments, finding_.by_textbook = relation_->by_textbook;
             finding_.by_repair = relation_->by_repair;
@@ -138,8 +140,7 @@ private:
 
     /// Whether it is broken in few calls: then it may follow from what is wrong in all.
     bool is_rare(const std::optional<Broken>& broken) const {
-        constexpr std::size_t rare = 20;
-        return broken && rare * broken->calls.size() < all_.size();
+        return broken && 20 * broken->calls.size() < all_.size();
     }
 
     /// How wrong answers come about, where they are not nearly right.
@@ -278,14 +279,13 @@ private:
     std::size_t left_ = most_calls;
     const Ask mine_ = limited(ask_mine_, left_), right_ = limited(ask_right_, left_);
     Calls all_, many_calls_{};
-    bool sampled_;
+    bool sampled_, is_elsewhere_ = false;
     std::size_t wrong_ = 0, not_numbers_ = 0;  // calls
     std::vector<Dependence> depends_;
     std::optional<Relation> relation_;
     std::optional<Broken> broken_;
     std::optional<Editable> editable_;
     Finding finding_;
-    bool is_elsewhere_ = false;
 };
 
 }  // namespace

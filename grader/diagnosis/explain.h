@@ -9,8 +9,9 @@ namespace grade {
 
 /// A fragment compiled from other texts than its own; each is made at the first call. None: it cannot be made.
 struct Recompiled {
-    std::function<std::optional<Editable>()> editable{};   // with expressions that can be changed
-    std::function<std::optional<InDouble>()> in_double{};  // none as well where it has no `float`
+    std::function<std::optional<Editable>()> editable{};  // with expressions that can be changed
+    MadeInDouble in_double{};                             // none as well where it has no `float`
+    std::vector<MadeInDouble> with_reals{};               // in place of a whole number each
 };
 
 /// What calls of a fragment show about its mistake: the same for every fragment, from its declaration alone. Asks both

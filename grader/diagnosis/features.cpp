@@ -19,7 +19,7 @@ constexpr double share = 0.95;       // of either kind that a rule must tell rig
 constexpr std::size_t at_least = 4;  // calls of either kind
 
 WrongCalls region(const Feature& one, bool is_exact) {
-    return {one.words, one.test, is_exact, one.of_answers, one.not_unit, {one.number}};
+    return {one.words, one.test, is_exact, one.of_answers, one.not_unit, {one.number}, one.is_of_axis};
 }
 
 class Features {

@@ -1,6 +1,7 @@
 #include "diagnosis/form_search.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace grade {
 
@@ -57,7 +58,15 @@ std::optional<Relation> FormSearch::one(bool or_of_arguments, double dearest) {
     return most;
 }
 
+bool FormSearch::are_hits_alone() const {
+    constexpr std::size_t enough = 48;
+    return wrong_.size() < enough && std::ranges::all_of(wrong_, [&](std::size_t k) {
+               return std::isinf(calls_.mine[k].front()) || std::isinf(calls_.right[k].front());
+           });
+}
+
 std::optional<Relation> FormSearch::two() {
+    if (are_hits_alone()) return std::nullopt;
     const std::vector<Change> changes = changes_of(calls_.layouts.front(), calls_.told);
     std::vector<Mistake> all = mistakes_and(changes);
     std::erase_if(all, [&](const Mistake& m) { return m.cost > dearest_of_pairs || !changes_an_answer(m); });

@@ -50,6 +50,8 @@ private:
     /// Of the wrong calls; 0 where it breaks a right one.
     double share_of(const Mistake& mistake);
 
+    /// Whether the wrong calls, too few for pairs of changes, tell hits from misses alone.
+    bool are_hits_alone() const;
     bool explain_all(const Mistake& first, const Mistake& second);
 
     Relation relation(const Mistake& mistake, double share) const;

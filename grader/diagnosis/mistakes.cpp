@@ -202,12 +202,13 @@ private:
         const bool is_answer = nodes_[i].context.ends_with("return " + nodes_[i].text);
         const bool is_constant = is_literal(nodes_[i].text);
         add_functions(i, scalar_functions, is_constant && !is_answer ? 0.4 : 0, Made::number);
-        constexpr double small = 0.01, near_one = 0.9, large = 50;
+        constexpr double small = 0.1, near_one = 0.9, above_one = 1.3, large = 50;
         const double value = is_constant ? std::strtod(nodes_[i].text.c_str(), nullptr) : 1;
         const bool is_tolerance = is_constant && value > 0 && value <= small;
         if (is_tolerance) add_functions(i, tolerance_functions, 0, Made::tolerance);
         if (value >= large) add_functions(i, limit_functions, 0, Made::limit);
-        if (is_constant && value >= near_one && value < 1) add_functions(i, share_functions, 0, Made::share);
+        if (is_constant && value >= near_one && value <= above_one && value != 1)
+            add_functions(i, share_functions, 0, Made::share);
         for (const OtherValue& other : others_) {
             if (!is_number(other.kind) || other.name == nodes_[i].name) continue;
             add_functions_of_two(i, other, of_two_scalars, Made::number_with);

@@ -55,10 +55,14 @@ std::string by_double(const Calls& calls, const InDouble& source) {
     if (answers.size() != calls.size()) return {};
     for (std::size_t k = 0; k < calls.size(); ++k)
         if (!is_equal(calls.result, answers[k], calls.right[k])) return {};
-    return fmt::format(
-        "with `double` in place of `float` in line {}, every answer is right: single precision has 7 digits, and "
-        "fewer are left where numbers cancel",
-        source.line);
+    return fmt::format("with {} in line {}, every answer is right: {}", source.words, source.line, source.since);
+}
+
+std::string by_reals(const Calls& calls, const std::vector<MadeInDouble>& sources) {
+    for (const MadeInDouble& made : sources)
+        if (const auto source = made())
+            if (std::string words = by_double(calls, *source); !words.empty()) return words;
+    return {};
 }
 
 }  // namespace grade

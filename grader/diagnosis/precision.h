@@ -1,6 +1,9 @@
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "diagnosis/calls.h"
 
@@ -10,13 +13,21 @@ namespace grade {
 /// all differ from these from the seventh digit on. Empty: neither holds.
 std::string in_single_precision(const Calls& calls);
 
-/// A fragment with `double` in place of each `float`.
+/// A fragment with `double` in place of each `float`, or of a whole number.
 struct InDouble {
     Ask ask;
-    int line;  // of its first `float`
+    int line;           // of the first
+    const char* words;  // "`double` in place of `float`"
+    const char* since;  // why that is wrong
 };
 
 /// Says so where that is all it takes; else empty.
 std::string by_double(const Calls& calls, const InDouble& source);
+
+/// One that is compiled when it is called; none: it cannot be.
+using MadeInDouble = std::function<std::optional<InDouble>()>;
+
+/// Says so of the first of these that is all it takes; else empty.
+std::string by_reals(const Calls& calls, const std::vector<MadeInDouble>& sources);
 
 }  // namespace grade

@@ -39,6 +39,7 @@ struct Relation {
     Rows others{};                        // of the calls that were looked at, those that are not explained
     std::string in_others{};              // what is wrong in these, or where the right answer is 0 or inf
     int line = 0;                         // of the fragment's own source, where the change is; 0: unknown
+    int line_of_repair = 0;               // likewise, of one change that makes all answers right
     std::string repair{};                 // what would have to stand there
 
     bool has_change() const { return kind != Kind::sentence; }

@@ -255,45 +255,4 @@ std::optional<Repair> repair_of_spread(const Calls& calls, const Editable& sourc
     return calls.size() == 0 ? std::nullopt : Repairs(calls, source).of_spread(right);
 }
 
-namespace {
-
-/// Whether all wrong answers are one: whatever gives that one explains them.
-bool are_one_answer(const Calls& calls) {
-    const Calls wrong = only_wrong(calls);
-    return std::ranges::all_of(wrong.mine,
-                               [&](const Row& row) { return is_equal(calls.result, row, wrong.mine.front()); });
-}
-
-}  // namespace
-
-void add_repair(std::optional<Relation>& relation, const Calls& calls, const std::optional<Editable>& source,
-                const std::string& known) {
-    const bool is_cause = is_exact(relation) && !relation->is_constant;
-    const auto repair = source ? repair_of(calls, *source, is_cause) : std::nullopt;
-    if (!repair) return;
-    const bool is_all = repair->share == 1;
-    const bool is_by_chance =
-        is_exact(relation) && relation->has_change() && !relation->calls.empty() && are_one_answer(calls);
-    constexpr double odd = 1.9;  // what nobody writes by mistake, as `b / a` for `a`
-    const bool is_odd =
-        is_exact(relation) && (relation->of_two || (relation->kind == Relation::Kind::change && relation->cost >= odd));
-    const bool is_less_simple = is_odd && repair->is_simple;
-    if (is_all && (is_by_chance || is_less_simple)) relation.reset();
-    if (is_exact(relation)) {
-        if (!is_all && is_cause) return;
-        relation->by_repair = is_all;
-        constexpr double simple = 1.9;  // a change of arguments that a student may have made
-        const bool is_told = relation->by_textbook || relation->cost < simple;
-        if (relation->is_change() && is_told)
-            relation->line = repair->line;
-        else
-            relation->repair = repair->words;
-    } else if (is_all || !relation || relation->explains == Relation::Explains::nothing ||
-               relation->share < repair->share) {
-        relation = Relation{known.empty() ? repair->words : known + "; " + repair->words};
-        relation->by_repair = is_all, relation->share = repair->share, relation->of_two = repair->is_of_two;
-        relation->explains = is_all ? Relation::Explains::all : Relation::Explains::some;
-    }
-}
-
 }  // namespace grade

@@ -92,6 +92,7 @@ WrongCalls where_wrong(const Calls& calls, bool of_answers) {
         if (WrongCalls among = where_among_alike(calls); among.is_exact) region = std::move(among);
     if (const std::string words = region.is_exact ? "" : table_of(calls); !words.empty())
         region = {words, [](const Row&, const Layout&, const Row&) { return true; }, true};
+    if (region.is_of_axis) region.words += ": a cross product with that axis is 0 there";
     if (!region.words.empty()) region.words = (region.is_exact ? "where " : "nearly all of them where ") + region.words;
     return region;
 }

@@ -12,6 +12,7 @@ struct WrongCalls {
     bool of_answers = false;             // right answers set them apart, first of all
     std::string not_unit{};              // the vector whose length sets them apart, since it is not 1
     std::vector<std::string> numbers{};  // "c" of "`c < 0`"
+    bool is_of_axis = false;             // in them a direction is along an axis of the world
 };
 
 /// What sets wrong calls apart from right ones; empty where nothing does.

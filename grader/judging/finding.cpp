@@ -1,5 +1,7 @@
 #include "judging/finding.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <ctime>
@@ -169,7 +171,26 @@ std::optional<InDouble> in_double_of(Programs& programs, const std::string& frag
     const auto program = widened ? programs.with_text(fragment, widened->text, "in_double") : std::nullopt;
     if (!program) return std::nullopt;
     return InDouble{asking(*program, programs.sandbox(), meshes, seconds, answers_to(fragment, width, false)),
-                    widened->line};
+                    widened->line, "`double` in place of `float`",
+                    "single precision has 7 digits, and fewer are left where numbers cancel"};
+}
+
+/// The fragment with a real number in place of a whole one.
+std::vector<MadeInDouble> with_reals_of(Programs& programs, const std::string& fragment, const fs::path& meshes,
+                                        double& seconds, const std::shared_ptr<std::size_t>& width) {
+    std::vector<MadeInDouble> all;
+    for (textbook::Widened& widened : textbook::with_reals(programs.text(fragment)))
+        all.push_back([&, fragment, meshes, width, number = all.size(),
+                       widened = std::move(widened)]() -> std::optional<InDouble> {
+            const auto program = programs.with_text(fragment, widened.text, fmt::format("with_real_{}", number));
+            if (!program) return std::nullopt;
+            return InDouble{asking(*program, programs.sandbox(), meshes, seconds, answers_to(fragment, width, false)),
+                            widened.line,
+                            widened.is_quotient ? "`* 1.0 /` in place of `/`" : "`double` in place of `int`",
+                            widened.is_quotient ? "a quotient of whole numbers loses what is behind the point"
+                                                : "a whole number loses what is behind the point"};
+        });
+    return all;
 }
 
 }  // namespace
@@ -192,7 +213,8 @@ Finding find_cause(Programs& programs, const Toolchain& chain, const std::string
     if (hangs) return {};
     if (not_finite) add_not_finite(calls, calls_of(fragment, checks, seed, most_of_all), mine, right);
     const Recompiled source{[&] { return editable_of(programs, fragment, meshes, seconds); },
-                            [&] { return in_double_of(programs, fragment, meshes, seconds, width); }};
+                            [&] { return in_double_of(programs, fragment, meshes, seconds, width); },
+                            with_reals_of(programs, fragment, meshes, seconds, width)};
     const Ask again = asking(own, sandbox, meshes, seconds, answers_to(fragment, width, false));
     Finding finding;
     if (!calls.empty() && keeps_something(calls, mine, again))

@@ -66,7 +66,8 @@ void each_field(Some<CheckRecord> auto& c, auto&& field) {
 void each_field(Some<Finding> auto& f, auto&& field) {
     field("how", f.how), field("where", f.where), field("arguments", f.arguments), field("answer", f.answer);
     field("right", f.right), field("sampled", f.sampled), field("code", f.code), field("command", f.command);
-    field("fault", f.fault), field("of_numbers", f.of_numbers), field("says_which", f.says_which);
+    field("fault", f.fault), field("of_numbers", f.of_numbers), field("line", f.line),
+        field("says_which", f.says_which);
 }
 
 template <class Type>

@@ -78,10 +78,11 @@ struct Finding {
     std::string command;        // for a shell: "./grade call moved 'time = -1'"; empty: it cannot be written there
     std::string fault;          // "phong.cpp:24: no value is returned": what sanitizers say of a call; untrusted text
 
-    // Not in the record: what `how` says of answers that are numbers; whether `where` says which calls; whether a
-    // change of arguments, or of a textbook's expression, explains the answers exactly; whether one of the fragment's
-    // own expressions makes them right; CPU time.
+    // Not in the record: what `how` says of answers that are numbers; in which line one change makes all right; whether
+    // `where` says which calls; whether a change of arguments, or of a textbook's expression, explains the answers
+    // exactly; whether one of the fragment's own expressions makes them right; CPU time.
     std::string of_numbers{};
+    int line = 0;  // 0: unknown
     bool says_which = false, by_arguments = false, by_textbook = false, by_repair = false;
     double cpu_seconds = 0;
 };

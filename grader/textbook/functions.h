@@ -92,9 +92,10 @@ inline constexpr Function limit_functions[] = {
     {"1e9 * {}", 1.05, [](double x) { return 1e9 * x; }, ": values beyond it are promised"},
 };
 
-/// Of a constant just below 1.
+/// Of a constant close to 1.
 inline constexpr Function share_functions[] = {
     {"1", 1.05, [](double) { return 1.0; }, ": values up to 1 are promised"},
+    {"1 + 1e-9", 1.1, [](double) { return 1 + 1e-9; }, ": a tolerance must be small"},
 };
 
 /// Of both coordinates of a pair.

@@ -51,4 +51,34 @@ std::optional<Widened> in_double(const std::string& text) {
     return all.line > 0 ? std::optional(all) : std::nullopt;
 }
 
+namespace {
+
+/// "0.5", "1e-3"
+bool is_real(const Token& token) {
+    return token.kind == Token::Kind::number && token.text.find_first_of(".eE") != std::string::npos;
+}
+
+bool is_declared_whole(const std::vector<Token>& tokens, std::size_t i) {
+    const bool is_type = tokens[i].text == "int" || tokens[i].text == "long";
+    const std::string before = i > 0 ? tokens[i - 1].text : ";";
+    const bool is_first = before == ";" || before == "{" || before == "}" || before == "const";
+    return is_type && is_first && tokens[i + 1].kind == Token::Kind::name && tokens[i + 2].text == "=";
+}
+
+}  // namespace
+
+std::vector<Widened> with_reals(const std::string& text) {
+    constexpr std::size_t most = 6;
+    const std::vector<Token> tokens = tokens_of(text);
+    std::vector<Widened> all;
+    for (std::size_t i = 0; tokens[i].kind != Token::Kind::end && all.size() < most; ++i) {
+        const Token& token = tokens[i];
+        const bool is_quotient = token.text == "/" && i > 0 && !is_real(tokens[i - 1]) && !is_real(tokens[i + 1]);
+        if (!is_quotient && !is_declared_whole(tokens, i)) continue;
+        all.push_back({text.substr(0, token.from) + (is_quotient ? "* 1.0 /" : "double") + text.substr(token.to),
+                       token.line, is_quotient});
+    }
+    return all;
+}
+
 }  // namespace grade::textbook

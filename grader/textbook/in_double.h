@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace grade::textbook {
 
@@ -9,9 +10,14 @@ namespace grade::textbook {
 struct Widened {
     std::string text;
     int line;  // of the first difference
+    bool is_quotient = false;
 };
 
 /// The source with `double` in place of each `float`, of its vectors, constants and functions too. None: it has none.
 std::optional<Widened> in_double(const std::string& text);
+
+/// The source with a real number in place of a whole one: of one variable that is declared as `int`, or of one quotient.
+/// Not of what a loop counts, of parameters, or where a constant such as 0.5 makes it real; no more than six.
+std::vector<Widened> with_reals(const std::string& text);
 
 }  // namespace grade::textbook
