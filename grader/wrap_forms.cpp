@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <exception>
 #include <iostream>
 #include <map>
 #include <span>
+#include <stdexcept>
 
 #include "files/files.h"
 #include "textbook/hidden.h"

@@ -1,4 +1,6 @@
 
+#include <stdexcept>
+
 #include "diagnosis/calls_made.h"
 #include "diagnosis/repair.h"
 #include "explained.h"

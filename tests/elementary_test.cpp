@@ -1,5 +1,6 @@
 #include "rt/elementary.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 

@@ -1,5 +1,7 @@
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 #include "catch.h"
 #include "convert/read_record.h"
 #include "diagnosis/diagnosis.h"

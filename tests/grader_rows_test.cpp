@@ -1,3 +1,5 @@
+#include <stdexcept>
+
 #include "catch.h"
 #include "protocol/rows.h"
 

@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <map>
+#include <sstream>
 
 #include "assignment/assignment.h"
 #include "assignment/strip.h"

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <regex>
 #include <set>
+#include <stdexcept>
 
 #include "assignment/assignment.h"
 #include "catch.h"

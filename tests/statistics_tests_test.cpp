@@ -1,4 +1,5 @@
 #include <random>
+#include <stdexcept>
 #include <vector>
 
 #include "catch.h"

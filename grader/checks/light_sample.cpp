@@ -1,3 +1,4 @@
+#include "checks/kit/own_density.h"
 #include "checks/kit/shadow_scene.h"
 #include "checks/light_sample/checks.h"
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "rt/fragments.h"
 #include "rt/sampler.h"
 
 namespace grade {

@@ -1,17 +1,17 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 namespace grade::course {
 
-/// A C++ text without comments, white space and names: what two texts have in common that differ in nothing else.
+/// A C++ text without names, white space, comments and lines for the preprocessor: what two texts have in common that
+/// differ in nothing else.
 struct Fingerprint {
     std::string hash;
     int tokens = 0;
 };
 
 /// Names are numbered in the order in which they come, but for C++'s own words.
-Fingerprint fingerprint(std::string_view text);
+Fingerprint fingerprint(const std::string& text);
 
 }  // namespace grade::course

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <functional>
+#include <vector>
 
 #include "statistics/distributions.h"
 #include "statistics/moments.h"

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <stdexcept>
-
 #include "diagnosis/expressions.h"
 
 namespace grade {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <stdexcept>
 
 #include "diagnosis/asked.h"
 #include "diagnosis/bounds.h"

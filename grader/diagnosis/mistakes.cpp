@@ -1,7 +1,6 @@
 #include "diagnosis/mistakes.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "diagnosis/expressions.h"
 #include "diagnosis/scalars.h"

@@ -9,6 +9,7 @@
 #include "submission/archive.h"
 #include "submission/code_only.h"
 #include "submission/framework.h"
+#include "submission/near_name.h"
 
 namespace grade {
 

@@ -4,6 +4,7 @@
 
 #include "exr.h"
 #include "extremes/transform.h"
+#include "rt/fragments.h"
 
 using namespace rt;
 

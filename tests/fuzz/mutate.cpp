@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string>
+#include <vector>
 
 /// fuzz [--seed N] [--cases N] [--seconds N] [--only N] FOLDER...: feeds mutations of all files of these folders to
 /// LLVMFuzzerTestOneInput, the unchanged files first. A case that fails is named, with the way to repeat it.

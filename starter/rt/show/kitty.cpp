@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "rt/files/words.h"
 #include "rt/show/encode.h"
 
