@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "diagnosis/calls_made.h"
 #include "diagnosis/repair.h"
 
 namespace grade {
