@@ -1,5 +1,7 @@
 #include "textbook/source.h"
 
+#include <algorithm>
+
 #include "textbook/statements.h"
 
 namespace grade::textbook {
@@ -37,7 +39,7 @@ public:
         all.nodes = std::move(nodes_);
         all.varying = varying();
         for (Node& node : all.nodes) {
-            node.known_in = 1;  // in its function
+            node.known_in = std::min<std::size_t>(1, node.blocks.size());  // in its function
             for (const Token& token : tokens_of(node.name == node.text ? node.text : node.name + ", " + node.text)) {
                 node.varies = node.varies || all.varying.contains(token.text);
                 node.known_in = std::max(node.known_in, known_in(token.text, node.blocks));
