@@ -57,7 +57,7 @@ vec3 refracted_direction(vec3 d, vec3 n, Real ior_from, Real ior_to) {
     return ratio * d + (ratio * c - std::sqrt(rest)) * n;
 }
 END
-hint refracted_direction "0 of 3" " in line 7, \`c = dot(d, n)\`, and \`(0, 0, 0)\` in place of \`d - 2 * c * n\` in line 9"
+hint refracted_direction "0 of 3" " in line 7, \`c = dot(d, n)\`, and \`vec3(0, 0, 0)\` in place of \`d - 2 * c * n\` in line 9"
 
 # a product number by number in place of a dot product
 fragment mirror_direction <<'END'
