@@ -21,7 +21,7 @@ std::string Relation::all_words() const {
     std::string all = words() + usually;
     if (only_where_not_nothing && !in_others.empty()) all += "; elsewhere, " + in_others;
     if (!repair.empty()) return all + "; " + repair;
-    return line == 0 ? all : fmt::format("{}{} line {}", all, usually.ends_with('?') ? " See" : ": see", line);
+    return line == 0 ? all : fmt::format("{}{} line {}", all, all.ends_with('?') ? " See" : ": see", line);
 }
 
 Relation no_mistake() {
