@@ -180,8 +180,8 @@ std::vector<MadeInDouble> with_reals_of(Programs& programs, const std::string& f
                                         double& seconds, const std::shared_ptr<std::size_t>& width) {
     std::vector<MadeInDouble> all;
     for (textbook::Widened& widened : textbook::with_reals(programs.text(fragment)))
-        all.push_back([&, fragment, meshes, width, number = all.size(),
-                       widened = std::move(widened)]() -> std::optional<InDouble> {
+        all.emplace_back([&, fragment, meshes, width, number = all.size(),
+                          widened = std::move(widened)]() -> std::optional<InDouble> {
             const auto program = programs.with_text(fragment, widened.text, fmt::format("with_real_{}", number));
             if (!program) return std::nullopt;
             return InDouble{asking(*program, programs.sandbox(), meshes, seconds, answers_to(fragment, width, false)),
