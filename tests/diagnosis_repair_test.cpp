@@ -130,16 +130,17 @@ TEST_CASE("a student's source that is not read") {
     refused(function("    return " + lambdas + ";\n"));
 }
 
-TEST_CASE("a student's source: real numbers in the places of whole ones, one at a time") {
+TEST_CASE("a student's source: real numbers in the places of whole ones, all and one at a time") {
     const auto all = textbook::with_reals(
         function("    const int cut = x;\n    for (int i = 0; i < 3; ++i) x += (i + 1) / 3 + cut / 2.0;\n"
                  "    return x / 0.5;\n"));
-    REQUIRE(all.size() == 2);
-    CHECK_THAT(all[0].text, ContainsSubstring("const double cut = x;") && ContainsSubstring("(i + 1) / 3"));
-    CHECK(all[0].line == 6);
-    CHECK_THAT(all[1].text, ContainsSubstring("(i + 1) * 1.0 / 3 + cut / 2.0") && ContainsSubstring("int cut"));
-    CHECK(all[1].is_quotient);
-    CHECK(all[1].line == 7);
+    REQUIRE(all.size() == 3);
+    CHECK_THAT(all[0].text, ContainsSubstring("const double cut = x;") && ContainsSubstring("(i + 1) * 1.0 / 3"));
+    CHECK_THAT(all[1].text, ContainsSubstring("const double cut = x;") && ContainsSubstring("(i + 1) / 3"));
+    CHECK(all[1].line == 6);
+    CHECK_THAT(all[2].text, ContainsSubstring("(i + 1) * 1.0 / 3 + cut / 2.0") && ContainsSubstring("int cut"));
+    CHECK(all[2].is_quotient);
+    CHECK(all[2].line == 7);
 }
 
 TEST_CASE("comments are not quoted") {

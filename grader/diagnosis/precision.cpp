@@ -59,10 +59,14 @@ std::string by_double(const Calls& calls, const InDouble& source) {
 }
 
 std::string by_reals(const Calls& calls, const std::vector<MadeInDouble>& sources) {
-    for (const MadeInDouble& made : sources)
-        if (const auto source = made())
-            if (std::string words = by_double(calls, *source); !words.empty()) return words;
-    return {};
+    std::string all;
+    for (const MadeInDouble& made : sources) {
+        const auto source = made();
+        std::string words = source ? by_double(calls, *source) : "";
+        if (&made != &sources.front() && !words.empty()) return words;
+        if (&made == &sources.front() && (all = std::move(words)).empty()) return {};
+    }
+    return all;
 }
 
 }  // namespace grade

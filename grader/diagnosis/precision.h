@@ -27,7 +27,8 @@ std::string by_double(const Calls& calls, const InDouble& source);
 /// One that is compiled when it is called; none: it cannot be.
 using MadeInDouble = std::function<std::optional<InDouble>()>;
 
-/// Says so of the first of these that is all it takes; else empty.
+/// Says so of the first of these behind the first one that is all it takes; of that one, where none is. Empty where the
+/// first one, which changes what each of the others does, is not enough: the others are not compiled then.
 std::string by_reals(const Calls& calls, const std::vector<MadeInDouble>& sources);
 
 }  // namespace grade

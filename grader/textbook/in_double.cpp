@@ -70,14 +70,20 @@ bool is_declared_whole(const std::vector<Token>& tokens, std::size_t i) {
 std::vector<Widened> with_reals(const std::string& text) {
     constexpr std::size_t most = 6;
     const std::vector<Token> tokens = tokens_of(text);
+    Widened together{"", 0};
+    std::size_t copied = 0;
     std::vector<Widened> all;
     for (std::size_t i = 0; tokens[i].kind != Token::Kind::end && all.size() < most; ++i) {
         const Token& token = tokens[i];
         const bool is_quotient = token.text == "/" && i > 0 && !is_real(tokens[i - 1]) && !is_real(tokens[i + 1]);
         if (!is_quotient && !is_declared_whole(tokens, i)) continue;
-        all.push_back({text.substr(0, token.from) + (is_quotient ? "* 1.0 /" : "double") + text.substr(token.to),
-                       token.line, is_quotient});
+        const std::string real = is_quotient ? "* 1.0 /" : "double";
+        all.push_back({text.substr(0, token.from) + real + text.substr(token.to), token.line, is_quotient});
+        if (together.line == 0) together.line = token.line, together.is_quotient = is_quotient;
+        together.text += text.substr(copied, token.from - copied) + real, copied = token.to;
     }
+    together.text += text.substr(copied);
+    if (all.size() > 1) all.insert(all.begin(), together);
     return all;
 }
 
