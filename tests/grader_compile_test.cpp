@@ -53,6 +53,18 @@ TEST_CASE("a fragment compiles and links in every sandbox", "[steps]") {
     }
 }
 
+TEST_CASE("a source whose compilation is slow is given up after the seconds that it may take", "[steps]") {
+    std::string slow = phong;
+    for (int i = 0; i < 400; ++i)
+        slow += fmt::format(
+            "void sorted{}(std::vector<double>& v) {{ std::sort(v.begin(), v.end(), [](auto a, auto b) {{ return a > b; "
+            "}}); }}\n",
+            i);
+    const Sandbox sandbox = sandboxes().front();
+    const Compiled result = compile_fragment(chain(), sandbox, "phong", slow, "phong.cpp", StepFolder().folder, 1);
+    CHECK(result.message == "phong.cpp: error: the compiler ran longer than 1 s on it");
+}
+
 TEST_CASE("the compiler's warnings about the student's own file are kept, a few lines of them", "[steps]") {
     for (const Sandbox& sandbox : sandboxes()) {
         INFO(sandbox.description);

@@ -19,13 +19,14 @@ constexpr int most_lines = 12;
 /// The largest file that compiler and linker may write.
 constexpr std::uint64_t most_object_bytes = 32u << 20;
 
-constexpr double tool_seconds = 30, tool_wall_seconds = 3 * tool_seconds;
+constexpr double tool_seconds = most_compiler_seconds;
 
 /// A step of the compiler and its kin in that folder.
-Step tool(std::vector<std::string> command, const fs::path& folder, std::vector<fs::path> readable = {}) {
+Step tool(std::vector<std::string> command, const fs::path& folder, std::vector<fs::path> readable = {},
+          double seconds = tool_seconds) {
     Step step{std::move(command), std::move(readable), folder, {}};
-    step.limits.cpu_seconds = step.limits.most_cpu_seconds = tool_seconds;
-    step.limits.wall_seconds = tool_wall_seconds;
+    step.limits.cpu_seconds = step.limits.most_cpu_seconds = seconds;
+    step.limits.wall_seconds = 3 * tool_seconds;
     step.limits.memory = 3ull << 30;
     step.limits.file_size = most_object_bytes;
     return step;
@@ -89,11 +90,11 @@ std::string first_warnings(const std::string& output, const std::string& path, c
 }
 
 /// Why a tool was cut off before it could say what is wrong with a source; empty: it was not.
-std::string cut_off(const Ending& ending, const char* who) {
+std::string cut_off(const Ending& ending, const char* who, double seconds = tool_seconds) {
     const auto said = [&](const char* words) { return ending.err.find(words) != ending.err.npos; };
     if (ending.waited) return fmt::format("{} waits for something on it, and was stopped", who);
     if (ending.how == Ending::How::timed_out || said("CPU time limit exceeded") || said("[CPU time"))
-        return fmt::format("{} ran longer than {:g} s on it", who, tool_seconds);
+        return fmt::format("{} ran longer than {:g} s on it", who, seconds);
     if (said("File size limit exceeded") || said("File too large") || said("[File size"))
         return fmt::format("{} writes more than {} MB for it", who, most_object_bytes >> 20);
     if (said("out of memory") || said("virtual memory exhausted") || said("Cannot allocate memory") ||
@@ -106,8 +107,8 @@ std::string cut_off(const Ending& ending, const char* who) {
     return {};
 }
 
-std::string why_not_built(const Ending& ending, const std::string& path, const std::string& shown) {
-    const std::string cut = cut_off(ending, "the compiler");
+std::string why_not_built(const Ending& ending, const std::string& path, const std::string& shown, double seconds) {
+    const std::string cut = cut_off(ending, "the compiler", seconds);
     if (!cut.empty()) return shown + ": error: " + cut;
     const std::string errors = first_errors(ending.err, path, shown);
     return errors.empty() ? fmt::format("the compiler failed:\n{}", ending.err.substr(0, 600)) : errors;
@@ -182,7 +183,8 @@ bool is_private(const ObjectFile& object) {
 }  // namespace
 
 Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const std::string& fragment,
-                          const std::string& text, const std::string& shown, const fs::path& work) {
+                          const std::string& text, const std::string& shown, const fs::path& work,
+                          double seconds) {
     const fs::path source = work / (fragment + ".cpp"), compiled = work / "compiled.o";
     write_text(source, text);
 
@@ -192,7 +194,7 @@ Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const 
         for (const fs::path& folder : includes) command.insert(command.end(), {"-I", folder.string()});
         command.insert(command.end(), {"-c", source.string(), "-o", compiled.string()});
         fs::remove(compiled);  // of an earlier try, maybe by another user
-        return run(sandbox, tool(command, work, includes));
+        return run(sandbox, tool(command, work, includes, seconds));
     };
     std::vector<fs::path> readable = chain.includes;
     const fs::path header = precompiled_header(chain);
@@ -206,7 +208,7 @@ Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const 
         if (compiler.err.find("error:") == compiler.err.npos && cut_off(compiler, "").empty())
             compiler = compile(chain.includes, {"-w"});
         const std::string fault = source_fault(text, shown);
-        return {false, {}, fault.empty() ? why_not_built(compiler, source.string(), shown) : fault, {}};
+        return {false, {}, fault.empty() ? why_not_built(compiler, source.string(), shown, seconds) : fault, {}};
     }
 
     const auto symbol = chain.symbols.find(fragment);

@@ -7,6 +7,9 @@
 
 namespace grade {
 
+/// CPU time that a compiler may take for one fragment.
+constexpr double most_compiler_seconds = 30;
+
 /// What became of a fragment's source.
 struct Compiled {
     bool good = false;
@@ -20,11 +23,13 @@ struct Compiled {
 ///
 /// Throws std::runtime_error where the disk is full or the compiler does not work.
 ///
-/// text   the source
-/// shown  its path in messages
-/// work   an empty folder of its own
+/// text     the source
+/// shown    its path in messages
+/// work     an empty folder of its own
+/// seconds  CPU time that the compiler may take
 Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const std::string& fragment,
-                          const std::string& text, const std::string& shown, const fs::path& work);
+                          const std::string& text, const std::string& shown, const fs::path& work,
+                          double seconds = most_compiler_seconds);
 
 /// Links a program that renders and answers probes with these objects. Empty: it worked; else the first errors.
 /// Throws std::runtime_error where the disk is full.

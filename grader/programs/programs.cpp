@@ -167,8 +167,10 @@ std::optional<std::string> Programs::preprocessed(const std::string& fragment) c
 
 std::optional<fs::path> Programs::compiled_again(const Toolchain& chain, const std::string& fragment,
                                                  const std::string& text, const std::string& how) const {
-    const Compiled compiled =
-        compile_fragment(chain, sandbox_, fragment, text, fragment + ".cpp", folder(how + "/" + fragment));
+    // a fragment whose compilation is made slow shall not pay for that with every program that a hint asks for
+    constexpr double most_seconds = most_compiler_seconds / 4;
+    const Compiled compiled = compile_fragment(chain, sandbox_, fragment, text, fragment + ".cpp",
+                                               folder(how + "/" + fragment), most_seconds);
     if (!compiled.good) return std::nullopt;
     std::vector<fs::path> list;
     for (const auto& [name, object] : chain_.solution_objects)
