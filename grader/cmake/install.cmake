@@ -36,5 +36,6 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION education)
 string(JOIN ", " CPACK_DEBIAN_PACKAGE_DEPENDS "libc6 (>= ${libc})" "libstdc++6 (>= ${compiler})" zlib1g
     "libarchive13 | libarchive13t64" g++ binutils bubblewrap)
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS mold)
 set(CPACK_STRIP_FILES OFF)  # the objects of fragments are as they must be
 include(CPack)
