@@ -20,8 +20,10 @@ using grade::textbook::Wrapped;
 class Tables {
 public:
     void add(const Wrapped& form) {
-        numbers_.insert(numbers_.end(), {place_of(form.fragment), place_of(form.says),
-                                         std::uint32_t(form.has_other_order), std::uint32_t(form.nodes.size())});
+        numbers_.insert(numbers_.end(),
+                        {place_of(form.fragment), place_of(form.says), std::uint32_t(form.has_other_order),
+                         std::uint32_t(form.nodes.size()), std::uint32_t(form.calls.size())});
+        for (const std::string& other : form.calls) numbers_.push_back(place_of(other));
         for (const auto& node : form.nodes) {
             for (const std::string& text : {node.text, node.name, node.context, node.function})
                 numbers_.push_back(place_of(text));
@@ -71,12 +73,18 @@ std::string code_of(const std::vector<Wrapped>& forms) {
         if (first.emplace(forms[i].fragment, i).second) declared += "[[maybe_unused]] static " + forms[i].head + ";\n";
     }
     for (const auto& [name, i] : first)
-        defined += fmt::format("namespace any {{\n[[maybe_unused]] static {} {{ return form_{}::{}({}); }}\n}}\n",
-                               forms[i].head, i, name, parameters_of(forms[i]));
+        defined += fmt::format(
+            "namespace any {{\nstatic thread_local auto* {0}_now = &form_{1}::{0};\n[[maybe_unused]] static {2} {{\n"
+            "auto* const now = {0}_now;\nconst textbook::Restored restored({0}_now, &form_{1}::{0});\n"
+            "return now({3});\n}}\n}}\n",
+            name, i, forms[i].head, parameters_of(forms[i]));
     Tables tables;
     for (std::size_t i = 0; i < forms.size(); ++i) {
         tables.add(forms[i]);
-        listed += fmt::format("caller(rt::form_{}::{}),\n", i, forms[i].fragment);
+        listed += fmt::format(
+            "{{caller(rt::form_{0}::{1}), [] {{ rt::any::{1}_now = &rt::form_{0}::{1}; }}, "
+            "[] {{ rt::any::{1}_now = &rt::form_{2}::{1}; }}}},\n",
+            i, forms[i].fragment, first.at(forms[i].fragment));
     }
     return fmt::format(
         "#pragma GCC diagnostic ignored \"-Wunused-parameter\"\n#include \"protocol/caller.h\"\n"

@@ -58,6 +58,22 @@ TEST_CASE("a student's source: variables that get other values are not what they
     CHECK_FALSE(node(source, "m * x").varies);
 }
 
+TEST_CASE("a student's source: constants with a name are the numbers that they stand for, and no constexpr") {
+    const auto source = textbook::editable(
+        "namespace rt {\nconstexpr Real rim = 1e-5;\n" +
+        function(
+            "    constexpr Real least = 1e-4;\n    constexpr int twice = 2;\n    static constexpr Real most = 7;\n"
+            "    if (x < least || x > 1 - least) return twice * u.x + rim;\n    return x < most ? x + rim : u.x;\n") +
+        "}\n");
+    CHECK(node(source, "least").literal == "1e-4");
+    CHECK(node(source, "rim").literal == "1e-5");
+    CHECK(node(source, "u.x").literal.empty());
+    for (const char* text :
+         {"constexpr Real rim = 1e-5;", "constexpr int twice = 2;", "static constexpr Real most = 7;"})
+        CHECK_THAT(source.text, ContainsSubstring(text));  // as it is: computed when it is compiled
+    CHECK_THAT(source.text, !ContainsSubstring("constexpr Real least"));
+}
+
 TEST_CASE("a student's source: where its variables are known") {
     const auto source =
         textbook::editable("namespace rt {\nReal other(Real z) { return z + 7; }\n" +
@@ -236,6 +252,11 @@ TEST_CASE("what must stand in a student's own expression is told, with its line"
                ContainsSubstring("with `down = extinction` in place of `down = pow(extinction, p)` in line 5"));
     CHECK_THAT(one.how, ContainsSubstring("every answer is right"));
     CHECK(one.by_repair);
+    // the student's own words, where a change of an argument explains it as well
+    const Finding square = found({-1, 2});
+    CHECK_THAT(square.how, ContainsSubstring("with `down = ") && ContainsSubstring("in line 5") &&
+                               !ContainsSubstring("exactly as if"));
+    CHECK((square.by_repair && square.by_arguments));
     // where a textbook's form says what it is, the line alone
     const Finding sign = found({1, 1});
     CHECK_THAT(sign.how, ContainsSubstring("sign"));

@@ -95,6 +95,27 @@ TEST_CASE("each textbook's form is the solution, or samples as it does; each tha
     CHECK(wrong_ones > 40);
 }
 
+TEST_CASE("a form asks for other fragments' answers, and another form may stand in for them") {
+    const auto form_of = [](const std::string& fragment, bool is_right) {
+        const auto found = std::ranges::find_if(textbook::forms(), [&](const textbook::Form& form) {
+            return form.fragment == fragment && form.says.empty() == is_right;
+        });
+        REQUIRE(found != textbook::forms().end());
+        return found;
+    };
+    const auto film = form_of("film_sample", true), wrong_cells = form_of("stratified_2d", false);
+    CHECK(film->calls == std::set<std::string>{"stratified_2d"});
+    const Rows rows = rows_of_checks("film_sample");
+    const Signature signature = declared("film_sample");
+    const Ask ask = answers_of(*film, signature);
+    const Rows before = ask(rows);
+    {
+        const textbook::StandIn stand_in(*wrong_cells);
+        CHECK(ask(rows) != before);
+    }
+    CHECK(ask(rows) == before);
+}
+
 TEST_CASE("mistakes in a form: operators, brackets, functions, parts in place of the whole") {
     const std::string text =
         "Real area(Real a, Real b) {\n    const Real sum = 2 * (a + b);\n    return std::sin(sum) - a;\n}\n";

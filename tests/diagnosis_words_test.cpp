@@ -239,6 +239,14 @@ TEST_CASE("other random numbers than the solution's: what no right sample does, 
     CHECK(finding.right.empty());
 }
 
+TEST_CASE("samples that have few values are said to") {
+    Rows rows;
+    for (int k = 0; k < 64; ++k) rows.push_back({0.5 * (k % 4), 0.5 * (k % 4) + 1 + k % 3, (k + 0.5) / 64});
+    const Ask mine = answers("shutter_time", [](Row& in) { in.back() = (std::floor(8 * in.back()) + 0.5) / 8; });
+    CHECK(found("shutter_time", rows, mine).how ==
+          "for 256 random numbers the answer has 8 different values at most: it must have a new one for each");
+}
+
 TEST_CASE("what is as good as right is not called wrong") {
     const auto turned = [](Row& in) { in[0] = 1 - in[0]; };
     const Finding finding = found("uniform_disk", squares(), answers("uniform_disk", turned));

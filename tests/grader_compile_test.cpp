@@ -57,7 +57,8 @@ TEST_CASE("a source whose compilation is slow is given up after the seconds that
     std::string slow = phong;
     for (int i = 0; i < 400; ++i)
         slow += fmt::format(
-            "void sorted{}(std::vector<double>& v) {{ std::sort(v.begin(), v.end(), [](auto a, auto b) {{ return a > b; "
+            "void sorted{}(std::vector<double>& v) {{ std::sort(v.begin(), v.end(), [](auto a, auto b) {{ return a > "
+            "b; "
             "}}); }}\n",
             i);
     const Sandbox sandbox = sandboxes().front();

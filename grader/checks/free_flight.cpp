@@ -55,6 +55,19 @@ Check ends() {
                    .says = "a distance is infinite: u can be 0, and log(u) has no end there; 1 - u is never 0"})});
 }
 
+/// What distances exceed three mean ones by, exp(-3) of a mean distance: no length is the greatest.
+Statistic longest() {
+    constexpr double beyond = 3;
+    return mean_of({.id = "B1",
+                    .what = "what distances exceed three mean distances by, over exp(-3) of one",
+                    .number = of_call<rt::free_flight>(
+                        [](double t, double s, double) { return std::max(t * s - beyond, 0.0) * std::exp(beyond); }),
+                    .delta0 = 0.005,
+                    .delta = 0.05,
+                    .hint = by_ratio("what distances exceed three mean distances by", {},
+                                     "are long flights cut off, or bent? There is no longest one")});
+}
+
 /// Extinctions from 0.001 to 10,000 per metre: numbers u spread evenly, so that little noise is left.
 Check any_extinction() {
     constexpr int each = 512;
@@ -83,7 +96,7 @@ Check any_extinction() {
                                  .delta = 0.012,
                                  .hint = by_ratio("the mean distance of extinctions from 0.001 to 10,000 per metre", {},
                                                   "is the extinction clamped, or has it a factor?")}),
-                        spread});
+                        spread, longest()});
 }
 
 /// s exp(-s t), at each distance.

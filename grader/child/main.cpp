@@ -160,7 +160,7 @@ std::vector<double> edited(const std::string& fragment, const std::vector<double
     }
     if (!call.only_kinds) return answer;
     answer.clear();
-    for (const textbook::Value& value : textbook::watch.values) answer.push_back(double(value.kind));
+    for (const textbook::Value& value : textbook::watch.values) answer.push_back(seen(value));
     return answer;
 }
 

@@ -1,5 +1,7 @@
 #include "diagnosis/by_textbook.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "diagnosis/asked.h"
@@ -45,30 +47,54 @@ std::vector<const Field*> wrong_parts_of(const Calls& calls) {
     return parts;
 }
 
-/// A form that is wrong as a whole, and answers as the calls do in all that is wrong.
+/// What it costs that a form answers as the calls do in all that is wrong; none: it does not.
+std::optional<double> cost_as(const textbook::Form& form, const Calls& calls, bool sampled,
+                              const std::vector<const Field*>& wrong_parts) {
+    Asked asked(form);
+    for (const Change& base : same_sampling(calls.layouts.front())) {
+        if (base.cost > 0 && !sampled) break;
+        std::size_t wrong = 0, left_out = 0;
+        const auto is_explained = [&](std::size_t k) {
+            Row row = calls.rows[k];
+            base.make(row, calls.layouts[k]);
+            const Row answer = asked.answer(row, calls.layouts[k]);
+            // one who divides by 0 in a form may have guarded against it
+            if (is_nan(answer, calls.mine[k])) return ++left_out, true;
+            wrong += calls.is_wrong(k);
+            return is_as(calls, k, wrong_parts, answer);
+        };
+        std::size_t k = 0;
+        while (k < calls.size() && is_explained(k)) ++k;
+        if (k == calls.size() && wrong >= enough_wrong && left_out <= calls.size() / 10) return base.cost;
+    }
+    return std::nullopt;
+}
+
+Relation named(const textbook::Form& mistake, std::string says, double cost) {
+    Relation found{std::move(says), Relation::Kind::named_mistake};
+    found.cost = 1 + cost, found.by_textbook = true, found.has_other_order = mistake.has_other_order;
+    return found;
+}
+
+/// A form that is wrong as a whole.
 std::optional<Relation> known_mistake(const Calls& calls, bool sampled) {
     const auto wrong_parts = wrong_parts_of(calls);
+    for (const textbook::Form& form : textbook::forms())
+        if (form.fragment == calls.signature.fragment && !form.says.empty())
+            if (const auto cost = cost_as(form, calls, sampled, wrong_parts)) return named(form, form.says, *cost);
+    return std::nullopt;
+}
+
+/// A form that is right, with one that is wrong as a whole in the place of a fragment that it calls.
+std::optional<Relation> known_mistake_in_part(const Calls& calls, bool sampled) {
+    const auto wrong_parts = wrong_parts_of(calls);
     for (const textbook::Form& form : textbook::forms()) {
-        if (form.fragment != calls.signature.fragment || form.says.empty()) continue;
-        Asked asked(form);
-        for (const Change& base : same_sampling(calls.layouts.front())) {
-            if (base.cost > 0 && !sampled) break;
-            std::size_t wrong = 0, left_out = 0;
-            const auto is_explained = [&](std::size_t k) {
-                Row row = calls.rows[k];
-                base.make(row, calls.layouts[k]);
-                const Row answer = asked.answer(row, calls.layouts[k]);
-                // one who divides by 0 in a form may have guarded against it
-                if (is_nan(answer, calls.mine[k])) return ++left_out, true;
-                wrong += calls.is_wrong(k);
-                return is_as(calls, k, wrong_parts, answer);
-            };
-            std::size_t k = 0;
-            while (k < calls.size() && is_explained(k)) ++k;
-            if (k < calls.size() || wrong < enough_wrong || left_out > calls.size() / 10) continue;
-            Relation found{form.says, Relation::Kind::named_mistake};
-            found.cost = 1 + base.cost, found.by_textbook = true, found.has_other_order = form.has_other_order;
-            return found;
+        if (form.fragment != calls.signature.fragment || !form.says.empty()) continue;
+        for (const textbook::Form& other : textbook::forms()) {
+            if (other.says.empty() || other.fragment == form.fragment || !form.calls.contains(other.fragment)) continue;
+            const textbook::StandIn stand_in(other);
+            if (const auto cost = cost_as(form, calls, sampled, wrong_parts))
+                return named(other, fmt::format("in place of `{}` {}", other.fragment, other.says), *cost);
         }
     }
     return std::nullopt;
@@ -113,6 +139,7 @@ std::optional<Relation> relation_of_textbook(const Calls& calls, bool sampled, s
             });
             return found;
         });
+    if (!best) best = known_mistake_in_part(calls, sampled);
     return best ? best : some;
 }
 
@@ -128,6 +155,7 @@ std::optional<Relation> known_mistake_and_another(const Calls& calls, const text
     auto found = search.one(true, FormSearch::dearest_of_pairs);
     if (!is_exact(found)) return std::nullopt;
     found->said = form.says + ", and " + found->said, found->kind = Relation::Kind::named_mistake;
+    found->of_two = true;
     return found;
 }
 

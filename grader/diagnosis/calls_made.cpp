@@ -19,6 +19,12 @@ Calls only_wrong(const Calls& all) {
     return those_of(all, [&](std::size_t k) { return all.is_wrong(k); });
 }
 
+Calls only_nan(Calls calls) {
+    for (std::size_t k = 0; k < calls.size(); ++k)
+        if (!is_nan(calls.mine[k], calls.right[k])) calls.mine[k] = calls.right[k];
+    return calls;
+}
+
 Calls picked(const Calls& all, std::size_t most, bool others) {
     std::vector<std::size_t> wrong, good;
     for (std::size_t k = 0; k < all.size(); ++k) (all.is_wrong(k) ? wrong : good).push_back(k);
@@ -241,6 +247,15 @@ std::string unused_numbers(const Calls& calls, const std::vector<Dependence>& al
         if (parts[i].name == "u" && all[i].right > 0 && all[i].mine == 0)
             return "the answer is the same whatever `u` is";
     return {};
+}
+
+Calls with_parts_that_matter(Calls all, const Ask& mine, const Ask& right) {
+    const Calls wrong = only_wrong(all);
+    if (wrong.size() == 0) return all;
+    const auto depends = dependences(wrong, all, mine, right);
+    for (std::size_t i = 0; i < depends.size(); ++i)
+        all.told[i] = all.told[i] && (depends[i].mine > 0 || depends[i].right > 0);
+    return all;
 }
 
 }  // namespace grade

@@ -15,6 +15,9 @@ constexpr std::size_t most_compared = 80;  // calls among which a relation is lo
 /// The calls that are wrong.
 Calls only_wrong(const Calls& all);
 
+/// The calls, of which only those count as wrong whose answer is no number.
+Calls only_nan(Calls calls);
+
 /// Calls of which `most` are picked evenly, as many wrong as right ones where there are; others in between.
 Calls picked(const Calls& all, std::size_t most, bool others = false);
 
@@ -51,5 +54,8 @@ std::string unused_numbers(const Calls& calls, const std::vector<Dependence>& al
 
 /// One answer that nearly all wrong calls get, as of a mistake by which nothing is hit.
 std::string usual_wrong_answer(const Calls& calls);
+
+/// The calls, of which only those parts are told that an answer to a wrong call depends on.
+Calls with_parts_that_matter(Calls all, const Ask& mine, const Ask& right);
 
 }  // namespace grade

@@ -12,13 +12,6 @@ namespace {
 
 constexpr std::size_t longest = 100;  // text that is repeated
 
-/// A student's text, as it can be printed.
-std::string printable(std::string text) {
-    std::ranges::replace_if(
-        text, [](unsigned char c) { return c < ' ' || c > '~' || c == '`'; }, '?');
-    return text.size() > longest ? text.substr(0, longest) + "..." : text;
-}
-
 /// "vec3(0, 0, 1)" for "(0, 0, 1)", as it can be compiled.
 std::string with_type(const std::string& text) {
     if (!text.starts_with('(') || !text.ends_with(')')) return text;
@@ -60,6 +53,12 @@ std::string change_in_words(const Expressions& all, const Mistake& change) {
 }
 
 }  // namespace
+
+std::string printable(std::string text) {
+    std::ranges::replace_if(
+        text, [](unsigned char c) { return c < ' ' || c > '~' || c == '`'; }, '?');
+    return text.size() > longest ? text.substr(0, longest) + "..." : text;
+}
 
 int line_of(const Expressions& all, const Edit& edit) { return all.node(edit.first->made.nodes.front()).line; }
 

@@ -9,6 +9,7 @@
 #include "diagnosis/bounds.h"
 #include "diagnosis/calls_made.h"
 #include "diagnosis/how.h"
+#include "diagnosis/not_a_number.h"
 #include "diagnosis/own_numbers.h"
 #include "diagnosis/precision.h"
 #include "diagnosis/right_otherwise.h"
@@ -23,29 +24,12 @@ namespace grade {
 
 namespace {
 
-/// The calls, of which only those parts are told that an answer to a wrong call depends on.
-Calls with_parts_that_matter(Calls all, const Ask& mine, const Ask& right) {
-    const Calls wrong = only_wrong(all);
-    if (wrong.size() == 0) return all;
-    const auto depends = dependences(wrong, all, mine, right);
-    for (std::size_t i = 0; i < depends.size(); ++i)
-        all.told[i] = all.told[i] && (depends[i].mine > 0 || depends[i].right > 0);
-    return all;
-}
-
 /// The call of a finding, in words, and as it can be pasted into a program and into a shell.
 void add_call(Finding& finding, const Signature& signature, const Example& example) {
     finding.arguments = arguments_in_words(signature, example.row, {example.told, example.always, example.digits});
     finding.code = call_in_code(signature, example.row);
     if (are_readable(signature))
         finding.command = fmt::format("./grade call {} '{}'", signature.fragment, finding.arguments);
-}
-
-/// The calls, of which only those count as wrong whose answer is no number.
-Calls only_nan(Calls calls) {
-    for (std::size_t k = 0; k < calls.size(); ++k)
-        if (!is_nan(calls.mine[k], calls.right[k])) calls.mine[k] = calls.right[k];
-    return calls;
 }
 
 std::string which(const WrongCalls& region) { return (region.is_exact ? "those " : "") + region.words; }
@@ -90,7 +74,8 @@ public:
         if (is_nothing) broken_ = broken_bound(all_, right_);
         if (is_rare(broken_) && sampled_ && spread_of(all_, all_, mine_, right_)) broken_.reset();
         if (finding_.how.empty() && !(relation_ && relation_->by_repair))
-            finding_.how = by_reals(all_, source.with_reals);
+            if (const InLine reals = by_reals(all_, source.with_reals); !reals.words.empty())
+                finding_.how = reals.words, finding_.line = reals.line;
         tell_how();
         tell_what_else_is_broken();
         if (relation_ && relation_->has_other_order)  // then no call by itself is wrong but for what leaves its bounds
@@ -125,10 +110,12 @@ private:
         many_calls_ = crossed(all_, mine_, right_);
         relation_ = surest_relation(many_calls_, ask_mine_, ask_right_, sampled_);
         if (is_no_mistake(relation_)) return false;
-        if (source.editable) {
+        const bool may_be_coarse = finding_.how.empty() && sampled_ && not_numbers_ == 0 && !is_exact(relation_);
+        const bool is_coarse = may_be_coarse && !(finding_.how = coarse_spread(all_, mine_, right_)).empty();
+        if (source.editable && !is_coarse) {
             const std::string unused = sampled_ ? unused_numbers(all_, depends_) : "";
             editable_ = source.editable();
-            add_repair(relation_, many_calls_, editable_, unused.empty() ? independence(all_, depends_) : unused);
+            add_repair(relation_, many_calls_, editable_, {unused, independence(all_, depends_)});
         }
         finding_.sampled = sampled_, finding_.line = relation_ ? relation_->line_of_repair : 0;
         if (is_exact(relation_)) {
@@ -197,6 +184,7 @@ private:
             if (WrongCalls region = region_of(only_nan(all), false); !region.words.empty()) {
                 finding_.where = fmt::format("{} of {} calls are nan, {}", not_numbers, all.size(), which(region));
                 finding_.says_which = true;
+                tell_where_nan_begins();
                 return region;
             }
         if (wrong == all.size()) return {};
@@ -207,7 +195,13 @@ private:
         if (not_numbers > 0) finding_.where += fmt::format(", {} of them nan", not_numbers);
         if (!region.words.empty()) finding_.where += ", " + which(region);
         finding_.says_which = not_numbers > 0 || !region.words.empty();
+        if (not_numbers > 0) tell_where_nan_begins();
         return region;
+    }
+
+    void tell_where_nan_begins() {
+        const std::string first = editable_ ? first_not_a_number(all_, *editable_) : "";
+        if (!first.empty()) finding_.where += "; nan begins with " + first;
     }
 
     /// What is wrong with samples that are not the solution's call by call: what no right one does, or how they are

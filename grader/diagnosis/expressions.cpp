@@ -18,13 +18,15 @@ std::string bracketed(const std::string& name) {
 
 std::string simplified(const std::string& text) {
     static const std::regex sum("\\(([^()]+) \\+ ([0-9]{1,6})\\) ([-+]) ([0-9]{1,6})"), rest("1 - \\(1 - ([^()]+)\\)"),
-        length("sqrt\\(dot\\((\\w+), \\1\\)\\)"), alone("\\(([^()]+)\\)"), halved("2 \\* (.+) / 2");
+        length("sqrt\\(dot\\((\\w+), \\1\\)\\)"), alone("\\(([^()]+)\\)"), halved("2 \\* (.+) / 2"),
+        squared("sqrt\\(([^()]+)\\) \\* sqrt\\(\\1\\)");
     std::smatch found;
     constexpr std::size_t longest = 200;  // std::regex takes stack by the length
     if (text.size() > longest) return text;
     if (std::regex_match(text, found, alone) && text.find(',') == text.npos) return found[1];
     if (std::regex_match(text, found, rest)) return found[1];
     if (std::regex_match(text, found, halved)) return found[1];
+    if (std::regex_match(text, found, squared)) return found[1];
     if (std::regex_match(text, found, length)) return fmt::format("length({})", found[1].str());
     if (!std::regex_match(text, found, sum)) return text;
     const int more = std::stoi(found[2]) + (found[3] == "+" ? 1 : -1) * std::stoi(found[4]);

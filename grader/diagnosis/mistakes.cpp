@@ -66,7 +66,8 @@ private:
             const bool is_pair = part.kind == Kind::pair;
             has_colors_ = has_colors_ || part.kind == Kind::color;
             if (told[i] && (is_pair || part.kind == Kind::vector || part.kind == Kind::color))
-                others_.push_back({part.name, is_pair ? Value::Kind::pair : Value::Kind::vector, -1, part.at});
+                others_.push_back({part.name, is_pair ? Value::Kind::pair : Value::Kind::vector, -1, part.at,
+                                   part.kind == Kind::color});
         }
     }
 
@@ -175,6 +176,8 @@ private:
         for (std::size_t f = from; f < std::size(functions); ++f) {
             const bool is_sign = std::string_view(functions[f].words) == "-{}";  // of a constant, it is rarely lost
             Mistake mistake{functions[f].words, "", functions[f].cost + (is_sign ? 2 : 1) * more, {{}, 0, made, f}};
+            const bool is_zero = std::string_view(functions[f].words) == "0";  // where a loop begins
+            if (is_zero && more > 0 && seen_[i] == Value::Kind::whole) mistake.cost = 1;
             if (is_sign && nodes_[i].text.starts_with('-')) mistake.cost -= 0.05;  // one too many, rather than two
             if constexpr (requires { functions[f].usually; }) mistake.usually = functions[f].usually;
             add(i, std::move(mistake));
@@ -199,10 +202,11 @@ private:
         set_everywhere(i);
         // a constant is rarely half of it, but an answer that is one may be another
         const bool is_answer = nodes_[i].context.ends_with("return " + nodes_[i].text);
-        const bool is_constant = is_literal(nodes_[i].text);
+        const std::string& written = nodes_[i].literal.empty() ? nodes_[i].text : nodes_[i].literal;
+        const bool is_constant = is_literal(written);
         add_functions(i, scalar_functions, is_constant && !is_answer ? 0.4 : 0, Made::number);
         constexpr double small = 0.1, near_one = 0.9, above_one = 1.3, large = 50;
-        const double value = is_constant ? std::strtod(nodes_[i].text.c_str(), nullptr) : 1;
+        const double value = is_constant ? std::strtod(written.c_str(), nullptr) : 1;
         const bool is_tolerance = is_constant && value > 0 && value <= small;
         if (is_tolerance) add_functions(i, tolerance_functions, 0, Made::tolerance);
         if (value >= large) add_functions(i, limit_functions, 0, Made::limit);
@@ -232,6 +236,7 @@ private:
         if (is_color) add_functions(i, color_functions, 0, Made::color);
         for (const OtherValue& other : others_) {
             if (other.name == nodes_[i].name) continue;
+            if (other.kind == Value::Kind::vector && other.is_color && text.starts_with("vec3(")) continue;
             if (other.kind == Value::Kind::vector) {
                 add_functions_of_two(i, other, of_two_vectors, Made::vector_with);
                 if (is_color) add_functions_of_two(i, other, of_two_colors, Made::color_with);

@@ -15,6 +15,7 @@ struct OtherValue {
     textbook::Value::Kind kind;
     int node = -1;       // in the form; -1: an argument
     std::size_t at = 0;  // in the row of arguments
+    bool is_color = false;
 };
 
 struct Mistake {

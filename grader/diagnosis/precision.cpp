@@ -58,13 +58,13 @@ std::string by_double(const Calls& calls, const InDouble& source) {
     return fmt::format("with {} in line {}, every answer is right: {}", source.words, source.line, source.since);
 }
 
-std::string by_reals(const Calls& calls, const std::vector<MadeInDouble>& sources) {
-    std::string all;
+InLine by_reals(const Calls& calls, const std::vector<MadeInDouble>& sources) {
+    InLine all;
     for (const MadeInDouble& made : sources) {
         const auto source = made();
-        std::string words = source ? by_double(calls, *source) : "";
-        if (&made != &sources.front() && !words.empty()) return words;
-        if (&made == &sources.front() && (all = std::move(words)).empty()) return {};
+        InLine one = source ? InLine{by_double(calls, *source), source->line} : InLine{};
+        if (&made != &sources.front() && !one.words.empty()) return one;
+        if (&made == &sources.front() && (all = std::move(one)).words.empty()) return {};
     }
     return all;
 }

@@ -27,8 +27,14 @@ std::string by_double(const Calls& calls, const InDouble& source);
 /// One that is compiled when it is called; none: it cannot be.
 using MadeInDouble = std::function<std::optional<InDouble>()>;
 
+/// What is said of a line of the source.
+struct InLine {
+    std::string words;
+    int line = 0;
+};
+
 /// Says so of the first of these behind the first one that is all it takes; of that one, where none is. Empty where the
 /// first one, which changes what each of the others does, is not enough: the others are not compiled then.
-std::string by_reals(const Calls& calls, const std::vector<MadeInDouble>& sources);
+InLine by_reals(const Calls& calls, const std::vector<MadeInDouble>& sources);
 
 }  // namespace grade

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "diagnosis/calls_made.h"
@@ -55,7 +56,10 @@ public:
         // integrals of an odd one may be right by chance: none that is less simple than `max(x, 0)`, but for another
         // value in the place of one
         constexpr double dearest = 1.35;
-        std::erase_if(changes, [](const Mistake& m) { return m.cost > dearest && m.pattern != "{1}"; });
+        std::erase_if(changes, [&](const Mistake& m) {
+            const bool is_literal = std::isdigit(static_cast<unsigned char>(all_.node(m.made.nodes.front()).text[0]));
+            return m.cost > dearest && (m.pattern != "{1}" || is_literal);
+        });
         const std::size_t at_once = most_at_once / rough->rows().size() + 1;
         for (std::size_t from = 0; from < changes.size() && asked_ < most_rows_of_spread; from += at_once) {
             std::vector<Edit> edits;
@@ -145,7 +149,7 @@ private:
         const Rows kinds = source_.ask(rows);
         for (const Row& row : kinds)
             for (std::size_t i = 0; i < std::min(row.size(), all_.seen.size()); ++i)
-                if (row[i] > 0 && row[i] <= double(Value::Kind::vector)) all_.seen[i] = Value::Kind(int(row[i]));
+                if (row[i] > 0 && row[i] < double(Value::Kind::vector) + 1) all_.seen[i] = Value::Kind(int(row[i]));
         return kinds.size() == rows.size();
     }
 
@@ -193,8 +197,12 @@ private:
                 if (edits = right_in(edits, k); edits.empty()) return std::nullopt;
         const Edit& best = *std::ranges::min_element(edits, {}, &Edit::cost);
         constexpr double simple = 1.6;
-        return Repair{in_words(all_, best) + ", every answer is right", line_of(all_, best), 1, best.cost() <= simple,
-                      best.second != nullptr};
+        return Repair{in_words(all_, best) + ", every answer is right",
+                      line_of(all_, best),
+                      1,
+                      best.cost() <= simple,
+                      best.second != nullptr,
+                      best.cost()};
     }
 
     /// The one with which most of the wrong calls are right, and all others stay so.

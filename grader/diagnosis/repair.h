@@ -21,6 +21,7 @@ struct Repair {
     double share = 1;        // of the wrong calls that it puts right
     bool is_simple = false;  // of one expression, and simpler than two mistakes that explain as much
     bool is_of_two = false;
+    double cost = 0;
 };
 
 /// The simplest one; none: there is none. It breaks no right answer.
@@ -32,10 +33,14 @@ std::optional<Repair> repair_of(const Calls& calls, const Editable& source, bool
 /// none: there is none, or they are so.
 std::optional<Repair> repair_of_spread(const Calls& calls, const Editable& source, const Ask& right);
 
+/// What answers do not depend on though they must: random numbers; else other arguments, which a simple change of the
+/// source says as well.
+struct Unused {
+    std::string numbers, others;
+};
+
 /// Where in the fragment's own source the mistake is, and where no relation says all, what it is.
-///
-/// known  what else is known then
 void add_repair(std::optional<Relation>& relation, const Calls& calls, const std::optional<Editable>& source,
-                const std::string& known);
+                const Unused& unused);
 
 }  // namespace grade

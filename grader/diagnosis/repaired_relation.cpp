@@ -17,7 +17,7 @@ bool are_one_answer(const Calls& calls) {
 }  // namespace
 
 void add_repair(std::optional<Relation>& relation, const Calls& calls, const std::optional<Editable>& source,
-                const std::string& known) {
+                const Unused& unused) {
     const bool is_cause = is_exact(relation) && !relation->is_constant;
     const auto repair = source ? repair_of(calls, *source, is_cause) : std::nullopt;
     if (!repair) return;
@@ -27,7 +27,8 @@ void add_repair(std::optional<Relation>& relation, const Calls& calls, const std
     const bool is_odd =
         is_exact(relation) && (relation->of_two || (relation->kind == Relation::Kind::change && relation->cost >= odd));
     const bool is_less_simple = is_odd && repair->is_simple;
-    if (is_all && (is_by_chance || is_less_simple)) relation.reset();
+    const bool says_less = is_exact(relation) && relation->is_constant && repair->is_simple;
+    if (is_all && (is_by_chance || is_less_simple || says_less)) relation.reset();
     // of the one change after which every answer is right
     const int line = is_all && !repair->is_of_two ? repair->line : 0;
     if (is_exact(relation)) {
@@ -36,12 +37,19 @@ void add_repair(std::optional<Relation>& relation, const Calls& calls, const std
         relation->by_repair = is_all;
         constexpr double simple = 1.9;  // a change of arguments that a student may have made
         const bool is_told = relation->by_textbook || relation->cost < simple;
-        if (relation->is_change() && is_told)
+        // the student's own words, but for a mistake that has a name, or that is clearly simpler in others
+        constexpr double clearly = 0.25;
+        const bool is_own = line > 0 && repair->cost <= relation->cost + clearly;
+        if (relation->is_change() && relation->kind == Relation::Kind::change && is_own)
+            relation->said = repair->words, relation->usually.clear(), relation->kind = Relation::Kind::sentence;
+        else if (relation->is_change() && is_told)
             relation->line = repair->line;
         else
             relation->repair = repair->words;
     } else if (is_all || !relation || relation->explains == Relation::Explains::nothing ||
                relation->share < repair->share) {
+        const bool is_enough = is_all && repair->is_simple && !repair->is_of_two;
+        const std::string known = !unused.numbers.empty() ? unused.numbers : is_enough ? "" : unused.others;
         relation = Relation{known.empty() ? repair->words : known + "; " + repair->words};
         relation->line_of_repair = line;
         relation->by_repair = is_all, relation->share = repair->share, relation->of_two = repair->is_of_two;

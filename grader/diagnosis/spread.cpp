@@ -186,6 +186,34 @@ std::string in_steps(const Calls& calls, const Spreads& own, const Spreads& due,
     return {};
 }
 
+/// How many of sorted numbers differ.
+std::size_t different(const std::vector<double>& x) {
+    const double apart = 1e-9 * std::max(std::abs(x.front()), std::abs(x.back()));
+    std::size_t count = 1;
+    for (std::size_t i = 1; i < x.size(); ++i) count += x[i] - x[i - 1] > apart;
+    return count;
+}
+
+/// That a number has few values, at most so many, where the right one has many; empty: it has not.
+std::string in_few_values(const Spreads& own, const Spreads& due, const std::vector<Projection>& list,
+                          std::size_t few) {
+    constexpr std::size_t many_times = 4;
+    for (std::size_t p = 0; p < list.size(); ++p) {
+        std::size_t most = 0;
+        bool is_so = p < own.size();
+        for (std::size_t i = p; is_so && i < own.size(); i += list.size()) {
+            const std::size_t count = different(own[i]);
+            is_so = count > 1 && count <= few && many_times * count <= different(due[i]);
+            most = std::max(most, count);
+        }
+        if (is_so)
+            return fmt::format(
+                "for {} random numbers {} has {} different values at most: it must have a new one for each",
+                side * side, list[p].words, most);
+    }
+    return {};
+}
+
 std::string mean_and_range(const std::vector<double>& x) {
     double sum = 0;
     for (const double v : x) sum += v;
@@ -194,19 +222,38 @@ std::string mean_and_range(const std::vector<double>& x) {
     return fmt::format("{:.4g} on average, from {:.4g} to {:.4g}", is_zero ? 0.0 : mean, x.front(), x.back());
 }
 
-}  // namespace
-
-std::optional<std::string> spread_of(const Calls& calls, const Calls& all, const Ask& mine, const Ask& right) {
+/// Which argument the random numbers are; none: there are none.
+std::optional<std::size_t> numbers_of(const Calls& calls) {
+    if (calls.size() == 0) return std::nullopt;
     const auto& parts = calls.layouts.front().parts;
     const auto u = std::ranges::find(parts, "u", &Field::name);
-    if (u == parts.end() || calls.size() == 0) return std::nullopt;
+    return u == parts.end() ? std::nullopt : std::optional(std::size_t(u - parts.begin()));
+}
+
+}  // namespace
+
+std::string coarse_spread(const Calls& calls, const Ask& mine, const Ask& right) {
+    const auto numbers = numbers_of(calls);
+    if (!numbers) return {};
     const std::vector<Projection> list = projections(calls);
-    const auto numbers = std::size_t(u - parts.begin());
+    const Rows rows = over_the_square(calls, *numbers, few_bases, side);
+    const Spreads own = spreads(rows, mine(rows), list), due = spreads(rows, right(rows), list);
+    if (own.empty() || due.empty()) return {};
+    if (std::string steps = in_steps(calls, own, due, rows, list); !steps.empty()) return steps;
+    // what depends on one of two numbers has as many values as the grid has columns
+    const bool are_two = calls.layouts.front().parts[*numbers].kind == Kind::pair;
+    return in_few_values(own, due, list, (are_two ? side : side * side) / 2);
+}
+
+std::optional<std::string> spread_of(const Calls& calls, const Calls& all, const Ask& mine, const Ask& right) {
+    const auto given = numbers_of(calls);
+    if (!given) return std::nullopt;
+    const std::size_t numbers = *given;
+    const std::vector<Projection> list = projections(calls);
     const Rows rows = over_the_square(calls, numbers, few_bases, side),
                more = over_the_square(all, numbers, more_bases, side);
     const Spreads own = spreads(rows, mine(rows), list), due = spreads(rows, right(rows), list);
     if (own.empty() || due.empty()) return std::nullopt;
-    if (const std::string steps = in_steps(calls, own, due, rows, list); !steps.empty()) return steps;
     if (most_apart(own, due) <= as_good) return std::nullopt;
     Spreads own_more;
     const auto is_alike = [&](const Change& change, Rows changed, const Spreads& wanted) {

@@ -10,4 +10,7 @@ namespace grade {
 /// as they are spread over many random numbers, for any of all calls. None: they are spread as they must be.
 std::optional<std::string> spread_of(const Calls& calls, const Calls& all, const Ask& mine, const Ask& right);
 
+/// That samples come in steps, or have few values, where right ones may be anywhere; empty: they do not.
+std::string coarse_spread(const Calls& calls, const Ask& mine, const Ask& right);
+
 }  // namespace grade

@@ -21,7 +21,7 @@ std::optional<Relation> simpler_one(std::optional<Relation> of_arguments, std::o
     if (of_form->other_numbers) return of_arguments;
     constexpr double clearly = 0.25, as_cheap = 0.5;
     const bool is_change = of_form->has_change(), everywhere = of_form->everywhere;
-    if (is_change && everywhere && !of_arguments->everywhere) return of_form;
+    if (is_change && everywhere && (!of_arguments->everywhere || of_arguments->is_constant)) return of_form;
     if (is_change && of_form->cost < of_arguments->cost - clearly) return of_form;
     if (is_change && !of_arguments->has_change() && !everywhere && of_form->cost <= of_arguments->cost) return of_form;
     if (!of_form->is_change() || !of_arguments->is_change() || of_form->cost > of_arguments->cost + as_cheap)
@@ -85,10 +85,12 @@ std::optional<Relation> relation_near_shapes(const Calls& calls, const Ask& ask_
     auto found = sure_relation(near, ask_right, false, left_of_forms);
     if (is_exact(found) && !found->is_constant) return found;
     if (std::ranges::any_of(near.mine, is_something)) return std::nullopt;
-    return Relation{
+    Relation none{
         "no ray hits, not even one that starts at the shape and may hit anywhere along its line: what turns "
         "hits away is not the range but a test before it, of " +
         tests_of(calls.signature.fragment)};
+    none.is_constant = true;
+    return none;
 }
 
 /// What is wrong in the calls that a relation does not explain. Where it is told what the one in most calls usually is,

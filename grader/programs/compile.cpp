@@ -183,8 +183,7 @@ bool is_private(const ObjectFile& object) {
 }  // namespace
 
 Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const std::string& fragment,
-                          const std::string& text, const std::string& shown, const fs::path& work,
-                          double seconds) {
+                          const std::string& text, const std::string& shown, const fs::path& work, double seconds) {
     const fs::path source = work / (fragment + ".cpp"), compiled = work / "compiled.o";
     write_text(source, text);
 

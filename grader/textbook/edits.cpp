@@ -1,6 +1,8 @@
 #include "textbook/edits.h"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 
 namespace grade::textbook {
@@ -17,6 +19,20 @@ Numbers row_of(const EditedCall& call, const Mistake* first, const Mistake* seco
     row.insert(row.end(), call.arguments.begin(), call.arguments.end());
     row.insert(row.end(), call.more.begin(), call.more.end());
     return row;
+}
+
+double seen(const Value& value) {
+    const std::size_t count = value.kind == Value::Kind::vector ? 3 : value.kind == Value::Kind::pair ? 2 : 1;
+    const std::span<const double> x(value.x, count);
+    const auto has = [&](auto is) { return std::ranges::any_of(x, is); };
+    double mark = 0;
+    if (has([](double v) { return std::isnan(v); }))
+        mark = mark_of_nan;
+    else if (has([](double v) { return std::isinf(v); }))
+        mark = mark_of_infinity;
+    else if (!has([](double v) { return v != 0; }))
+        mark = mark_of_zero;
+    return double(value.kind) + (value.kind == Value::Kind::none ? 0 : mark);
 }
 
 namespace {

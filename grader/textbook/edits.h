@@ -10,7 +10,8 @@ namespace grade::textbook {
 using Numbers = std::vector<double>;
 
 /// A call, and up to two mistakes in the expressions of what it calls, which has `nodes` of them. With `only_kinds`,
-/// the answer is of which kind each expression's value is, as a Value::Kind.
+/// the answer is of which kind each expression's value is, as a Value::Kind, with a mark where it is none in the usual
+/// sense.
 struct EditedCall {
     std::size_t nodes = 0;
     bool only_kinds = false;
@@ -18,6 +19,11 @@ struct EditedCall {
     Numbers arguments{};
     Numbers more{};  // that mistakes may take, counted on from the arguments
 };
+
+/// Of values: a number that is none, that is infinite, that is 0.
+constexpr double mark_of_nan = 0.5, mark_of_infinity = 0.25, mark_of_zero = 0.125;
+/// A value's kind and its mark.
+double seen(const Value& value);
 
 Numbers row_of(const EditedCall& call, const Mistake* first = nullptr, const Mistake* second = nullptr);
 

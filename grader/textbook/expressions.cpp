@@ -206,6 +206,7 @@ Expression ExpressionReader::primary() {
     if (const std::string types = template_arguments(); !types.empty()) all.inner += types;
     if (is("(") && end - 1 > 0 && chain == name) {
         take("(");
+        if (fragments_.contains(name)) calls_.insert(name);
         call(all, name, fragments_.contains(name) ? "any::" + name : "");
     } else if (is("{")) {
         const Expression fields = braced();

@@ -17,6 +17,7 @@ struct Node {
     bool varies = false;                      // a variable in it gets other values: what it was is not what it is
     std::vector<std::size_t> blocks{};        // that it stands in, the outermost first
     std::size_t known_in = 0;                 // so many of these are where its variables are known
+    std::string literal{};                    // of a constant's name: the number that it stands for
 
     /// Whether it may be written where another one stands.
     bool is_known_at(const Node& other) const {

@@ -1,6 +1,7 @@
 #include "textbook/source.h"
 
 #include <algorithm>
+#include <map>
 
 #include "textbook/statements.h"
 
@@ -20,6 +21,7 @@ public:
         const auto is_long = [](const Token& token) { return token.text.size() > longest_token; };
         if (tokens_.size() > most_tokens || std::ranges::any_of(tokens_, is_long)) throw TooLong();
         find_changing_functions();
+        find_constants();
         count_uses();
         EditableSource all;
         std::size_t copied = 0;
@@ -40,6 +42,8 @@ public:
         all.varying = varying();
         for (Node& node : all.nodes) {
             node.known_in = std::min<std::size_t>(1, node.blocks.size());  // in its function
+            if (const auto constant = literals_.find(node.text); constant != literals_.end())
+                node.literal = constant->second;
             for (const Token& token : tokens_of(node.name == node.text ? node.text : node.name + ", " + node.text)) {
                 node.varies = node.varies || all.varying.contains(token.text);
                 node.known_in = std::max(node.known_in, known_in(token.text, node.blocks));
@@ -67,6 +71,20 @@ private:
                 changes = changes || (!is_constant && (tokens_[k].text == "&" || tokens_[k].text == "*"));
             }
             if (is_defined && changes) changing_.insert(tokens_[i].text);
+        }
+    }
+
+    /// Constants with a name and what they are. What passes through a function while it is computed is no constexpr; a
+    /// real number need not be one.
+    void find_constants() {
+        for (std::size_t i = 0; i + 4 < tokens_.size(); ++i) {
+            const bool is_real =
+                tokens_[i + 1].text == "Real" || tokens_[i + 1].text == "double" || tokens_[i + 1].text == "float";
+            if ((tokens_[i].text != "const" && tokens_[i].text != "constexpr") || !is_real) continue;
+            const bool is_literal =
+                tokens_[i + 4].kind == Token::Kind::number && i + 5 < tokens_.size() && tokens_[i + 5].text == ";";
+            if (tokens_[i + 3].text == "=" && is_literal) literals_[tokens_[i + 2].text] = tokens_[i + 4].text;
+            if (i == 0 || tokens_[i - 1].text != "static") tokens_[i].text = "const";
         }
     }
 
@@ -129,6 +147,7 @@ private:
         const Deeper deeper(*this);
         if (++tries_ > most_tries) throw TooLong();
         if (const std::string label = labels(); !label.empty()) return label;
+        if (is("constexpr") || is("static")) return as_it_is();  // computed once, or when it is compiled
         const std::size_t start = at_, since = nodes_.size();
         const auto go_back = [&] {
             at_ = start;
@@ -245,6 +264,7 @@ private:
 
     const std::string& text_;
     std::set<std::string> changing_;
+    std::map<std::string, std::string> literals_;  // by name
     std::size_t tries_ = 0;
 };
 

@@ -62,7 +62,8 @@ std::string StatementReader::loop() {
     const bool is_constant = take("const");
     const std::size_t start = at_;
     skip_to({":", "="});
-    declare(tokens_[at_ - 1].text);
+    const std::string name = tokens_[at_ - 1].text;
+    declare(name);
     std::string head = (is_constant ? "const " : "") + joined(start, at_);
     if (take(":")) {
         const Expression range = expression();
@@ -70,9 +71,11 @@ std::string StatementReader::loop() {
         return "for (" + head + " : " + range.inner + ") " + body();
     }
     expect("=");
-    const std::size_t since = nodes_.size();
+    std::size_t since = nodes_.size();
     const Expression from = expression();
     expect(";");
+    set_context(since, name + " = " + from.text), name_last(since, name, from);
+    since = nodes_.size();
     const Expression while_true = expression();
     expect(";");
     set_context(since, while_true.text);

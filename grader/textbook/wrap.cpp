@@ -24,7 +24,7 @@ public:
         all.head = joined(start, at_);
         count_uses();
         all.code = block();
-        all.nodes = std::move(nodes_);
+        all.nodes = std::move(nodes_), all.calls = std::move(calls_);
         return all;
     }
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct Wrapped {
     std::string says;                  // what is wrong with it, as its first line "// says: ..." has it
     bool has_other_order = false;      // "// says, reordered: ...": a differing answer is not yet a wrong one
     std::vector<Node> nodes;
+    std::set<std::string> calls;  // other fragments that it asks
 };
 
 /// The one function in a file. first: the number of its first node. Throws std::runtime_error with file:line:column for
