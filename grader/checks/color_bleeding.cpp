@@ -218,6 +218,26 @@ Checks check_color_bleeding(Generator& random) {
                  }),
                  .truth = 2.0 / 3,
                  .hint = always("about an axis of the world, directions are not those about other normals")}));
+    // channels that are black or full leave the others as they are: what a weight has in one, over the albedo, it has
+    // in all
+    const auto channels = rows_of_channels(1, [](Generator& draw, int, auto change) {
+        const Color albedo = chance(draw, 0.5) ? box(draw, 0.01, 0.2) : box(draw, 0.8, 1);
+        return row(scene_direction(draw), change(0, albedo), square(draw));
+    });
+    const Statistic in_all_channels = property(
+        {.id = "F2",
+         .what = "weight over albedo, by how much channels differ",
+         .violation = of_call<rt::color_bleeding>([](const Scattered& s, vec3, Color albedo, vec2) {
+             double least = rt::inf, most = 0;
+             for (int c = 0; c < 3; ++c) {
+                 if (albedo[c] == 0 && s.weight[c] != 0) return 1.0;
+                 if (albedo[c] == 0) continue;
+                 least = std::min(least, s.weight[c] / albedo[c]), most = std::max(most, s.weight[c] / albedo[c]);
+             }
+             return least < rt::inf ? (most - least) / std::max(most, 1e-9) : 0;
+         }),
+         .tolerance = 1e-4,
+         .says = "a channel of the weight is not the albedo's: is one channel taken for all, or the albedo cut off?"});
     // BRDF x cosine / weight is the density
     const Check density =
         own_density([](Generator& draw, vec2 u) { return row(scene_direction(draw), any_albedo(draw), u); },
@@ -226,7 +246,13 @@ Checks check_color_bleeding(Generator& random) {
                          return s.weight.r > 0 ? albedo.r / rt::pi * rt::dot(s.direction, n) / s.weight.r : 0;
                      }),
                      "the density that the weight supposes"});
-    return {any_surface(), axes, estimates(random), density, hollow_sphere(random), beside_wall(random)};
+    return {any_surface(),
+            probe_check("any_albedo", channels, {in_all_channels}),
+            axes,
+            estimates(random),
+            density,
+            hollow_sphere(random),
+            beside_wall(random)};
 }
 
 }  // namespace grade

@@ -180,8 +180,16 @@ std::function<Rows(Generator&)> any_samples() {
         const vec3 n = scene_direction(random);
         return row(m, box(random, 1, 20), LightSample{grazing_direction(random, n, cosine), 1, 1}, n, n);
     };
+    const auto channels = rows_of_channels(3, [](Generator& random, int, auto change) {
+        Material m;
+        m.albedo = change(0, box(random, 0.1, 0.9)), m.specular = change(1, box(random, 0.1, 0.9));
+        m.shininess = chance(random, 0.3) ? between(random, 0.1, 1) : log_between(random, 2, 60);
+        const vec3 n = scene_direction(random), d = tilted(random, n, between(random, 0, 1.4));
+        const Color radiance = change(2, box(random, 0.1, 20));
+        return row(m, radiance, LightSample{d, 1, between(random, 0.5, 2)}, n, viewer(random, n, d));
+    });
     return rows_then(rows_then(rows_of(96, any_sample), rows_of(64, highlights)),
-                     rows_of_decades(lowest_grazing, highest_grazing, 2, grazing));
+                     rows_then(rows_of_decades(lowest_grazing, highest_grazing, 2, grazing), channels));
 }
 
 }  // namespace

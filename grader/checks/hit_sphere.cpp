@@ -158,7 +158,11 @@ Statistic distance_to_sphere(const std::string& what) {
 Checks check_hit_sphere(Generator& random) {
     const auto unclipped = rows_of(128, [](Generator& draw) { return ordinary_sphere(draw, false); });
     const auto clipped = rows_of(96, [](Generator& draw) { return ordinary_sphere(draw, true); });
-    return {probe_check("nearest_crossing", rows_then(unclipped, rows_of(32, fine_sphere)),
+    const auto from_center = rows_of(8, [](Generator& draw) {
+        const Sphere sphere{box(draw, -5, 5), log_between(draw, 0.1, 10)};
+        return row(sphere, Ray{sphere.center, log_between(draw, 0.3, 3) * scene_direction(draw), 0, rt::inf});
+    });
+    return {probe_check("nearest_crossing", rows_then(unclipped, rows_then(rows_of(32, fine_sphere), from_center)),
                         {distance_to_sphere("distance, off by")}),
             probe_check("small_spheres", rows_of(96, small_sphere),
                         {distance_to_sphere("distance to a small sphere, off by")}),

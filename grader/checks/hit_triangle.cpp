@@ -24,6 +24,12 @@ std::array<double, 3> shares(const Triangle& t, const Ray& ray) {
 /// A triangle that is not too thin, often half of a wall or a floor.
 Triangle any_triangle_of(Generator& random, double size) {
     const vec3 center = box(random, -5, 5);
+    if (chance(random, 0.1)) {  // a ramp of 45 degrees: two parts of its normal are as large
+        const int along = whole_between(random, 0, 2);
+        vec3 up(size * between(random, 0.5, 1)), side(0);
+        up[along] = 0, side[along] = size * between(random, 0.5, 1);
+        return {vec3(0), up, side};
+    }
     if (chance(random, 0.4)) {
         const rt::Frame frame = rt::frame_about(scene_direction(random));
         const vec3 x = size * between(random, 0.5, 1) * frame.x, y = size * between(random, 0.5, 1) * frame.y;

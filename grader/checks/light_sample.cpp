@@ -111,7 +111,8 @@ Check large_spheres() {
     const auto inputs = [](Generator& random) {
         Rows rows;
         const std::pair<double, double> sine_and_radius[] = {{0.3, 0.5},   {0.6, 0.5},    {0.8, 0.5},   {0.002, 0.5},
-                                                             {0.01, 0.03}, {0.05, 0.001}, {0.05, 1000}, {0.5, 30}};
+                                                             {0.01, 0.03}, {0.05, 0.001}, {0.05, 1000}, {0.5, 30},
+                                                             {0.9, 0.5},   {0.001, 0.5}};
         for (const auto& [sine, radius] : sine_and_radius) {
             Emitter light = emitter(random, Emitter::Kind::sphere);
             light.sphere.radius = radius;

@@ -15,6 +15,9 @@ Check points() {
             const double time = between(random, -2, 4);
             return row(box(random, -1e-3, 1e-3) - time * velocity, velocity, time);
         }
+        if (chance(random, 0.2))  // slowly, or for a moment
+            return row(box(random, -1, 1), log_between(random, 1e-3, 1) * box(random, -3, 3),
+                       (chance(random, 0.3) ? -1 : 1) * log_between(random, 1e-3, 1));
         const vec3 point = box(random, -5, 5),
                    velocity = chance(random, 0.1)
                                   ? vec3(0)

@@ -39,8 +39,18 @@ Checks check_phong(Generator& random) {
         const vec3 n = scene_direction(draw);
         return row(m, Color(0), box(draw, 1, 5), n, grazing_direction(draw, n, cosine), n);
     };
+    // whatever is black, what is not counts all the same: ambient light alone, a blue lamp, a green highlight
+    const auto channels = rows_of_channels(5, [](Generator& draw, int, auto change) {
+        Material m;
+        m.ambient = change(0, box(draw, 0.1, 0.5)), m.albedo = change(1, box(draw, 0.1, 0.9));
+        m.specular = change(2, box(draw, 0.1, 0.9));
+        m.shininess = chance(draw, 0.3) ? between(draw, 0.1, 1) : log_between(draw, 2, 60);
+        const vec3 n = scene_direction(draw), d = tilted(draw, n, between(draw, 0, 1.4));
+        const Color ambient = change(3, box(draw, 0.1, 1)), irradiance = change(4, box(draw, 0.1, 5));
+        return row(m, ambient, irradiance, n, d, viewer(draw, n, d));
+    });
     const auto inputs = rows_then(rows_then(rows_of(96, any_surface), rows_of(64, highlights)),
-                                  rows_of_decades(lowest_grazing, highest_grazing, 2, grazing));
+                                  rows_then(rows_of_decades(lowest_grazing, highest_grazing, 2, grazing), channels));
     Formula<rt::phong> radiance{.id = "P4", .what = "radiance, off by", .tolerance = 1e-6, .right = modelled({})};
     for (const ModelMistake& mistake : reflection_mistakes)
         radiance.suspects.push_back({mistake.words, modelled(mistake.model)});

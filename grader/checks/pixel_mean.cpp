@@ -247,7 +247,9 @@ Checks check_pixel_mean(Generator& random) {
             radiance.push_back(chance(random, 0.1)    ? Color(0)
                                : chance(random, 0.05) ? box(random, 1e3, 1e6)
                                : chance(random, 0.2)  ? box(random, 5, 50)
-                                                      : box(random, 0, 0.9));
+                               : chance(random, 0.2)
+                                   ? with_channels(box(random, 0, 0.9), whole_between(random, 1, 6), 0)
+                                   : box(random, 0, 0.9));
             weight.push_back(between(random, 0.2, 1.6));
         }
         return row(radiance, weight);

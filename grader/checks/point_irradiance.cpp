@@ -82,7 +82,11 @@ Checks check_point_irradiance(Generator& random) {
                 PointLight{directional ? d : p + r * d, brightness_of_light(draw) * box(draw, 0.5, 20), directional}, p,
                 n);
         });
-        return rows_then(any, grazing(directional));
+        const auto channels = rows_of_channels(1, [=](Generator& draw, int, auto change) {
+            const vec3 p = box(draw, -3, 3), n = scene_direction(draw), d = tilted(draw, n, between(draw, 0, 1.4));
+            return row(PointLight{directional ? d : p + d, change(0, box(draw, 0.5, 20)), directional}, p, n);
+        });
+        return rows_then(rows_then(any, grazing(directional)), channels);
     };
     const Statistic horizon = property(
         {.id = "L4",

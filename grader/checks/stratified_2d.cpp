@@ -218,7 +218,7 @@ Check edge_noise(Generator& random) {
 
 Checks check_stratified_2d(Generator& random) {
     const int side = whole_between(random, 3, 5), large = whole_between(random, 9, 12);
-    const int some = whole_between(random, 26, 35), many = whole_between(random, 500, 700);
+    const int some = whole_between(random, 26, 35), many = whole_between(random, 1100, 1400);
     const SamplesOfASquare samples{[](vec2, int i, int n, vec2 u) { return row(i, n, u); },
                                    of_result<vec2>([](vec2 p) { return SamplesOfASquare::Sample{p}; })};
     return {cells("grid_of_cells", {side * side, large * large}),

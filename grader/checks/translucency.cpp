@@ -150,7 +150,7 @@ Check density_of_transmitted() {
 Checks check_translucency(Generator& random) {
     const double low = between(random, 1, 1.1), high = between(random, 1.35, 1.8);
     // into the thinner so flat that a tenth of the lobe does not cross
-    const double into_denser = between(random, 0.9, 1.2),
+    const double into_denser = between(random, 1.3, 1.45),
                  into_thinner = std::asin(std::sin(between(random, 1.3, 1.4)) * low / high);
     const Checks any_exponent = lobe_of_any_exponent(false, [](vec3 d, vec3 n, double exponent, rt::vec2 u) {
         return row(d, n, 1.0, u.y < 0.1 ? 1.0 : 1.5, exponent, u);

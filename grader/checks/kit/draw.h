@@ -109,6 +109,13 @@ std::vector<Item> joined(std::vector<Item> list, const std::vector<Item>& more) 
     return list;
 }
 
+/// A colour with some of its channels black, or full: bit c of `which` for channel c.
+inline rt::Color with_channels(rt::Color color, unsigned which, double value) {
+    for (int c = 0; c < 3; ++c)
+        if (which >> c & 1) color[c] = value;
+    return color;
+}
+
 /// A stream of random numbers of a check's own, so that other checks do not move it.
 inline Generator stream(std::uint64_t seed, const std::string& name) {
     return Generator(fnv1a(name, fnv1a("") ^ seed));

@@ -203,7 +203,7 @@ Check density_of_lobe(const RowWith& row_with, std::function<LobeOf(const Row&)>
 Checks lobe_of_any_exponent(bool reflected, Row (*row_with)(rt::vec3 d, rt::vec3 n, double exponent, rt::vec2 u)) {
     const auto inputs = [row_with](Generator& random) {
         Rows rows;
-        for (int decade = 0; decade < 4; ++decade)
+        for (int decade = -1; decade < 4; ++decade)
             for (const Row& u : rows_over_square(24, [](rt::vec2 u) { return row(u); })(random)) {
                 const rt::vec3 n = exact_direction(random);
                 rows.push_back(row_with(-n, n, std::pow(10, decade + between(random, 0, 1)), {u[0], u[1]}));

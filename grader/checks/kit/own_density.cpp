@@ -9,13 +9,15 @@ namespace {
 
 constexpr double step = 1e-3;  // of u: the noise of single precision, over it, is below the tolerance
 constexpr double tolerance = 5e-3;
-constexpr std::size_t each = 5;    // rows: u, and u before and behind along each axis
-constexpr std::size_t least = 10;  // samples that count
+constexpr std::size_t points = 48;   // of each kind of arguments
+constexpr std::size_t strata = 128;  // along an axis, each with two numbers side by side
+constexpr std::size_t each = 5;      // rows: u, and u before and behind along each axis
+constexpr std::size_t least = 10;    // samples that count
 
 /// p |dx/du| at each sample that counts, in order.
-std::vector<double> products(const Observation& seen, const OwnDensity& of) {
+std::vector<double> products(const Observation& seen, const OwnDensity& of, std::size_t count) {
     std::vector<double> all;
-    for (std::size_t k = 0; k + each <= seen.outputs.size(); k += each) {
+    for (std::size_t k = 0; k + each <= std::min(count * each, seen.outputs.size()); k += each) {
         const auto at = [&](std::size_t i) { return of.place(seen.inputs[k + i], seen.outputs[k + i]); };
         const auto counts = [&](std::size_t i) { return of.density(seen.inputs[k + i], seen.outputs[k + i]) > 0; };
         if (!counts(0) || !counts(1) || !counts(2) || !counts(3) || !counts(4)) continue;
@@ -49,13 +51,51 @@ Rows about(const RowWith& row_with, Generator& random) {
     return rows;
 }
 
-Statistic over_spread(const OwnDensity& of) {
+/// Numbers side by side along each axis, in all parts of the square.
+Rows side_by_side(const RowWith& row_with, Generator& random, int dimensions) {
+    Rows rows;
+    for (int axis = 0; axis < dimensions; ++axis)
+        for (std::size_t k = 0; k < strata; ++k) {
+            rt::vec2 u = square(random);
+            u[axis] = (double(k) + between(random, 0, 1)) / double(strata);
+            u = rt::vec2(step) + (1 - 3 * step) * u;
+            const Generator same = random;
+            rows.push_back(row_with(random, u));
+            random = same, u[axis] += step;
+            rows.push_back(row_with(random, u));
+        }
+    return rows;
+}
+
+/// How often two of these have one answer.
+Statistic all_differ(const std::vector<OwnDensity>& all, std::size_t count) {
+    const auto stuck = [all, count](const Observation& seen) {
+        double number = 0;
+        for (std::size_t k = count * each; k + 1 < seen.outputs.size(); k += 2) {
+            const auto counts = [&](std::size_t i) {
+                return std::ranges::any_of(
+                    all, [&](const OwnDensity& of) { return of.density(seen.inputs[i], seen.outputs[i]) > 0; });
+            };
+            const auto at = [&](std::size_t i) { return all.front().place(seen.inputs[i], seen.outputs[i]); };
+            number += counts(k) && counts(k + 1) && at(k) == at(k + 1);
+        }
+        return number;
+    };
+    return {.id = "V3",
+            .what = "different numbers u with one answer",
+            .measure = stuck,
+            .truth = 0,
+            .exact = true,
+            .hint = always("different numbers u have one answer: is u clamped or rounded, or a number not used?")};
+}
+
+Statistic over_spread(const OwnDensity& of, std::size_t count) {
     const auto hint = [words = of.words](double value, double) {
         return fmt::format("{} is {:.3g} times that by which neighbouring numbers u are spread", words, value);
     };
     return {.id = "V3",
             .what = of.words + ", over that by which neighbouring numbers u are spread",
-            .measure = [of](const Observation& seen) { return off_most(products(seen, of)); },
+            .measure = [of, count](const Observation& seen) { return off_most(products(seen, of, count)); },
             .truth = 1,
             .delta = tolerance,
             .exact = true,
@@ -65,23 +105,25 @@ Statistic over_spread(const OwnDensity& of) {
 }  // namespace
 
 Check own_density(const std::vector<RowWith>& kinds, const std::vector<OwnDensity>& all) {
-    const auto inputs = [kinds](Generator& random) {
+    const auto inputs = [kinds, dimensions = all.front().dimensions](Generator& random) {
         Rows rows;
-        for (std::size_t k = 0; k < 48 * kinds.size(); ++k)
+        for (std::size_t k = 0; k < points * kinds.size(); ++k)
             for (Row& one : about(kinds[k % kinds.size()], random)) rows.push_back(std::move(one));
+        for (const RowWith& kind : kinds) rows = joined(std::move(rows), side_by_side(kind, random, dimensions));
         return rows;
     };
     std::vector<Statistic> statistics;
-    for (const OwnDensity& of : all) statistics.push_back(over_spread(of));
+    for (const OwnDensity& of : all) statistics.push_back(over_spread(of, points * kinds.size()));
+    statistics.push_back(all_differ(all, points * kinds.size()));
     return probe_check("own_density", inputs, statistics);
 }
 
 Check density_of_warp(const RowWith& row_with, const OwnDensity& of) {
     const auto stretched = [place = of.place](const Observation& seen) {
         std::vector<double> all;
-        for (std::size_t k = 0; k + each <= seen.outputs.size(); k += each)
-            all.push_back(glm::length(place(seen.inputs[k + 4], seen.outputs[k + 4]) -
-                                      place(seen.inputs[k + 3], seen.outputs[k + 3])) /
+        for (std::size_t k = 0; k < points; ++k)
+            all.push_back(glm::length(place(seen.inputs[each * k + 4], seen.outputs[each * k + 4]) -
+                                      place(seen.inputs[each * k + 3], seen.outputs[each * k + 3])) /
                           (2 * step));
         const auto middle = all.begin() + std::ptrdiff_t(all.size() / 2);
         std::ranges::nth_element(all, middle);

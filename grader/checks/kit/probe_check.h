@@ -53,6 +53,22 @@ std::function<Rows(Generator&)> rows_of_decades(int low, int high, int each, F r
     };
 }
 
+/// Rows in which channels of one of so many colours are black, or full, in all ways that there are: row_with(random, of,
+/// change), of: which colour is to be changed.
+template <class F>
+std::function<Rows(Generator&)> rows_of_channels(int colors, F row_with) {
+    return [=](Generator& random) {
+        Rows rows;
+        for (int of = 0; of < colors; ++of)
+            for (unsigned which = 1; which < 8; ++which)
+                for (const double value : {0.0, 1.0})
+                    rows.push_back(row_with(random, of, [=](int color, rt::Color c) {
+                        return color == of ? with_channels(c, which, value) : c;
+                    }));
+        return rows;
+    };
+}
+
 /// side^2 rows in any order, whose numbers u lie one in each cell of a grid over the unit square: a mean over them has
 /// the same expectation as over independent numbers, and much less noise.
 template <class F>
