@@ -8,7 +8,6 @@
 
 #include "diagnosis/constants.h"
 #include "diagnosis/products.h"
-#include "diagnosis/terms.h"
 #include "rt/math.h"
 
 namespace grade {
@@ -52,7 +51,7 @@ public:
                                   is_constant ? form->kind : AnswerForm::Kind::other};
         }
         const PartOfCalls& lit = fewer ? some : of_;
-        for (const auto& look : {quantity_of, product_of, terms_of, difference_of})
+        for (const auto& look : {quantity_of, product_of, difference_of})
             if (auto form = look(lit)) return form;
         return std::nullopt;
     }

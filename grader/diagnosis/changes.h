@@ -13,7 +13,6 @@ struct Change {
     double cost = 0;                                           // the simpler, the less
     std::function<bool(Row& row, const Layout& layout)> make;  // false: it makes no arguments
     std::string usually{};                                     // what that is in most code, if it is the only one
-    std::string replaced{};                                    // what something else stands in place of
 };
 
 /// All that make sense for arguments of these kinds, the simplest first. told: the parts that matter.

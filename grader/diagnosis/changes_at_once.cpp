@@ -29,7 +29,6 @@ void Changes::add_joint() {
                 for (const std::size_t i : group) put(row, l.parts[i].at, f.value(vector_at(row, l.parts[i].at)));
                 return true;
             });
-            all_.back().replaced = names;
         }
         if (group.size() < 3) continue;
         const auto add_axes = [&](std::size_t count, const std::string& words, double cost) {

@@ -22,7 +22,6 @@ private:
     void add(const std::string& expression, const std::string& replaced, double cost,
              std::function<bool(Row&, const Layout&)> make) {
         add(in_place(expression, replaced), cost, std::move(make));
-        all_.back().replaced = replaced;
     }
 
     const std::string& name(std::size_t part) const { return layout_.parts[part].name; }

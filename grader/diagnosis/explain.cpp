@@ -14,9 +14,9 @@
 #include "diagnosis/precision.h"
 #include "diagnosis/right_otherwise.h"
 #include "diagnosis/simplest.h"
+#include "diagnosis/small_offsets.h"
 #include "diagnosis/spread.h"
 #include "diagnosis/surest.h"
-#include "diagnosis/terms.h"
 #include "diagnosis/where.h"
 #include "diagnosis/where_in_textbook.h"
 

@@ -45,8 +45,6 @@ std::optional<Relation> Search::run() {
         if (best_) best_->is_elsewhere = base.cost > 0;
         if (best_) return best_;
     }
-    one_constant(all_);
-    if (best_) return best_;
     if (auto there = by_choice()) return there;
     const bool is_flag = calls_.result.parts.front().kind == Kind::flag;  // true and false agree by chance
     const bool some_right = wrong_.size() < all_.size() && !sampled_ && !is_flag;
@@ -58,21 +56,13 @@ std::optional<Relation> Search::run() {
         if (there.is_exact) {
             region_ = there.words + ", ";
             one_change(bases.front(), wrong_);
-            if (!best_) one_constant(wrong_);
             region_.clear();
         }
         if (best_) return best_;
     }
     if (!sampled_)
         if (auto there = where_it_is_not_nothing()) return there;
-    two_changes(all_);
-    if (best_) return best_;
-    if (there.is_exact) {
-        region_ = there.words + ", ";
-        two_changes(wrong_);
-        region_.clear();
-    }
-    if (!best_) one_of_several();
+    one_of_several();
     if (best_) return best_;
     return which_parts();
 }
@@ -131,7 +121,6 @@ std::optional<Relation> Search::one_mistake() {
         one_change(base, all_);
         if (best_) return best_;
     }
-    one_constant(all_);
     return best_;
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "diagnosis/answer_forms.h"
-#include "diagnosis/families.h"
 
 namespace grade {
 
@@ -140,32 +139,55 @@ void Search::one_change(const Change& base, const std::vector<std::size_t>& scop
     }
 }
 
-void Search::one_constant(const std::vector<std::size_t>& scope) {
-    std::vector<std::size_t> wrong;
-    for (const std::size_t k : scope)
-        if (std::ranges::count(wrong_, k) > 0) wrong.push_back(k);
-    for (const Change& base : sampled_ ? same_sampling(calls_.layouts.front()) : std::vector<Change>{same_}) {
-        const auto calls = with_base(base);
-        if (!calls) continue;
-        for (const Change& change : changes_with_constants(*calls, ask_, wrong)) {
-            const auto right = answers(base, &change, scope);
-            if (right && tells(*right, scope)) consider(*right, change.words, change.cost + base.cost, scope, true);
+void Search::one_of_several() {
+    constexpr double share_of_wrong = 0.5, share_of_changed = 0.8;
+    constexpr std::size_t least = 8;
+    constexpr double dearest = 2;
+    if (calls_.result.parts.front().kind == Kind::flag) return;  // true and false agree by chance
+    std::size_t most = 0;
+    for (const Change& change : changes_) {
+        if (change.cost > dearest) break;
+        const auto right = answers(change, nullptr, all_);
+        if (!right || !tells(*right, all_)) continue;
+        std::size_t changed = 0, same = 0, telling = 0;
+        Rows others;
+        for (const std::size_t k : all_) {
+            const bool equal = is_equal(calls_.result, (*right)[k], calls_.mine[k]);
+            if (!equal && std::ranges::count(wrong_, k) > 0) others.push_back(calls_.rows[k]);
+            if (is_equal(calls_.result, (*right)[k], calls_.right[k])) continue;
+            ++changed, same += equal;
+            // nothing, or something, may be right for many reasons
+            telling += equal && is_something(calls_.mine[k]) && is_something(calls_.right[k]);
         }
+        const bool explains = double(same) >= share_of_wrong * double(wrong_.size()) &&
+                              double(same) >= share_of_changed * double(changed);
+        if (!explains || telling < least || same <= most) continue;
+        most = same;
+        const bool are_all = same == wrong_.size();
+        best_ = Relation{change.words, Relation::Kind::change};
+        best_->calls = are_all ? fmt::format("in all {} wrong calls ", same)
+                               : fmt::format("in {} of {} wrong calls ", same, wrong_.size());
+        best_->everywhere = false, best_->cost = best_cost, best_->explains = Relation::Explains::some;
+        best_->share = double(same) / double(wrong_.size());
+        best_->others_remain = !are_all, best_->others = std::move(others);
     }
 }
 
-std::optional<Calls> Search::with_base(const Change& base) const {
-    constexpr double least = 0.2;
-    Calls calls = calls_;
-    if (base.cost == 0) return calls;
-    const auto right = answers(base, nullptr, all_);
-    if (!right) return std::nullopt;
-    std::size_t same = 0;
-    for (std::size_t k = 0; k < calls.size(); ++k) {
-        same += is_equal(calls_.result, calls_.mine[k], (*right)[k]);
-        base.make(calls.rows[k], calls.layouts[k]);
-    }
-    return double(same) >= least * double(calls.size()) ? std::optional(std::move(calls)) : std::nullopt;
+std::optional<Relation> Search::which_parts() const {
+    // where a direction is right, the random numbers are used as the solution does, and what is wrong is wrong; the
+    // other way round, another direction may be as good
+    if (parts_.size() == calls_.result.parts.size() ||
+        std::ranges::any_of(parts_, [&](const Field* part) { return is_place(*part); }))
+        return std::nullopt;
+    std::string good, words;
+    for (const Field& part : calls_.result.parts)
+        if (std::ranges::count(parts_, &part) == 0) good += (good.empty() ? "" : ", ") + name_of(part);
+    for (const Field* part : parts_) words += (words.empty() ? "" : ", ") + name_of(*part);
+    Relation told{fmt::format("{} {} right, {} {} not", good,
+                              calls_.result.parts.size() - parts_.size() > 1 ? "are" : "is", words,
+                              parts_.size() > 1 ? "are" : "is")};
+    told.cost = best_cost, told.explains = Relation::Explains::nothing, told.share = 0;
+    return told;
 }
 
 }  // namespace grade

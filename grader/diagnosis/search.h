@@ -39,16 +39,9 @@ private:
     std::vector<std::size_t> some_wrong(const std::vector<std::size_t>& scope) const;
     bool may_be(const Rows& right, const std::vector<std::size_t>& sample) const;
     void one_change(const Change& base, const std::vector<std::size_t>& scope);
-    void one_constant(const std::vector<std::size_t>& scope);
-    /// The calls with other random numbers. None: hardly any of the answers is right with these, and they are others.
-    std::optional<Calls> with_base(const Change& base) const;
     /// The change that explains most of the wrong calls, where it explains nearly all that it changes: the rest is
     /// another mistake.
     void one_of_several();
-    bool is_same_in(const Change& first, const Change& second, const std::vector<std::size_t>& scope) const;
-    /// Whether two changes put something in place of the same: nobody makes both.
-    static bool are_of_one(const Change& first, const Change& second);
-    void two_changes(const std::vector<std::size_t>& scope);
     /// Which parts of the answer are right, and which are not.
     std::optional<Relation> which_parts() const;
     const Calls& calls_;

@@ -1,4 +1,4 @@
-#include "diagnosis/terms.h"
+#include "diagnosis/small_offsets.h"
 
 #include <fmt/format.h>
 
@@ -81,80 +81,28 @@ std::vector<Term> terms_of_numbers(const PartOfCalls& of) {
     return all;
 }
 
-/// Some terms, each with a factor.
-struct Sum {
-    std::vector<const Term*> terms;
-    std::vector<double> factors;
-};
-
 double product(const std::vector<vec3>& v, const std::vector<vec3>& w) {
     double sum = 0;
     for (std::size_t i = 0; i < v.size(); ++i) sum += rt::dot(v[i], w[i]);
     return sum;
 }
 
-bool is_sum(const std::vector<vec3>& wanted, const Sum& sum) {
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-        vec3 made(0);
-        for (std::size_t a = 0; a < sum.terms.size(); ++a) made += sum.factors[a] * sum.terms[a]->value[i];
-        const double scale = std::max({1e-9, std::abs(wanted[i].x), std::abs(wanted[i].y), std::abs(wanted[i].z)});
-        for (int c = 0; c < 3; ++c)
-            if (!is_close(wanted[i][c], made[c], scale)) return false;
-    }
-    return true;
-}
-
-/// What is wanted as a sum of these terms, by least squares; none: it is none.
-std::optional<Sum> fitted(const std::vector<vec3>& wanted, std::vector<const Term*> terms) {
-    const std::size_t n = terms.size();
-    std::vector<std::vector<double>> rows(n);
-    for (std::size_t a = 0; a < n; ++a) {
-        for (const Term* other : terms) rows[a].push_back(product(terms[a]->value, other->value));
-        rows[a].push_back(product(terms[a]->value, wanted));
-    }
-    for (std::size_t a = 0; a < n; ++a) {
-        if (!(rows[a][a] > 1e-9 * product(terms[a]->value, terms[a]->value))) return std::nullopt;
-        for (std::size_t b = 0; b < n; ++b) {
-            if (a == b) continue;
-            const double f = rows[b][a] / rows[a][a];
-            for (std::size_t c = a; c <= n; ++c) rows[b][c] -= f * rows[a][c];
+/// "0.001 * n", of the first term that is wanted in every call, times a constant; empty: there is none.
+std::string multiple_in_words(const std::vector<vec3>& wanted, const std::vector<Term>& all) {
+    for (const Term& term : all) {
+        const double factor = product(term.value, wanted) / product(term.value, term.value);
+        bool is_so = std::isfinite(factor);
+        for (std::size_t i = 0; is_so && i < wanted.size(); ++i) {
+            const double scale = std::max(1e-9, rt::largest(wanted[i]));
+            for (int c = 0; c < 3; ++c) is_so = is_so && is_close(wanted[i][c], factor * term.value[i][c], scale);
         }
+        if (!is_so) continue;
+        const std::string size = constant(std::abs(factor));
+        const bool is_one = std::abs(std::abs(factor) - 1) < 1e-4;
+        return (factor < 0 ? "-" : "") + (term.words.empty() ? size : is_one ? term.words : size + " * " + term.words);
     }
-    Sum sum{std::move(terms), {}};
-    for (std::size_t a = 0; a < n; ++a) sum.factors.push_back(rows[a][n] / rows[a][a]);
-    return is_sum(wanted, sum) ? std::optional(std::move(sum)) : std::nullopt;
+    return {};
 }
-
-/// The first sum that is wanted in every call, of as few terms as possible.
-std::optional<Sum> sum_of(const std::vector<vec3>& wanted, const std::vector<Term>& all) {
-    constexpr std::size_t most_by_threes = 24;
-    for (const Term& a : all)
-        if (auto sum = fitted(wanted, {&a})) return sum;
-    for (std::size_t i = 0; i < all.size(); ++i)
-        for (std::size_t j = i + 1; j < all.size(); ++j)
-            if (auto sum = fitted(wanted, {&all[i], &all[j]})) return sum;
-    for (std::size_t i = 0; i < all.size() && all.size() <= most_by_threes; ++i)
-        for (std::size_t j = i + 1; j < all.size(); ++j)
-            for (std::size_t k = j + 1; k < all.size(); ++k)
-                if (auto sum = fitted(wanted, {&all[i], &all[j], &all[k]})) return sum;
-    return std::nullopt;
-}
-
-std::string in_words(const Sum& sum) {
-    const auto times = [](double x, const std::string& words) {
-        if (words.empty()) return constant(x);
-        return std::abs(x - 1) < 1e-4 ? words : constant(x) + " * " + words;
-    };
-    std::string text;
-    for (std::size_t a = 0; a < sum.terms.size(); ++a) {
-        const double x = sum.factors[a];
-        const std::string one = times(std::abs(x), sum.terms[a]->words);
-        text += (x < 0 ? text.empty() ? "-" : " - " : text.empty() ? "" : " + ") + one;
-    }
-    return text;
-}
-
-bool is_plain(const Sum& sum) { return std::ranges::all_of(sum.factors, is_named); }
 
 /// As vectors, of a number as x.
 template <class Value>
@@ -166,25 +114,6 @@ std::vector<vec3> values(const PartOfCalls& of, Value value) {
 }
 
 }  // namespace
-
-std::optional<AnswerForm> terms_of(const PartOfCalls& of) {
-    constexpr std::size_t enough = 8;
-    const bool is_number = of.part.kind == Kind::number;
-    if ((of.part.kind != Kind::vector && !is_number) || of.scope.size() < enough) return std::nullopt;
-    const auto mine = values(of, [&](std::size_t k, std::size_t c) { return of.mine(k, c); }),
-               right = values(of, [&](std::size_t k, std::size_t c) { return of.right(k, c); });
-    for (const vec3& v : mine)
-        if (!std::isfinite(v.x + v.y + v.z)) return std::nullopt;
-    const std::vector<Term> all = is_number ? terms_of_numbers(of) : terms(of);
-    const auto own = sum_of(mine, all);
-    if (!own || !is_plain(*own)) return std::nullopt;
-    const auto due = sum_of(right, all);
-    const bool is_due = due && is_plain(*due);
-    if (is_number && !is_due) return std::nullopt;
-    return AnswerForm{
-        fmt::format("is `{}`{}", in_words(*own), is_due ? fmt::format(", must be `{}`", in_words(*due)) : ""),
-        own->terms.size() > 1 ? 1.6 : 1.5};
-}
 
 std::string small_offsets(const Calls& calls) {
     constexpr double rounding = 1e-8;
@@ -198,13 +127,11 @@ std::string small_offsets(const Calls& calls) {
             is_off = is_off || !is_equal(part, calls.mine[k], calls.right[k], rounding);
         }
         const PartOfCalls of{calls, part, calls.right, scope};
-        const auto sum =
-            !is_off ? std::nullopt
-                    : sum_of(values(of, [&](std::size_t k, std::size_t c) { return of.mine(k, c) - of.right(k, c); }),
-                             part.kind == Kind::number ? terms_of_numbers(of) : terms(of));
-        if (!sum || sum->terms.size() > 1) continue;
-        words += fmt::format("{}{} is off by `{}`", words.empty() ? "" : ", and ",
-                             part.name.empty() ? "the answer" : "`" + part.name + "`", in_words(*sum));
+        if (!is_off) continue;
+        const auto off = [&](std::size_t k, std::size_t c) { return of.mine(k, c) - of.right(k, c); };
+        const std::string by =
+            multiple_in_words(values(of, off), part.kind == Kind::number ? terms_of_numbers(of) : terms(of));
+        if (!by.empty()) words += fmt::format("{}{} is off by `{}`", words.empty() ? "" : ", and ", name_of(part), by);
     }
     return words;
 }
