@@ -106,7 +106,7 @@ Checks check_glossy_reflection(Generator& random) {
     const Checks any_exponent =
         lobe_of_any_exponent(true, [](vec3 d, vec3 n, double exponent, rt::vec2 u) { return row(d, n, exponent, u); });
     const Checks of_rays =
-        joined({head_on, rays(random, "at_an_angle", angle), rays(random, "grazing", between(random, 1.45, 1.52))},
+        joined({head_on, rays(random, "at_an_angle", angle), rays(random, "grazing", between(random, 1.48, 1.54))},
                any_exponent);
     return joined(of_rays, {density_of_reflected(), ball(random), mirrored_lamp(random)});
 }

@@ -162,11 +162,21 @@ Checks check_hit_sphere(Generator& random) {
         const Sphere sphere{box(draw, -5, 5), log_between(draw, 0.1, 10)};
         return row(sphere, Ray{sphere.center, log_between(draw, 0.3, 3) * scene_direction(draw), 0, rt::inf});
     });
+    // exactly at a crossing the interval is open
+    const auto at_ends = rows_of(16, [](Generator& draw) {
+        const double size = std::exp2(whole_between(draw, -3, 3));
+        const Sphere sphere{size * rt::vec3(whole_between(draw, -4, 4), whole_between(draw, -4, 4), 1), size};
+        const rt::vec3 d = exact_direction(draw);
+        Ray ray{sphere.center - 2 * size * d, d, 0, rt::inf};
+        (chance(draw, 0.5) ? ray.near : ray.far) = chance(draw, 0.5) ? size : 3 * size;
+        return row(sphere, ray);
+    });
     return {probe_check("nearest_crossing", rows_then(unclipped, rows_then(rows_of(32, fine_sphere), from_center)),
                         {distance_to_sphere("distance, off by")}),
             probe_check("small_spheres", rows_of(96, small_sphere),
                         {distance_to_sphere("distance to a small sphere, off by")}),
-            probe_check("interval", clipped, {distance_to_sphere("distance within the interval, off by")}),
+            probe_check("interval", rows_then(clipped, at_ends),
+                        {distance_to_sphere("distance within the interval, off by")}),
             silhouette(random)};
 }
 

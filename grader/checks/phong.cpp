@@ -44,6 +44,7 @@ Checks check_phong(Generator& random) {
         Material m;
         m.ambient = change(0, box(draw, 0.1, 0.5)), m.albedo = change(1, box(draw, 0.1, 0.9));
         m.specular = change(2, box(draw, 0.1, 0.9));
+        if (chance(draw, 0.2)) m.albedo = m.specular = Color(0);
         m.shininess = chance(draw, 0.3) ? between(draw, 0.1, 1) : log_between(draw, 2, 60);
         const vec3 n = scene_direction(draw), d = tilted(draw, n, between(draw, 0, 1.4));
         const Color ambient = change(3, box(draw, 0.1, 1)), irradiance = change(4, box(draw, 0.1, 5));
