@@ -202,18 +202,6 @@ TEST_CASE("of flags and choices, all that are wrong are told") {
     CHECK_THAT(finding.where, ContainsSubstring("those where `previous` is lobe or medium and `sampled` is true"));
 }
 
-TEST_CASE("numbers of a sum are told as its terms") {
-    const Rows times = calls(
-        [](Generator& random) { return row(between(random, -2, 2), between(random, 3, 5), between(random, 0, 1)); });
-    const Ask sum = [](const Rows& rows) {
-        Rows all;
-        for (const Row& in : rows) all.push_back({in[0] + 3 * in[2] * in[1]});
-        return all;
-    };
-    const std::string how = found("shutter_time", times, sum).how;
-    CHECK_THAT(how, ContainsSubstring("must be `shutter.open - shutter.open * u + shutter.close * u`"));
-}
-
 TEST_CASE("a mistake in the answer is named, with constants by their names and ratios that are not 1") {
     const auto density = [](double factor) { return [factor](Row& out) { out.back() *= factor; }; };
     CHECK(found("uniform_disk", squares(), answers("uniform_disk", {}, density(rt::pi))).how ==
@@ -226,29 +214,6 @@ TEST_CASE("a mistake in the answer is named, with constants by their names and r
     const auto cosine = [](Row& out) { out.back() *= out[2]; };
     CHECK_THAT(found("cosine_hemisphere", squares(), answers("cosine_hemisphere", {}, cosine)).how,
                ContainsSubstring("`cosine * cosine` in place of `cosine`, where a textbook has `cosine / pi`"));
-}
-
-TEST_CASE("a constant that is no usual one is found") {
-    const auto part_of_a_turn = [](Row& in) { in[1] *= 0.9; };
-    CHECK_THAT(found("uniform_disk", squares(), answers("uniform_disk", part_of_a_turn)).how,
-               ContainsSubstring("`0.9 * u.y` in place of `u.y`"));
-    const Rows lobes = calls([](Generator& random) { return row(log_between(random, 1, 1000), square(random)); });
-    const auto capped = [](Row& in) { in[0] = std::min(in[0], 30.0); };
-    CHECK_THAT(found("phong_lobe", lobes, answers("phong_lobe", capped)).how,
-               ContainsSubstring("`min(exponent, 30)` in place of `exponent`"));
-}
-
-TEST_CASE("a vector that is a sum of others is told as such, beside the right sum") {
-    const Ask plus = [](const Rows& rows) {
-        Rows all;
-        for (const Row& in : rows) {
-            const rt::vec3 d(in[0], in[1], in[2]), n(in[3], in[4], in[5]);
-            all.push_back(row(d + rt::dot(d, n) * n));
-        }
-        return all;
-    };
-    CHECK(found("mirror_direction", mirrors(), plus).how ==
-          "the answer is `d + dot(d, n) * n`, must be `d - 2 * dot(d, n) * n`");
 }
 
 TEST_CASE("of an answer that is a sum, the share that is wrong is told") {

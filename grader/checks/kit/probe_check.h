@@ -53,8 +53,9 @@ std::function<Rows(Generator&)> rows_of_decades(int low, int high, int each, F r
     };
 }
 
-/// Rows in which channels of one of so many colours are black, or full, in all ways that there are: row_with(random, of,
-/// change), of: which colour is to be changed.
+/// Rows in which channels of one of so many colours are black, or full, in all ways that there are.
+///
+/// row_with(random, of, change)  `of`: which colour it is; change(color, c) is the colour c of that number, changed
 template <class F>
 std::function<Rows(Generator&)> rows_of_channels(int colors, F row_with) {
     return [=](Generator& random) {
