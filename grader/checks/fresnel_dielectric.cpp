@@ -29,7 +29,7 @@ double schlick(double cosine, double from, double to) {
 
 Checks check_fresnel_dielectric(Generator& random) {
     const auto any_boundary = [](Generator& draw) {
-        const double low = between(draw, 1, 1.2), high = between(draw, 1.3, 2.5);
+        const double low = between(draw, 1, 1.2), high = between(draw, 1.3, chance(draw, 0.2) ? 4 : 2.5);
         const bool up = chance(draw, 0.5);
         const double from = up ? high : low, to = chance(draw, 0.05) ? from : up ? low : high;
         double cosine;

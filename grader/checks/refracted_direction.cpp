@@ -21,14 +21,15 @@ bool is_total(vec3 right) { return right == vec3(0); }
 /// Below the critical angle, or above it, but not near it.
 Row ordinary_boundary(Generator& random, bool total) {
     const vec3 n = scene_direction(random);
-    const double low = between(random, 1, 1.2), high = between(random, 1.25, 2.5);
+    const double low = between(random, 1, 1.2), high = between(random, 1.25, chance(random, 0.2) ? 4 : 2.5);
     const bool up = total || chance(random, 0.5);
     double from = up ? high : low, to = up ? low : high;
     if (total && chance(random, 0.3)) to /= from, from = 1;  // out of air into what is thinner
     const double critical = up ? std::asin(to / from) : rt::pi / 2;
     if (!total && chance(random, 0.1)) to = from;
     const double grazing = std::acos(log_between(random, 1e-3, 0.05));
-    const double angle = total                         ? between(random, critical + 0.05, 1.55)
+    const double beyond = chance(random, 0.3) ? log_between(random, 1e-4, 0.05) : between(random, 0.05, 1.5);
+    const double angle = total                         ? std::min(critical + beyond, 1.55)
                          : !up && chance(random, 0.15) ? grazing
                                                        : angle_from_axis(random, critical - 0.05);
     return row(-tilted(random, n, angle), n, from, to);
