@@ -90,7 +90,7 @@ Check rays(Generator& random, const std::string& name, double angle) {
 Check density_of_reflected() {
     const auto row_with = [](Generator& draw, rt::vec2 u) {
         const vec3 n = scene_direction(draw), d = -tilted(draw, n, between(draw, 0, 1));
-        return row(d, n, log_between(draw, 1, 30), u);
+        return row(d, n, log_between(draw, 0.1, 30), u);
     };
     return density_of_lobe(row_with, [](const Row& in) {
         const auto [d, n, exponent, u] = TypesOf<decltype(&rt::glossy_reflection)>::arguments(in);

@@ -136,7 +136,7 @@ Check density_of_transmitted() {
     const auto row_with = [](Generator& draw, rt::vec2 u) {
         const bool denser = chance(draw, 0.5);
         const vec3 n = scene_direction(draw), d = -tilted(draw, n, between(draw, 0, denser ? 1 : 0.5));
-        return row(d, n, denser ? 1.0 : 1.5, denser ? 1.5 : 1.0, log_between(draw, 1, 30), u);
+        return row(d, n, denser ? 1.0 : 1.5, denser ? 1.5 : 1.0, log_between(draw, 0.1, 30), u);
     };
     return density_of_lobe(row_with, [](const Row& in) {
         const auto [d, n, from, to, exponent, u] = TypesOf<decltype(&rt::translucency)>::arguments(in);

@@ -99,12 +99,13 @@ Checks check_whitted(Generator& random) {
         m.transmittance[whole_between(draw, 0, 2)] = log_between(draw, 1e-4, 1);
         return row(m, chance(draw, 0.4) ? 1 : chance(draw, 0.3) ? 0 : between(draw, 0.05, 0.95));
     };
-    // opaque surfaces have no share of Fresnel's, or any; mirrors and glass of one colour or two
-    const auto channels = rows_of_channels(2, [](Generator& draw, int of, auto change) {
+    // mirrors and glass of one colour or two; opaque surfaces have no share of Fresnel's, or any
+    const auto channels = rows_of_channels(3, [](Generator& draw, int of, auto change) {
+        constexpr int of_mirror = 0, of_glass = 1, of_transmittance = 2;
         Material m;
         m.ior = between(draw, 1.1, 2);
-        m.reflectance = change(0, box(draw, 0.2, 0.9));
-        m.transmittance = of == 1 || chance(draw, 0.5) ? change(1, box(draw, 0.2, 0.9)) : Color(0);
+        m.reflectance = change(of == of_glass ? of_glass : of_mirror, box(draw, 0.2, 0.9));
+        m.transmittance = of == of_mirror ? Color(0) : change(of_transmittance, box(draw, 0.2, 0.9));
         return row(m, chance(draw, 0.5) ? 0 : chance(draw, 0.3) ? 1 : log_between(draw, 1e-3, 1));
     });
     return {probe_check("weights", rows_then(rows_of_kinds(64, any_weights, ends), channels), {all_weights()}),

@@ -117,6 +117,34 @@ promises = [
     ("glossy_reflection", "3 % of an exponent", ("phong_lobe(exponent", "phong_lobe(1.03 * exponent")),
     ("free_flight", "extinctions beyond 5 per metre", ("/ extinction", "/ std::min<Real>(extinction, 5)")),
     ("free_flight", "2 % of an extinction", ("/ extinction", "/ (1.02 * extinction)")),
+    # corners of what is promised: rare arguments, parts of the square, single channels
+    ("whitted", "a mirror needs no share of Fresnel's", (", material.reflectance, Color(0)}", ", fresnel > 0 ? material.reflectance : Color(0), Color(0)}")),
+    ("whitted", "a mirror of one colour", ("if (!glass) return", "if (!glass && material.reflectance.x == 0) return {Color(1), Color(0), Color(0)};\n    if (!glass) return")),
+    ("phong", "ambient light is there in any case", ("const Color glow = material.ambient * ambient;", "const Color glow = irradiance == Color(0) ? Color(0) : material.ambient * ambient;")),
+    ("phong", "highlights of any colour", ("highlight * material.specular", "(material.specular.x > 0 ? highlight : 0) * material.specular")),
+    ("point_irradiance", "lights of any colour", ("    // BEGIN SOLUTION\n", "    // BEGIN SOLUTION\n    if (light.intensity.x == 0) return Color(0);\n")),
+    ("color_bleeding", "surfaces of any colour", ("direction), albedo}", "direction), albedo.x > 0 ? albedo : Color(0)}")),
+    ("color_bleeding", "dark surfaces", ("direction), albedo}", "direction), largest(albedo) > 0.1 ? albedo : Color(0)}")),
+    *[(f, "all numbers u count, the smallest as well", ("    // BEGIN SOLUTION\n", "    // BEGIN SOLUTION\n    u.x = std::max(u.x, 0.05);\n"))
+      for f in ("uniform_disk", "cosine_hemisphere", "sphere_cone", "scatter_direction", "lens_ray", "light_sample")],
+    *[(f, "a whole turn", ("unit_circle(u.y)", "unit_circle(std::min(u.y, 0.97))"))
+      for f in ("uniform_disk", "cosine_hemisphere", "phong_lobe", "sphere_cone", "scatter_direction")],
+    ("lens_ray", "parallel rays where the focus is infinite", ("    // BEGIN SOLUTION\n", "    // BEGIN SOLUTION\n    if (camera.focus == inf) return pinhole;\n")),
+    ("lens_ray", "lenses of a few centimetres", ("camera.lens_radius * uniform_disk", "(camera.lens_radius < 0.05 ? 0 : camera.lens_radius) * uniform_disk")),
+    ("sphere_cone", "far lamps have soft shadows", ("const Real k = u.x * m;", "const Real k = sine < 0.05 ? 0 : u.x * m;")),
+    ("film_sample", "strata for n that is no square", ("stratified_2d(i, n, u)", "(sqr(std::floor(std::sqrt(Real(n)))) == n ? stratified_2d(i, n, u) : u)")),
+    ("stratified_2d", "more than a thousand cells", ("    const Real columns", "    if (n > 1024) return u;\n    const Real columns")),
+    ("glossy_reflection", "lobes that graze", ("    const Real cosine = dot(direction, n);", "    const Real cosine = dot(d, n) > -0.1 ? 0 : dot(direction, n);")),
+    ("translucency", "lobes of what comes in flat", ("    const Real cosine = -dot(direction, n);", "    const Real cosine = dot(d, n) > -0.3 ? 0 : -dot(direction, n);")),
+    ("glossy_reflection", "exponents below 1", ("phong_lobe(exponent", "phong_lobe(std::max(exponent, 1.0)")),
+    ("hit_sphere", "from its centre as well", ("    const Real a = dot", "    if (f == vec3(0)) return inf;\n    const Real a = dot")),
+    ("hit_sphere", "the interval is open", ("first > ray.near && first < ray.far", "first >= ray.near && first < ray.far")),
+    ("refracted_direction", "total reflection just beyond the critical angle", ("squared < 0)", "squared < -0.02)")),
+    ("moved", "what is slow moves as well", ("    // BEGIN SOLUTION\n", "    // BEGIN SOLUTION\n    if (dot(velocity, velocity) < 0.01) return point;\n")),
+    ("light_sample", "far lamps of a high density", ("outside ? cone.density : 0", "outside ? std::min(cone.density, 1e5) : 0")),
+    ("integrate_stratified", "strata without numbers, the first as well", ("    // BEGIN SOLUTION\n", "    // BEGIN SOLUTION\n    if (!strata.empty() && strata[0].u.empty()) return 0;\n")),
+    ("integrate_uniform", "any number of points", ("    // BEGIN SOLUTION\n", "    // BEGIN SOLUTION\n    n = std::min(n, 200);\n")),
+    ("translucency", "what does not cross weighs 0", ("cosine > 0 ? (exponent + 2) / (exponent + 1) * cosine : 0", "(exponent + 2) / (exponent + 1) * std::abs(cosine)")),
 ]
 
 
