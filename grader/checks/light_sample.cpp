@@ -67,8 +67,8 @@ Check anywhere() {
     };
     const auto within = [](Generator& draw) {
         const Emitter light = emitter(draw, Emitter::Kind::sphere);
-        const double away = chance(draw, 0.1) ? 0 : between(draw, 0, 0.95);
-        return row(light, light.sphere.center + light.sphere.radius * away * direction(draw), square(draw));
+        return row(light, light.sphere.center + light.sphere.radius * between(draw, 0, 0.95) * direction(draw),
+                   square(draw));
     };
     const Statistic dark =
         property({.id = "L4",
