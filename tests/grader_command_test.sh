@@ -55,7 +55,7 @@ if "$grade" solution moved --seed 5 | grep -q "bubblewrap"; then
     expect 0 "the function calls itself without end" "$grade" "$work/broken" moved
 fi
 moved '(void)velocity; return point + vec3(time);' >"$work/broken/moved.cpp"
-expect 0 "the answer is \`point + time * (1, 1, 1)\`, must be" "$grade" "$work/broken" moved --seed 5 --json "$work/c.json"
+expect 0 "the answer is the same whatever \`velocity\` is" "$grade" "$work/broken" moved --seed 5 --json "$work/c.json"
 expect 0 "./grade call moved " cat "$work/c.json"
 expect 0 "moved(vec3(" cat "$work/c.json"
 

@@ -110,6 +110,9 @@ private:
         many_calls_ = crossed(all_, mine_, right_);
         relation_ = surest_relation(many_calls_, ask_mine_, ask_right_, sampled_);
         if (is_no_mistake(relation_)) return false;
+        // that an argument is not used at all says more than two mistakes by which it cancels
+        const auto is_unused = [](const Dependence& d) { return d.mine == 0 && d.right > 0.2; };
+        if (relation_ && relation_->of_two && std::ranges::any_of(depends_, is_unused)) relation_.reset();
         const bool may_be_coarse = finding_.how.empty() && sampled_ && not_numbers_ == 0 && !is_exact(relation_);
         const bool is_coarse = may_be_coarse && !(finding_.how = coarse_spread(all_, mine_, right_)).empty();
         if (source.editable && !is_coarse) {
