@@ -200,7 +200,7 @@ Check many_pixels(Generator& random) {
     const Place place = any_place(random);
     const rt::ivec2 size(1000, 700);
     const vec3 light = place({box(random, -0.3, 0.3).x, box(random, -0.3, 0.3).y, between(random, 1, 2)});
-    const double intensity = log_between(random, 5, 50), albedo = between(random, 0.4, 0.8);
+    const double intensity = log_between(random, 40, 120), albedo = between(random, 0.4, 0.8);
     const View view = film_view(place, size);
     const std::string scene = toml(view) + material("floor", {{"albedo", albedo}}) + point_light(light, intensity) +
                               place.floor("floor", 100);

@@ -120,7 +120,7 @@ std::string in_order(const FragmentRecord& fragment, const FirstHint& hint) {
     const bool is_sure = hint.worth == StatisticRecord::Worth::cause;
     const bool is_wrong_first = hint.is_slow && !finding.how.empty();
     std::string cause = (is_sure && !is_wrong_first) || finding.how.empty() ? hint.words : finding.how;
-    if (is_sure && cause == hint.words && finding.line > 0 && !cause.empty() && cause.back() != '?')
+    if (is_sure && !hint.is_nan && cause == hint.words && finding.line > 0 && !cause.empty() && cause.back() != '?')
         cause += fmt::format(": see line {}", finding.line);
     if (hint.is_changing && !finding.fault.empty()) cause.clear();
     if (finding.how.empty() && !finding.arguments.empty() && hint.worth == StatisticRecord::Worth::guess) cause.clear();

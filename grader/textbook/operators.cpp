@@ -73,7 +73,6 @@ bool is_cross_product(const std::string& name) {
 bool is_jump(const std::string& statement) { return statement == "break" || statement == "continue"; }
 
 std::string short_name(const std::string& name) {
-    if (name == "safe_sqrt") return "sqrt";
     return name.starts_with("std::") || name.starts_with("glm::") ? name.substr(5) : name;
 }
 
