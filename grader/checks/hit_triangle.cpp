@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "asked/hit_triangle.h"
@@ -132,14 +135,16 @@ std::vector<Suspect<rt::hit_triangle>> triangle_suspects(const FlatShape<Triangl
     suspects.push_back({"the parallelogram of which the triangle is one half is hit: is u + v <= 1 tested?",
                         hit_where(flat, parallelogram, in_interval)});
     // two edges of three, as conditions on the shares, with or without regard to the side
-    for (const auto& [i, j] : {std::pair(0, 1), std::pair(1, 2), std::pair(0, 2)})
+    for (const auto& [i, j, edge] :
+         {std::tuple(0, 1, "from a to b"), std::tuple(1, 2, "from b to c"), std::tuple(0, 2, "from c to a")})
         for (const bool either_sign : {false, true}) {
             const auto two_edges = [=, i = i, j = j](const Triangle& t, const Ray& ray) {
                 const auto share = shares(t, ray);
                 return (share[i] >= 0 && share[j] >= 0) || (either_sign && share[i] <= 0 && share[j] <= 0);
             };
-            suspects.push_back({"points outside one of the three edges count as inside: that edge is not tested",
-                                hit_where(flat, two_edges, in_interval)});
+            suspects.push_back(
+                {fmt::format("points outside the edge {} count as inside: that edge is not tested", edge),
+                 hit_where(flat, two_edges, in_interval)});
         }
     return suspects;
 }

@@ -154,8 +154,11 @@ private:
     bool tell_repair_of_spread() {
         // two changes may be the mistake and what makes the numbers be used as the solution does
         const bool are_two = relation_ && relation_->by_repair && relation_->of_two;
+        // a factor, of samples that lie elsewhere, may come from a change that the source tells
+        const bool is_factor = is_exact(relation_) && relation_->is_elsewhere && !relation_->has_change();
         const bool is_known =
-            !finding_.how.empty() || (!are_two && (is_exact(relation_) || (relation_ && relation_->by_repair)));
+            !finding_.how.empty() ||
+            (!are_two && ((is_exact(relation_) && !is_factor) || (relation_ && relation_->by_repair)));
         if (!sampled_ || is_known || !editable_) return false;
         std::size_t left = 50'000;  // of the solution's answers
         const auto repair = repair_of_spread(all_, *editable_, limited(ask_right_, left));
