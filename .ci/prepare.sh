@@ -7,7 +7,8 @@
 packages="cmake:cmake g++:c++ ninja-build:ninja bubblewrap: libarchive-dev:archive.h libboost-math-dev:boost/math/distributions.hpp
     libcli11-dev:CLI/CLI.hpp libfmt-dev:fmt/core.h libglm-dev:glm/glm.hpp libopenexr-dev:OpenEXR/ImfHeader.h
     libpng-dev:png.h libtbb-dev:tbb/tbb.h libtinyobjloader-dev:tiny_obj_loader.h libtomlplusplus-dev:toml++/toml.h
-    mold: nlohmann-json3-dev:nlohmann/json.hpp"
+    nlohmann-json3-dev:nlohmann/json.hpp"
+[ -x /usr/bin/ld.gold ] || packages+=" mold:"  # a fast linker; Debian 13 has no gold
 test_packages="catch2: clang:clang++ clang-format: patch:patch python3:python3 python3-jsonschema: shellcheck: valgrind:"
 mitsuba_packages="python3-venv:"
 page_packages="chromium:chromium pandoc:pandoc python3-jsonschema:"  # pages in a browser, the handout as one, schemas
