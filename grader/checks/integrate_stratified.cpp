@@ -79,8 +79,9 @@ Statistic sum_of_given() {
                   [](const StratumOf& s, const Strata& all) { return double(s.u.size()) / points_of_all(all); })},
              {"the sum of each stratum is divided by the number of points of the first one; expected its own number "
               "N_t",
-              sum_over_strata(
-                  [](const StratumOf& s, const Strata& all) { return double(s.u.size()) / double(all[0].u.size()); })},
+              sum_over_strata([](const StratumOf& s, const Strata& all) {
+                  return double(s.u.size()) / double(std::max<std::size_t>(all[0].u.size(), 1));
+              })},
              {"the sum of each stratum is not divided by its number of points N_t",
               sum_over_strata([](const StratumOf& s, const Strata&) { return double(s.u.size()); })},
              {"the width d_t of the stratum is missing",
