@@ -28,7 +28,7 @@ std::string parts_in_words(const textbook::Node& node, const std::vector<textboo
     for (const int part : node.parts)
         for (const auto& [mark, words] :
              {std::pair(textbook::mark_of_infinity, "infinite"), std::pair(textbook::mark_of_zero, "0")}) {
-            const auto is_so = [&](const Row& row) { return mark_of(row[std::size_t(part)]) == mark; };
+            const auto is_so = [part, mark = mark](const Row& row) { return mark_of(row[std::size_t(part)]) == mark; };
             if (std::ranges::all_of(seen, is_so))
                 all += fmt::format("{}`{}` is {}", all.empty() ? "" : " and ", printable(nodes[std::size_t(part)].name),
                                    words);

@@ -19,6 +19,7 @@ import subprocess
 import sys
 
 import mistakes
+from expressions import ROOT
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
 from helpers import head_of, record_of_one, variant  # noqa: E402
@@ -43,7 +44,7 @@ def reasons():
 
 def sources(fragment, with_forms):
     """The solution, and the right variants of it."""
-    yield "solution", (mistakes.ROOT / "solution" / f"{fragment}.cpp").read_text()
+    yield "solution", (ROOT / "solution" / f"{fragment}.cpp").read_text()
     for patch in sorted((HERE / "right").glob("*.patch")) if with_forms else []:
         if head_of(patch)["fragment"] == fragment:
             yield patch.stem, variant(patch)[1]
@@ -72,7 +73,7 @@ def that_compile(mutants):
             head, body = in_namespace(mutant.text, f"mutant_{number}")
             heads += head
             bodies.append(f'# line 1 "mutant_{number}"\n{body}\n')
-        done = subprocess.run([COMPILER, "-std=c++20", "-w", "-fsyntax-only", "-I", mistakes.ROOT / "starter", "-x", "c++", "-"],
+        done = subprocess.run([COMPILER, "-std=c++20", "-w", "-fsyntax-only", "-I", ROOT / "starter", "-x", "c++", "-"],
                               input="\n".join(dict.fromkeys(heads)) + "\n" + "".join(bodies), capture_output=True, text=True)
         wrong = {int(number) for number in re.findall(r"\bmutant_(\d+):", done.stderr)}
         if done.returncode != 0 and not wrong:
@@ -85,7 +86,7 @@ def that_compile(mutants):
 
 def machine_code(text):
     done = subprocess.run([COMPILER, "-std=c++20", "-w", "-O2", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math", "-S",
-                           "-I", mistakes.ROOT / "starter", "-x", "c++", "-", "-o", "-"], input=text, capture_output=True, text=True)
+                           "-I", ROOT / "starter", "-x", "c++", "-", "-o", "-"], input=text, capture_output=True, text=True)
     return done.stdout
 
 
@@ -130,7 +131,7 @@ def main():
         sys.exit(77)
     known, sums, living = reasons(), [0] * 5, []
     print("| fragment | mistakes | taken | killed | equivalent | alive |\n|---|---|---|---|---|---|")
-    names = sorted(file.stem for file in (mistakes.ROOT / "solution").glob("*.cpp"))
+    names = sorted(file.stem for file in (ROOT / "solution").glob("*.cpp"))
     for fragment in set(asked.fragments) - set(names):
         parser.error(f"{fragment}: no such fragment")
     for fragment in asked.fragments or names:
