@@ -5,7 +5,7 @@
 
 namespace grade {
 
-/// Calls with which two changes at once are sifted.
+/// Calls with which a change is sifted.
 constexpr std::size_t few = 10;
 
 /// Of what is found where nothing explains all.
