@@ -9,7 +9,7 @@ packages="cmake:cmake g++:c++ ninja-build:ninja bubblewrap: libarchive-dev:archi
     libpng-dev:png.h libtbb-dev:tbb/tbb.h libtinyobjloader-dev:tiny_obj_loader.h libtomlplusplus-dev:toml++/toml.h
     nlohmann-json3-dev:nlohmann/json.hpp"
 [ -x /usr/bin/ld.gold ] || packages+=" mold:"  # a fast linker; Debian 13 has no gold
-test_packages="catch2: clang:clang++ clang-format: patch:patch python3:python3 python3-jsonschema: shellcheck: valgrind:"
+test_packages="catch2: clang:clang++ clang-format: flake8: patch:patch python3:python3 python3-jsonschema: shellcheck: valgrind:"
 mitsuba_packages="python3-venv:"
 page_packages="chromium:chromium pandoc:pandoc python3-jsonschema:"  # pages in a browser, the handout as one, schemas
 tidy_packages="clang-tidy:clang-tidy"

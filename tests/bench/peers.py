@@ -205,9 +205,9 @@ def compare(scene, ours, peers, rounds, rows):
         if family not in shared:
             shared[family] = r.references(scene)
         r.halves = shared[family]
-    mitsuba = next(r for r in everybody if r.name.startswith("Mitsuba"))
-    plain = mitsuba.plain_way(scene)
-    of_64 = statistics.fmean(squared_error(mitsuba.render(scene, plain, 64, s)[0], mitsuba.halves) for s in (3, 4))
+    their_mitsuba = next(r for r in everybody if r.name.startswith("Mitsuba"))
+    plain = their_mitsuba.plain_way(scene)
+    of_64 = statistics.fmean(squared_error(their_mitsuba.render(scene, plain, 64, s)[0], their_mitsuba.halves) for s in (3, 4))
     targets = [of_64, of_64 / 16]
     add_biases(scene, ours, shared, targets, rows)
     curves = curves_of(scene, everybody, targets)

@@ -22,7 +22,7 @@ import tempfile
 import time
 
 from classes import WRONG_MIRROR, archive, folder, outcome, rows, text
-from helpers import ROOT, SOLUTION, end, expect, record_at, run
+from helpers import BLANKS, ROOT, SOLUTION, end, expect, record_at, run
 from trial import check_trial
 from whole import check_whole
 

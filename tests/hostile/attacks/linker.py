@@ -81,7 +81,7 @@ def _(place):
 def _(place):
     options = " ".join(f"'{word}'" for word in ("-O2", "-dumpdir", f"{place.victim}/", "-fdump-tree-all", f"-Wa,-adhln={place.victim}/list", "-save-temps",
                                                 "-B", str(place.victim), "-fplugin=/none.so"))
-    return disk("    return wrong(u);") + lto_sections(place, disk("    return right(u);", f'asm(".print \\"taken\\"");'), options)
+    return disk("    return wrong(u);") + lto_sections(place, disk("    return right(u);", 'asm(".print \\"taken\\"");'), options)
 
 
 @case("36d", "an object that asks for a plugin, a script and libraries", {"did_not_build", "failed", "passed"})
