@@ -183,8 +183,7 @@ TEST_CASE("formulas are told as a person writes them") {
         return all;
     };
     CHECK(found("free_flight", flights, mean).how ==
-          "the fragment answers exactly as if it had `1` in place of `-log(1 - u)`, where a textbook has `-log(1 - u) "
-          "/ extinction`");
+          "the fragment answers exactly as if it had `1 / extinction` in place of `-log(1 - u) / extinction`");
 }
 
 TEST_CASE("of flags and choices, all that are wrong are told") {

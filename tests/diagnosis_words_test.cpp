@@ -155,8 +155,10 @@ TEST_CASE("beside nan stands what is wrong with answers that are numbers") {
     CHECK(diagnose(fragment).words == "a nan");
     fragment.finding.of_numbers = "where it is a number, it is too large";
     CHECK(diagnose(fragment).words == "a nan\nwhere it is a number, it is too large");
-    fragment.finding.of_numbers = "the fragment answers exactly as if it had `x`";  // what gives nan as well goes first
-    CHECK(diagnose(fragment).words == "the fragment answers exactly as if it had `x`\na nan");
+    fragment.finding.of_numbers = "the fragment answers exactly as if it had `x`";  // nan and all
+    CHECK(diagnose(fragment).words == "the fragment answers exactly as if it had `x`");
+    fragment.finding.of_numbers = "with `x` in place of `y` in line 3, every answer is right";
+    CHECK(diagnose(fragment).words == fragment.finding.of_numbers);
 }
 
 TEST_CASE("answers with the digits of single precision are told, also where doubles are made of them") {

@@ -174,6 +174,10 @@ std::function<Rows(Generator&)> any_samples() {
         const auto [m, n, d, c] = extreme_highlight(random);
         return row(m, box(random, 1, 20), LightSample{d, 1, between(random, 0.5, 2)}, n, c);
     };
+    const auto flat_highlights = [](Generator& random) {
+        const auto [m, n, d, c] = extreme_highlight(random, true);
+        return row(m, box(random, 1, 20), LightSample{d, 1, between(random, 0.5, 2)}, n, c);
+    };
     const auto grazing = [](Generator& random, double cosine) {
         Material m;
         m.albedo = box(random, 0.1, 0.9);
@@ -188,7 +192,8 @@ std::function<Rows(Generator&)> any_samples() {
         const Color radiance = change(2, box(random, 0.1, 20));
         return row(m, radiance, LightSample{d, 1, between(random, 0.5, 2)}, n, viewer(random, n, d));
     });
-    return rows_then(rows_then(rows_of(96, any_sample), rows_of(64, highlights)),
+    const auto all_highlights = rows_then(rows_of(64, highlights), rows_of(4, flat_highlights));
+    return rows_then(rows_then(rows_of(96, any_sample), all_highlights),
                      rows_then(rows_of_decades(lowest_grazing, highest_grazing, 2, grazing), channels));
 }
 

@@ -17,7 +17,11 @@ vec2 coordinates(const Quad& q, const Ray& ray) {
 }
 
 Quad any_quad_of(Generator& random, double size) {
-    const rt::Frame frame = rt::frame_about(scene_direction(random));
+    // along the axes of a frame, or turned in its plane: who measures along such a frame's axes must not be right
+    const rt::Frame about = rt::frame_about(scene_direction(random));
+    const double turn = chance(random, 0.5) ? 0 : between(random, 0, 2 * rt::pi);
+    const rt::Frame frame{std::cos(turn) * about.x + std::sin(turn) * about.y,
+                          std::cos(turn) * about.y - std::sin(turn) * about.x, about.z};
     const double thin = chance(random, 0.15) ? log_between(random, 1e-3, 0.3) : 1;
     return {box(random, -5, 5), size * between(random, 0.3, 2) * frame.x,
             thin * size * between(random, 0.3, 2) * frame.y};
@@ -54,19 +58,19 @@ Row rim_of_quad(Generator& random) {
     return row(q, exact_ray(random, q.center + x * q.u + y * q.v, frame));
 }
 
-Row small_quad(Generator& random) {
-    const double size = log_between(random, 5e-4, 5e-3);
+Row small_quad(Generator& random, Small which) {
+    const double size = small_size(random, which);
     const rt::Frame frame = rt::frame_about(direction(random));
-    if (chance(random, 0.2)) {
+    if (which == Small::any && chance(random, 0.2)) {
         const Quad flat{vec3(0), {size, 0, 0}, {0, size, 0}};
         return row(flat, Ray{{-2 * size, 0, chance(random, 0.5) ? 0 : size}, {1, 0, 0}, 0, rt::inf});
     }
     const Quad q{size * box(random, -1, 1), size * frame.x, size * frame.y};
-    const double reach = chance(random, 0.7) ? 0.95 : 2.5;
+    const double reach = which == Small::least || chance(random, 0.7) ? 0.95 : 2.5;
     double x, y;
     do x = between(random, -reach, reach), y = between(random, -reach, reach);
     while (std::abs(std::abs(x) - 1) < 0.03 || std::abs(std::abs(y) - 1) < 0.03);
-    return row(q, near_ray(random, q.center + x * q.u + y * q.v, frame.z, size));
+    return row(q, near_ray(random, q.center + x * q.u + y * q.v, frame.z, size, which));
 }
 
 /// Whether a point is on the quad, or would be if that reached from low to high.

@@ -88,9 +88,9 @@ Row rim_of_triangle(Generator& random) {
     return row(t, exact_ray(random, on_triangle(t, share), frame));
 }
 
-Row small_triangle(Generator& random) {
-    const double size = log_between(random, 5e-4, 5e-3);
-    if (chance(random, 0.2)) {
+Row small_triangle(Generator& random, Small which) {
+    const double size = small_size(random, which);
+    if (which == Small::any && chance(random, 0.2)) {
         const Triangle flat{{-size, -size, 0}, {size, -size, 0}, {0, size, 0}};
         return row(flat, Ray{{-2 * size, 0, chance(random, 0.5) ? 0 : size}, {1, 0, 0}, 0, rt::inf});
     }
@@ -98,8 +98,9 @@ Row small_triangle(Generator& random) {
     const vec3 center = size * box(random, -1, 1);
     const Triangle t{center - size * frame.x - size * frame.y, center + size * frame.x - size * frame.y,
                      center + size * frame.y};
-    const double x = between(random, -0.3, 0.3), y = between(random, -0.7, 0.3) - (chance(random, 0.3) ? 2 : 0);
-    return row(t, near_ray(random, center + size * (x * frame.x + y * frame.y), frame.z, size));
+    const double x = between(random, -0.3, 0.3),
+                 y = between(random, -0.7, 0.3) - (which == Small::any && chance(random, 0.3) ? 2 : 0);
+    return row(t, near_ray(random, center + size * (x * frame.x + y * frame.y), frame.z, size, which));
 }
 
 Check two_triangles(Generator& random) {

@@ -33,6 +33,10 @@ Checks check_phong(Generator& random) {
         const auto [m, n, d, c] = extreme_highlight(draw);
         return row(m, Color(0), box(draw, 1, 5), n, d, c);
     };
+    const auto flat_highlights = [](Generator& draw) {
+        const auto [m, n, d, c] = extreme_highlight(draw, true);
+        return row(m, Color(0), box(draw, 1, 5), n, d, c);
+    };
     const auto grazing = [](Generator& draw, double cosine) {
         Material m;
         m.albedo = box(draw, 0.1, 0.9);
@@ -50,7 +54,8 @@ Checks check_phong(Generator& random) {
         const Color ambient = change(3, box(draw, 0.1, 1)), irradiance = change(4, box(draw, 0.1, 5));
         return row(m, ambient, irradiance, n, d, viewer(draw, n, d));
     });
-    const auto inputs = rows_then(rows_then(rows_of(96, any_surface), rows_of(64, highlights)),
+    const auto all_highlights = rows_then(rows_of(64, highlights), rows_of(4, flat_highlights));
+    const auto inputs = rows_then(rows_then(rows_of(96, any_surface), all_highlights),
                                   rows_then(rows_of_decades(lowest_grazing, highest_grazing, 2, grazing), channels));
     Formula<rt::phong> radiance{.id = "P4", .what = "radiance, off by", .tolerance = 1e-6, .right = modelled({})};
     for (const ModelMistake& mistake : reflection_mistakes)

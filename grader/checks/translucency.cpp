@@ -131,12 +131,12 @@ Check total_reflection(double low, double high) {
                    .says = "at total internal reflection nothing passes: the weight is 0"})});
 }
 
-/// Any angle and exponent, into the denser and into the thinner.
+/// Any angle and exponent, into the denser, into the thinner and into what is as dense.
 Check density_of_transmitted() {
     const auto row_with = [](Generator& draw, rt::vec2 u) {
-        const bool denser = chance(draw, 0.5);
-        const vec3 n = scene_direction(draw), d = -tilted(draw, n, between(draw, 0, denser ? 1 : 0.5));
-        return row(d, n, denser ? 1.0 : 1.5, denser ? 1.5 : 1.0, log_between(draw, 0.1, 30), u);
+        const double from = chance(draw, 0.5) ? 1.5 : 1, to = chance(draw, 0.3) ? from : 2.5 - from;
+        const vec3 n = scene_direction(draw), d = -tilted(draw, n, between(draw, 0, from > to ? 0.5 : 1));
+        return row(d, n, from, to, log_between(draw, 0.1, 30), u);
     };
     return density_of_lobe(row_with, [](const Row& in) {
         const auto [d, n, from, to, exponent, u] = TypesOf<decltype(&rt::translucency)>::arguments(in);

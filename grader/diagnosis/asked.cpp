@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "diagnosis/expressions.h"
+#include "diagnosis/whole_expression.h"
 
 namespace grade {
 
@@ -39,6 +40,7 @@ std::vector<Mistake> Asked::mistakes_of(const Calls& calls) {
 std::string Asked::words_of(const Mistake& mistake, bool with_context) const {
     if (mistake.of_arguments) return mistake.of_arguments->words;
     const Expressions all{form_.nodes, form_.first};
+    if (const auto whole = of_whole(all, mistake)) return words_of(*whole, with_context);
     const textbook::Node& node = all.node(mistake.made.nodes.front());
     const bool is_everywhere = mistake.made.nodes.size() > 1;
     const bool has_context = !is_everywhere && with_context && node.context != node.text;

@@ -84,7 +84,9 @@ Subject subject_of(std::string_view id) {
 std::string section_of(const CheckRecord& check, const StatisticRecord* statistic) {
     // what is no statistic's: no picture of radiance, or a fragment that remembers
     if (!statistic && check.verdict == Verdict::failed)
-        return std::string(check.trouble == Trouble::keeps_state ? rules_section : pictures_section);
+        return check.trouble == Trouble::keeps_state ? std::string(rules_section)
+               : check.scene.empty()                 ? check.fragment
+                                                     : std::string(pictures_section);
     if (!statistic) return section_of(check.fragment, check.verdict, check.trouble);
     // a fragment that remembers, or makes its own numbers
     const bool keeps_state = statistic->verdict == Verdict::failed && statistic->id == "V0";
@@ -125,9 +127,12 @@ std::string in_order(const FragmentRecord& fragment, const FirstHint& hint) {
     if (hint.is_changing && !finding.fault.empty()) cause.clear();
     if (finding.how.empty() && !finding.arguments.empty() && hint.worth == StatisticRecord::Worth::guess) cause.clear();
     std::string beside = hint.is_nan ? finding.of_numbers : "";
-    if (beside.starts_with("the fragment answers exactly")) std::swap(cause, beside);  // nan and all
-    // where no call shows it, what was measured does
-    const bool is_shown = !finding.arguments.empty() || hint.worth != StatisticRecord::Worth::fact;
+    // nan and all
+    if (beside.starts_with("the fragment answers exactly") || beside.starts_with("with `"))
+        cause = std::exchange(beside, "");
+    // where no call shows it, and it has no name, what was measured does
+    const bool is_shown =
+        !finding.arguments.empty() || finding.by_textbook || hint.worth != StatisticRecord::Worth::fact;
     std::string text;
     for (const std::string& line : {cause, beside, is_shown || cause == hint.words ? "" : hint.words, finding.fault,
                                     finding.where, example(finding)})
@@ -176,7 +181,8 @@ Diagnosis diagnose(const FragmentRecord& fragment) {
         return {"not every way through it ends with `return`: what its answer is then, is chance", fragment.name};
     if (!found && !picture.empty()) return {first.words + "\nMost clearly, " + picture, section};
     if (!found) return {first.words, section};
-    return {in_order(fragment, first), section};
+    // what a picture looks like follows from answers that are wrong
+    return {in_order(fragment, first), section == pictures_section ? fragment.name : section};
 }
 
 std::string reading(const std::string& section) {

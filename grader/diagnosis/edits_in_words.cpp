@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "diagnosis/expressions.h"
+#include "diagnosis/renamed.h"
+#include "diagnosis/whole_expression.h"
 
 namespace grade {
 
@@ -38,18 +40,24 @@ std::string setting_in_words(const Expressions& all, const Mistake& change) {
 }
 
 std::string change_in_words(const Expressions& all, const Mistake& change) {
-    const textbook::Node& node = all.node(change.made.nodes.front());
+    const int first = change.made.nodes.front();
     const bool is_everywhere = change.made.nodes.size() > 1;
+    if (const auto whole = of_whole(all, change)) return change_in_words(all, *whole);
+    const textbook::Node& node = all.node(first);
     if (const std::string words = is_everywhere ? "" : setting_in_words(all, change); !words.empty())
         return fmt::format("{} in line {}", words, node.line);
     const std::string words =
         in_place(printable(with_type(changed_in_words(all, change))), printable(written_in_words(all, change)),
                  is_everywhere ? "" : which_in_words(all, change));
-    if (is_everywhere) return words + " everywhere";
+    if (is_everywhere) {
+        const bool in_one_line =
+            std::ranges::all_of(change.made.nodes, [&](int other) { return all.node(other).line == node.line; });
+        return fmt::format("{} everywhere{} in line {}", words, in_one_line ? "" : ", first", node.line);
+    }
     const std::string where = fmt::format("{} in line {}", words, node.line);
-    return node.context == node.text || node.context.size() > longest
-               ? where
-               : fmt::format("{}, `{}`", where, printable(node.context));
+    constexpr double mostly = 0.6;  // of the statement is told already
+    const bool is_told = double(node.text.size()) > mostly * double(node.context.size());
+    return is_told || node.context.size() > longest ? where : fmt::format("{}, `{}`", where, printable(node.context));
 }
 
 }  // namespace
@@ -63,8 +71,9 @@ std::string printable(std::string text) {
 int line_of(const Expressions& all, const Edit& edit) { return all.node(edit.first->made.nodes.front()).line; }
 
 std::string in_words(const Expressions& all, const Edit& edit) {
-    const std::string words = "with " + change_in_words(all, *edit.first);
-    return edit.second ? words + ", and " + change_in_words(all, *edit.second) : words;
+    const bool is_one = edit.in_one_expression;
+    const std::string words = "with " + change_in_words(all, is_one ? of_both(all, edit) : *edit.first);
+    return edit.second && !is_one ? words + ", and " + change_in_words(all, *edit.second) : words;
 }
 
 }  // namespace grade

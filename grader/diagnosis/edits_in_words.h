@@ -1,15 +1,22 @@
 #pragma once
 
+#include <algorithm>
+
 #include "diagnosis/mistakes.h"
 
 namespace grade {
 
-/// One change of a student's own source, or two.
+/// One change of a student's own source, or two; or one of an expression in two places.
 struct Edit {
     const Mistake* first = nullptr;
     const Mistake* second = nullptr;
+    bool in_one_expression = false;
 
-    double cost() const { return first->cost + (second ? second->cost : 0); }
+    double cost() const {
+        constexpr double of_another = 0.1;
+        if (in_one_expression) return std::max(first->cost, second->cost) + of_another;
+        return first->cost + (second ? second->cost : 0);
+    }
 };
 
 /// Of the first change.

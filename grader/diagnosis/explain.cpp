@@ -17,7 +17,6 @@
 #include "diagnosis/small_offsets.h"
 #include "diagnosis/spread.h"
 #include "diagnosis/surest.h"
-#include "diagnosis/where.h"
 #include "diagnosis/where_in_textbook.h"
 
 namespace grade {
@@ -33,12 +32,6 @@ void add_call(Finding& finding, const Signature& signature, const Example& examp
 }
 
 std::string which(const WrongCalls& region) { return (region.is_exact ? "those " : "") + region.words; }
-
-/// What sets wrong calls apart, in arguments or in variables of a form; in these rather than in the right answers.
-WrongCalls region_of(const Calls& calls, bool is_known) {
-    WrongCalls region = where_wrong(calls);
-    return is_known || (region.is_exact && !region.of_answers) ? region : where_wrong_in_textbook(calls, region);
-}
 
 /// Whether all answers are nearly right.
 bool are_near(const Calls& all) {
@@ -153,18 +146,21 @@ private:
     /// Of samples that lie elsewhere than the solution's, what must stand in the source: no call says it.
     bool tell_repair_of_spread() {
         // two changes may be the mistake and what makes the numbers be used as the solution does
-        const bool are_two = relation_ && relation_->by_repair && relation_->of_two;
+        const bool are_two = relation_ && relation_->of_two;
         // a factor, of samples that lie elsewhere, may come from a change that the source tells
         const bool is_factor = is_exact(relation_) && relation_->is_elsewhere && !relation_->has_change();
+        // and what no change of the source puts right call by call, the student's own words may still say better
+        const bool is_other =
+            is_exact(relation_) && relation_->kind == Relation::Kind::change && relation_->line_of_repair == 0;
         const bool is_known =
             !finding_.how.empty() ||
-            (!are_two && ((is_exact(relation_) && !is_factor) || (relation_ && relation_->by_repair)));
+            (!are_two && ((is_exact(relation_) && !is_factor && !is_other) || (relation_ && relation_->by_repair)));
         if (!sampled_ || is_known || !editable_) return false;
         std::size_t left = 50'000;  // of the solution's answers
         const auto repair = repair_of_spread(all_, *editable_, limited(ask_right_, left));
-        if (!repair) return false;
+        if (!repair || (is_other && repair->cost > relation_->cost)) return false;
         finding_.how = broken_ ? broken_->words + "; " + repair->words : repair->words;
-        finding_.of_numbers = repair->words, finding_.by_repair = true;
+        finding_.of_numbers = repair->words, finding_.by_repair = true, finding_.line = repair->line;
         return true;
     }
 

@@ -134,8 +134,9 @@ private:
                 best = std::max(below, over), above = over > below, low = sorted[i - 1].first, high = sorted[i].first;
         }
         if (best < 0.8) return;
+        const bool to_zero = above ? high == 0 : low == 0;  // and 0 is one of them
         // the shortest number in between; one that nobody writes is chance
-        std::optional<double> cut = low < 0 && high > 0 ? std::optional(0.0) : std::nullopt;
+        std::optional<double> cut = to_zero || (low < 0 && high > 0) ? std::optional(0.0) : std::nullopt;
         for (int digits = 1; digits < 3 && !cut; ++digits) {
             // as near as can be to what is still right
             for (const double x : {above ? low : high, (low + high) / 2})
@@ -146,7 +147,8 @@ private:
         const auto test = [f = q.value, above, low, high](const Row& row, const Layout& l, const Row& right) {
             return above ? f(row, l, right) >= high : f(row, l, right) <= low;
         };
-        add({fmt::format("`{} {} {}`", q.words, above ? ">" : "<", number_in_words(*cut)), test, false, q.words});
+        add({fmt::format("`{} {}{} {}`", q.words, above ? ">" : "<", to_zero ? "=" : "", number_in_words(*cut)), test,
+             false, q.words});
     }
 
     void quantities() {

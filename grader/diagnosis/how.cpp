@@ -26,7 +26,7 @@ std::optional<Relation> relation_in(const Calls& calls, const Ask& right, bool s
 }  // namespace
 
 How how_of(const Relation& relation) {
-    return {relation.all_words(), relation.is_change() ? relation.all_words() : ""};
+    return {relation.all_words(), relation.is_change() || relation.by_repair ? relation.all_words() : ""};
 }
 
 How of_own_numbers(const Calls& all, const Ask& mine, const Ask& right) {

@@ -41,6 +41,8 @@ Rows over_grid(const Row& call, const std::vector<std::size_t>& u, std::optional
     return rows;
 }
 
+bool has_unit_length(const Row& row, std::size_t at) { return std::abs(glm::length(vector_at(row, at)) - 1) < 1e-6; }
+
 }  // namespace
 
 std::optional<Integrals> Integrals::of(const Calls& calls, const Ask& right, std::size_t bases, std::size_t side,
@@ -67,7 +69,9 @@ std::optional<Integrals> Integrals::of(const Calls& calls, const Ask& right, std
     all.width_ = due.front().size();
     const bool in_several_ways =
         std::ranges::any_of(calls.layouts.front().parts, [](const Field& part) { return part.kind == Kind::choice; });
-    for (const Field& part : all.result_.parts)
+    for (const Field& part : all.result_.parts) {
+        const auto is_unit = [&](const Row& row) { return has_unit_length(row, part.at); };
+        if (part.kind == Kind::vector && std::ranges::all_of(due, is_unit)) all.directions_.push_back(part.at);
         for (std::size_t c = 0; c < size_of(part.kind); ++c) {
             const std::size_t at = part.at + c;
             const bool is_number = std::ranges::all_of(due, [&](const Row& row) { return std::isfinite(row[at]); });
@@ -77,6 +81,7 @@ std::optional<Integrals> Integrals::of(const Calls& calls, const Ask& right, std
             else if (is_number)
                 all.places_.push_back(at);
         }
+    }
     for (std::size_t base = 0; base < bases; ++base) {
         all.middles_.emplace_back();
         for (const std::size_t at : all.places_) {
@@ -141,8 +146,11 @@ double Integrals::within_samples(const Rows& answers, std::size_t base) const {
 
 bool Integrals::are_right(const Rows& answers) const {
     if (answers.size() != rows_.size()) return false;
-    for (const Row& row : answers)
+    for (const Row& row : answers) {
         if (row.size() != width_) return false;
+        for (const std::size_t at : directions_)
+            if (!has_unit_length(row, at) && vector_at(row, at) != rt::vec3(0)) return false;
+    }
     for (std::size_t base = 0; base < due_.size(); ++base) {
         constexpr double about = 0.2;
         if (of_sample_ < each_ && !(std::abs(within_samples(answers, base) - within_[base]) <= about * within_[base]))

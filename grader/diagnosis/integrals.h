@@ -45,6 +45,7 @@ private:
     std::size_t each_ = 0, of_sample_ = 0, width_ = 0;  // rows of a base, and of a sample; numbers of an answer
     double close_ = 0;
     std::vector<std::size_t> places_, measures_;  // numbers of an answer
+    std::vector<std::size_t> directions_;         // where vectors of length 1 begin
     bool is_density_ = false;
     std::vector<std::vector<double>> middles_;  // of each base: the mean of each place
     std::vector<double> within_;

@@ -1,6 +1,7 @@
 #include "diagnosis/mistakes.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "diagnosis/expressions.h"
 #include "diagnosis/scalars.h"
@@ -173,14 +174,35 @@ private:
 
     template <class Functions>
     void add_functions(std::size_t i, const Functions& functions, double more, Made made, std::size_t from = 0) {
-        for (std::size_t f = from; f < std::size(functions); ++f) {
-            const bool is_sign = std::string_view(functions[f].words) == "-{}";  // of a constant, it is rarely lost
-            Mistake mistake{functions[f].words, "", functions[f].cost + (is_sign ? 2 : 1) * more, {{}, 0, made, f}};
-            const bool is_zero = std::string_view(functions[f].words) == "0";  // where a loop begins
-            if (is_zero && more > 0 && seen_[i] == Value::Kind::whole) mistake.cost = 1;
-            if (is_sign && nodes_[i].text.starts_with('-')) mistake.cost -= 0.05;  // one too many, rather than two
-            if constexpr (requires { functions[f].usually; }) mistake.usually = functions[f].usually;
-            add(i, std::move(mistake));
+        for (std::size_t f = from; f < std::size(functions); ++f) add_function(i, functions[f], more, made, f);
+    }
+
+    template <class Function>
+    void add_function(std::size_t i, const Function& function, double more, Made made, std::size_t f) {
+        const bool is_sign = std::string_view(function.words) == "-{}";  // of a constant, it is rarely lost
+        Mistake mistake{function.words, "", function.cost + (is_sign ? 2 : 1) * more, {{}, 0, made, f}};
+        const bool is_zero = std::string_view(function.words) == "0";  // where a loop begins
+        const bool is_constant = is_literal(nodes_[i].text);
+        if (is_zero && is_constant && seen_[i] == Value::Kind::whole) mistake.cost = 1;
+        if (is_sign && nodes_[i].text.starts_with('-')) mistake.cost -= 0.05;  // one too many, rather than two
+        if constexpr (requires { function.usually; })
+            if (!is_constant) mistake.usually = function.usually;
+        add(i, std::move(mistake));
+    }
+
+    /// Of a constant, another positive whole number in place of one is likely, whatever it is made by; what else is
+    /// made of it, rarely meant.
+    void add_functions_of_literal(std::size_t i, double value) {
+        const auto is_whole = [](double x) { return std::isfinite(x) && x >= 1 && x == std::floor(x); };
+        for (std::size_t f = 0; f < std::size(scalar_functions); ++f) {
+            const double other = scalar_functions[f].value(value);
+            if (!is_whole(value) || !is_whole(other)) {
+                constexpr double rarely = 0.4;
+                add_function(i, scalar_functions[f], rarely, Made::number, f);
+            } else if (other != value) {
+                constexpr double sooner = 0.05;  // than the same made of what stands beside it
+                add_function(i, scalar_functions[f], -sooner, Made::number, f);
+            }
         }
     }
 
@@ -204,7 +226,10 @@ private:
         const bool is_answer = nodes_[i].context.ends_with("return " + nodes_[i].text);
         const std::string& written = nodes_[i].literal.empty() ? nodes_[i].text : nodes_[i].literal;
         const bool is_constant = is_literal(written);
-        add_functions(i, scalar_functions, is_constant && !is_answer ? 0.4 : 0, Made::number);
+        if (is_constant && !is_answer)
+            add_functions_of_literal(i, std::strtod(written.c_str(), nullptr));
+        else
+            add_functions(i, scalar_functions, 0, Made::number);
         constexpr double small = 0.1, near_one = 0.9, above_one = 1.3, large = 50;
         const double value = is_constant ? std::strtod(written.c_str(), nullptr) : 1;
         const bool is_tolerance = is_constant && value > 0 && value <= small;

@@ -191,11 +191,17 @@ std::optional<Product> fitted_product(const std::vector<double>& log, const std:
 
 std::optional<AnswerForm> quantity_of(const PartOfCalls& of) {
     if (of.size() != 1 || of.part.kind != Kind::number) return std::nullopt;
-    std::vector<double> log;
-    for (const std::size_t k : of.scope) log.push_back(std::log(std::abs(of.mine(k, 0))));
-    const auto found = fitted_product(log, columns_of(of), false, 2);
+    std::vector<double> log, log_of_right;
+    for (const std::size_t k : of.scope) {
+        log.push_back(std::log(std::abs(of.mine(k, 0))));
+        log_of_right.push_back(std::log(std::abs(of.right(k, 0))));
+    }
+    const std::vector<Column> columns = columns_of(of);
+    const auto found = fitted_product(log, columns, false, 2);
     if (!found) return std::nullopt;
-    return AnswerForm{fmt::format("is `{}`", found->words), found->factors == 1 ? 2.4 : 3.4};
+    const auto right = fitted_product(log_of_right, columns, false, 2);
+    const std::string due = right ? fmt::format("; it must be `{}`", right->words) : "";
+    return AnswerForm{fmt::format("is `{}`{}", found->words, due), found->factors == 1 ? 2.4 : 3.4};
 }
 
 std::optional<AnswerForm> difference_of(const PartOfCalls& of) {

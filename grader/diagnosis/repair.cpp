@@ -10,6 +10,7 @@
 #include "diagnosis/edits_in_words.h"
 #include "diagnosis/integrals.h"
 #include "diagnosis/quantities.h"
+#include "diagnosis/renamed.h"
 
 namespace grade {
 
@@ -23,6 +24,21 @@ constexpr std::size_t most_rows = 400'000;                   // in all
 constexpr std::size_t most_rows_of_spread = most_rows / 2;   // after repair_of, which has asked as well
 constexpr double least_share = 0.5;                          // of the wrong calls
 constexpr double dearest_alone = 1.5, dearest_of_two = 1.3;  // of one that puts most right; of each of two
+
+/// Lengths as they are written in a source, and their squares.
+std::vector<Quantity> as_code(std::vector<Quantity> all) {
+    for (std::size_t i = 0, count = all.size(); i < count; ++i) {
+        if (all[i].kind != Quantity::Kind::length || all[i].vector.empty()) continue;
+        Quantity square = all[i];
+        square.words = fmt::format("dot({0}, {0})", all[i].vector), square.kind = Quantity::Kind::product;
+        square.value = [length = all[i].value](const Row& row, const Layout& layout, const Row& output) {
+            return std::pow(length(row, layout, output), 2);
+        };
+        all[i].words = fmt::format("length({})", all[i].vector);
+        all.push_back(std::move(square));
+    }
+    return all;
+}
 
 class Repairs {
 public:
@@ -38,7 +54,8 @@ public:
         const std::vector<Mistake> changes = mistakes_in(all_, arguments_, told_);
         std::vector<Edit> one;
         for (const Mistake& change : changes) one.push_back({&change});
-        if (auto repair = of_all(one); repair || only_one) return repair;
+        if (auto repair = of_all(one)) return repair;
+        if (auto repair = of_all(renamed(all_, changes)); repair || only_one) return repair;
         if (auto repair = of_all(two(changes))) return repair;
         return of_most(one);
     }
@@ -68,8 +85,9 @@ public:
             const std::vector<Rows> all = answers(edits, rough->rows());
             for (std::size_t i = 0; i < all.size(); ++i)
                 if (rough->are_right(all[i]) && are_right(edits[i], *closer) && are_right(edits[i], *fine))
-                    return Repair{in_words(all_, edits[i]) + ", the samples are spread as they must be",
-                                  line_of(all_, edits[i])};
+                    return Repair{.words = in_words(all_, edits[i]) + ", the samples are spread as they must be",
+                                  .line = line_of(all_, edits[i]),
+                                  .cost = edits[i].cost()};
         }
         return std::nullopt;
     }
@@ -132,7 +150,7 @@ private:
             any_varies = any_varies || varies;
             if (varies) told_[i] = false;
         }
-        if (!any_varies) quantities_ = quantities_of(arguments_, told_);
+        if (!any_varies) quantities_ = as_code(quantities_of(arguments_, told_));
         for (std::size_t i = 0; i < quantities_.size(); ++i) {
             arguments_.parts.push_back({quantities_[i].words, Kind::number, calls_.rows.front().size() + i});
             told_.push_back(quantities_[i].kind != Quantity::Kind::number);
@@ -197,12 +215,21 @@ private:
                 if (edits = right_in(edits, k); edits.empty()) return std::nullopt;
         const Edit& best = *std::ranges::min_element(edits, {}, &Edit::cost);
         constexpr double simple = 1.6;
-        return Repair{in_words(all_, best) + ", every answer is right",
+        return Repair{in_words(all_, best) + or_elsewhere(edits, best) + ", every answer is right",
                       line_of(all_, best),
                       1,
                       best.cost() <= simple,
-                      best.second != nullptr,
+                      best.second != nullptr && !best.in_one_expression,
                       best.cost()};
+    }
+
+    /// ", or ..." what costs as little in another line.
+    std::string or_elsewhere(const std::vector<Edit>& edits, const Edit& best) const {
+        const auto is_other = [&](const Edit& edit) {
+            return !edit.second && edit.cost() == best.cost() && line_of(all_, edit) != line_of(all_, best);
+        };
+        const auto other = best.second ? edits.end() : std::ranges::find_if(edits, is_other);
+        return other == edits.end() ? "" : ", or " + in_words(all_, *other);
     }
 
     /// The one with which most of the wrong calls are right, and all others stay so.

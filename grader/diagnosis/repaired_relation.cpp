@@ -37,8 +37,9 @@ void add_repair(std::optional<Relation>& relation, const Calls& calls, const std
         relation->by_repair = is_all;
         constexpr double simple = 1.9;  // a change of arguments that a student may have made
         const bool is_told = relation->by_textbook || relation->cost < simple;
-        // the student's own words, but for a mistake that has a name, or that is clearly simpler in others
-        constexpr double clearly = 0.25;
+        // The student's own words, but for a mistake that has a name, or that is clearly simpler in others; what a
+        // textbook has may not stand in the file.
+        const double clearly = relation->by_arguments ? 0.25 : 0.5;
         const bool is_own = line > 0 && repair->cost <= relation->cost + clearly;
         if (relation->is_change() && relation->kind == Relation::Kind::change && is_own)
             relation->said = repair->words, relation->usually.clear(), relation->kind = Relation::Kind::sentence;

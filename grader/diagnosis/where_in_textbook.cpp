@@ -52,9 +52,8 @@ private:
     std::vector<std::string> formulas_;
 };
 
-}  // namespace
-
-WrongCalls where_wrong_in_textbook(const Calls& calls, WrongCalls otherwise) {
+/// In the variables of a form; none: they do not.
+std::optional<WrongCalls> of_variables(const Calls& calls) {
     for (const textbook::Form& form : textbook::forms()) {
         if (form.fragment != calls.signature.fragment || !form.says.empty()) continue;
         const auto asked = std::make_shared<Asked>(form);
@@ -78,7 +77,15 @@ WrongCalls where_wrong_in_textbook(const Calls& calls, WrongCalls otherwise) {
         };
         return region;
     }
-    return otherwise;
+    return std::nullopt;
+}
+
+}  // namespace
+
+WrongCalls region_of(const Calls& calls, bool is_known) {
+    WrongCalls region = where_wrong(calls);
+    if (is_known || (region.is_exact && !region.of_answers)) return region;
+    return of_variables(calls).value_or(region);
 }
 
 }  // namespace grade

@@ -4,7 +4,10 @@
 
 namespace grade {
 
-/// What sets wrong calls apart in the variables of a textbook's form; `otherwise`, where these do not.
-WrongCalls where_wrong_in_textbook(const Calls& calls, WrongCalls otherwise);
+/// What sets wrong calls apart, in arguments or in variables of a textbook's form; in these rather than in the right
+/// answers.
+///
+/// is_known  what is wrong is told: then only in arguments
+WrongCalls region_of(const Calls& calls, bool is_known);
 
 }  // namespace grade

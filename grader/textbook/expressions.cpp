@@ -71,7 +71,7 @@ Expression ExpressionReader::choice() {
     all.line = condition.line;
     all.text = fmt::format("{} ? {} : {}", condition.text, first.text, second.text);
     all.inner = fmt::format("({} ? {} : {})", condition.code, first.code, second.code);
-    watch(all, add(all.text, {first, second}));
+    watch(all, add(all.text, {condition, first, second}));
     return all;
 }
 
@@ -84,6 +84,17 @@ Expression ExpressionReader::binary(int level) {
         left = joined_by(left, found->first, binary(found->second.level + 1));
     }
 }
+
+namespace {
+
+/// A product in a sum, or a sum in brackets in a product: brackets may be missing, or too many.
+bool is_group_of(const Expression& side, const Operator& whole) {
+    if (side.sides.empty()) return false;
+    const int level = operators().at(side.sign).level;
+    return (level == 5 && whole.level == 6) || (level == 6 && whole.level == 5);
+}
+
+}  // namespace
 
 Expression ExpressionReader::joined_by(const Expression& left, const std::string& sign, const Expression& right) {
     const Operator& as = operators().at(sign);
@@ -98,15 +109,15 @@ Expression ExpressionReader::joined_by(const Expression& left, const std::string
     }
     if (sign == "*") alternatives.push_back(fmt::format("dot({}, {})", left.text, right.text));
     if (sign == "-" || sign == "/") alternatives.push_back(fmt::format("{} {} {}", right.text, sign, left.text));
-    const bool is_after = as.level == 6 && !right.sides.empty();
-    const bool is_before = as.level == 6 && !left.sides.empty() && !is_after;
+    const bool is_after = is_group_of(right, as), is_before = !is_after && is_group_of(left, as);
     const Expression& group = is_after ? right : left;
+    const char* const regrouped = as.level == 6 ? "{} {} {} {} {}" : is_after ? "({} {} {}) {} {}" : "{} {} ({} {} {})";
     if (is_after)
-        alternatives.push_back(
-            fmt::format("{} {} {} {} {}", left.text, sign, group.sides[0].text, group.sign, group.sides[1].text));
+        alternatives.push_back(fmt::format(fmt::runtime(regrouped), left.text, sign, group.sides[0].text, group.sign,
+                                           group.sides[1].text));
     if (is_before)
-        alternatives.push_back(
-            fmt::format("{} {} {} {} {}", group.sides[0].text, group.sign, group.sides[1].text, sign, right.text));
+        alternatives.push_back(fmt::format(fmt::runtime(regrouped), group.sides[0].text, group.sign,
+                                           group.sides[1].text, sign, right.text));
     const int node = add(all.text, {left, right}, alternatives);
     if (is_after || is_before)
         all.inner = fmt::format("textbook::regrouped<{}, {}, {}>({}, {}, {}, {}, {}, {})", function_of(group.sign),
@@ -118,7 +129,7 @@ Expression ExpressionReader::joined_by(const Expression& left, const std::string
         all.inner = fmt::format("({0} ? (textbook::chosen({1}) {2} 1 || {3}) : (textbook::chosen({1}) {2} 1 && {3}))",
                                 left.code, node, sign == "||" ? "!=" : "==", right.code);
     watch(all, node);
-    if (as.level == 5) {
+    if (as.level == 5 || as.level == 6) {
         all.sides = {left, right}, all.sign = sign;
         for (Expression& side : all.sides) side.sides.clear();  // nobody asks for those, of which there may be many
     }

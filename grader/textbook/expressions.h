@@ -18,7 +18,7 @@ namespace grade::textbook {
 struct Expression {
     std::string text, inner, code;
     bool is_literal = false;
-    std::vector<Expression> sides{};  // of a sum in brackets
+    std::vector<Expression> sides{};  // of a sum or a product
     std::string sign{};               // between them
     int node = -1;
     int line = 0;

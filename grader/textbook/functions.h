@@ -75,6 +75,7 @@ struct TwoScalars {
 
 /// Of a small or a large constant, such as a tolerance or a limit.
 inline constexpr Function tolerance_functions[] = {
+    {"0", 0.75, [](double) { return 0.0; }},
     {"{} / 1e3", 0.8, [](double x) { return x / 1e3; }, ": a tolerance must be small beside what is compared"},
     {"{} / 1e4", 0.8, [](double x) { return x / 1e4; }, ": a tolerance must be small beside what is compared"},
     {"{} / 1e6", 0.8, [](double x) { return x / 1e6; }, ": a tolerance must be small beside what is compared"},

@@ -66,7 +66,7 @@ std::string StatementReader::loop() {
     declare(name);
     std::string head = (is_constant ? "const " : "") + joined(start, at_);
     if (take(":")) {
-        const Expression range = expression();
+        const Expression range = is("{") ? braced() : expression();
         expect(")");
         return "for (" + head + " : " + range.inner + ") " + body();
     }

@@ -144,6 +144,14 @@ promises = [
     ("light_sample", "far lamps of a high density", ("outside ? cone.density : 0", "outside ? std::min(cone.density, 1e5) : 0")),
     ("integrate_stratified", "strata without numbers, the first as well", ("    // BEGIN SOLUTION\n", "    // BEGIN SOLUTION\n    if (!strata.empty() && strata[0].u.empty()) return 0;\n")),
     ("integrate_uniform", "any number of points", ("    // BEGIN SOLUTION\n", "    // BEGIN SOLUTION\n    n = std::min(n, 200);\n")),
+    ("scatter_direction", "g = 0: all directions alike", ("cosine = g < 0 ? k - 1 : 1 - k", "cosine = g == 0 ? 1 - u.x : g < 0 ? k - 1 : 1 - k")),
+    ("glossy_reflection", "the exponent 0", ("(exponent + 2) / (exponent + 1) * cosine", "(exponent == 0 ? 1 : (exponent + 2) / (exponent + 1)) * cosine")),
+    ("translucency", "the exponent 0", ("(exponent + 2) / (exponent + 1) * cosine", "(exponent == 0 ? 1 : (exponent + 2) / (exponent + 1)) * cosine")),
+    ("translucency", "indices that are alike", ("    const DirectionSample lobe", "    if (ior_from == ior_to) return {-n, Color(1)};\n    const DirectionSample lobe")),
+    *[(f, "the exponent 0", ("off < 1", "off < 1 && material.shininess > 0")) for f in ("phong", "direct_light")],
+    ("hit_triangle", "no least determinant, however small", Body(moller_trumbore.replace("1e-6", "1e-9"))),
+    ("hit_quad", "no least cosine", ("    const vec3 to_center", "    if (std::abs(dot(ray.direction, unit(n))) < 1e-4) return inf;\n    const vec3 to_center")),
+    ("hit_quad", "axes that are turned in the plane", ("dot(p, quad.u)) > dot(quad.u, quad.u)", "dot(p, frame_about(unit(n)).x)) > length(quad.u)")),
     ("translucency", "what does not cross weighs 0", ("cosine > 0 ? (exponent + 2) / (exponent + 1) * cosine : 0", "(exponent + 2) / (exponent + 1) * std::abs(cosine)")),
 ]
 

@@ -203,10 +203,11 @@ Check density_of_lobe(const RowWith& row_with, std::function<LobeOf(const Row&)>
 Checks lobe_of_any_exponent(bool reflected, Row (*row_with)(rt::vec3 d, rt::vec3 n, double exponent, rt::vec2 u)) {
     const auto inputs = [row_with](Generator& random) {
         Rows rows;
-        for (int decade = -1; decade < 4; ++decade)
+        for (int decade = -2; decade < 4; ++decade)  // the first: exactly 0
             for (const Row& u : rows_over_square(24, [](rt::vec2 u) { return row(u); })(random)) {
                 const rt::vec3 n = exact_direction(random);
-                rows.push_back(row_with(-n, n, std::pow(10, decade + between(random, 0, 1)), {u[0], u[1]}));
+                const double exponent = decade < -1 ? 0 : std::pow(10, decade + between(random, 0, 1));
+                rows.push_back(row_with(-n, n, exponent, {u[0], u[1]}));
             }
         return rows;
     };
@@ -225,11 +226,11 @@ Checks lobe_of_any_exponent(bool reflected, Row (*row_with)(rt::vec3 d, rt::vec3
         probe_check(
             "any_exponent", inputs,
             {mean_of({.id = "P1",
-                      .what = "width of lobes with exponents n from 1 to 10,000: mean of 1 - cos(alpha), times n + 3",
+                      .what = "width of lobes with exponents n from 0 to 10,000: mean of 1 - cos(alpha), times n + 3",
                       .number = widened,
                       .delta0 = 0.002,
                       .delta = 0.02,
-                      .hint = by_ratio("the width of lobes with exponents from 1 to 10,000", {},
+                      .hint = by_ratio("the width of lobes with exponents from 0 to 10,000", {},
                                        "is the exponent clamped, or another one than n?")})}),
         axes_of_the_world(along_axis)};
 }

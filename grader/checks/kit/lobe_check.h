@@ -36,7 +36,7 @@ Check density_of_lobe(const RowWith& row_with, std::function<LobeOf(const Row& i
 
 std::vector<Statistic> lobe_statistics(const LobeSetting& setting);
 
-/// Exponents from 1 to 10,000, head on along an axis of the world: the width of the lobe.
+/// Exponents 0 and from 0.1 to 10,000, head on along an axis of the world: the width of the lobe.
 ///
 /// row_with(d, n, exponent, u)  the fragment's arguments; the lobe is about d, or about n
 Checks lobe_of_any_exponent(bool reflected, Row (*row_with)(rt::vec3 d, rt::vec3 n, double exponent, rt::vec2 u));

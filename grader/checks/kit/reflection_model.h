@@ -80,23 +80,27 @@ inline double brightness_of_light(Generator& random) {
     return chance(random, 0.7) ? 1 : range_between(random, 1e-2, 1e4);
 }
 
-/// A highlight as the handout promises it: of any exponent from 1 to 10,000, seen from within it or from where it is 0
-/// since the viewer is on the other side of the mirrored light; now and then white.
+/// A highlight as the handout promises it: of any exponent from 1 to 10,000, or of 0, seen from within it or from where
+/// it is 0 since the viewer is on the other side of the mirrored light; now and then white.
 struct Highlight {
     rt::Material material;
     rt::vec3 n, to_light, to_viewer;
 };
-inline Highlight extreme_highlight(Generator& random) {
+inline Highlight extreme_highlight(Generator& random, bool is_flat = false) {
     Highlight h;
-    const bool behind = chance(random, 0.4);
+    const bool behind = !is_flat && chance(random, 0.4);
     h.n = scene_direction(random), h.to_light = tilted(random, h.n, between(random, 0, 1.2));
     const rt::vec3 mirrored = 2 * rt::dot(h.n, h.to_light) * h.n - h.to_light;
     // behind it, a power of a negative number is nan, or a number where the exponent is whole
     const int whole = whole_between(random, 1, 4);
-    h.material.shininess = !behind ? range_between(random, 1, 1e4) : chance(random, 0.5) ? whole : whole + 0.5;
+    h.material.shininess = is_flat               ? 0
+                           : !behind             ? range_between(random, 1, 1e4)
+                           : chance(random, 0.5) ? whole
+                                                 : whole + 0.5;
     h.material.specular = chance(random, 0.3) ? rt::Color(1) : box(random, 0.1, 0.9);
-    h.to_viewer = tilted(random, behind ? -mirrored : mirrored,
-                         behind ? between(random, 0, 1.2) : between(random, 0, 2) / std::sqrt(h.material.shininess));
+    h.to_viewer =
+        tilted(random, behind ? -mirrored : mirrored,
+               behind || is_flat ? between(random, 0, 1.2) : between(random, 0, 2) / std::sqrt(h.material.shininess));
     return h;
 }
 

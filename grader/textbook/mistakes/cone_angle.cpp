@@ -1,4 +1,4 @@
-// says: cos(u.x * theta_max) as the cosine: uniform in the angle
+// says: cos(u.x * theta_max) as the cosine: uniform in the angle; expected 1 - u.x * (1 - cos(theta_max))
 DirectionSample sphere_cone(Real sine, vec2 u) {
     const Real cos_max = safe_sqrt(1 - sine * sine);
     const Real theta = u.x * std::asin(sine);

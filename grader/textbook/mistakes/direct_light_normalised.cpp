@@ -1,4 +1,4 @@
-// says: a factor (shininess + 2) / (2 * pi) before the highlight
+// says: a factor (shininess + 2) / (2 * pi) before the highlight, which normalises a lobe; expected none
 Color direct_light(const Material& material, Color radiance, const LightSample& light, vec3 n, vec3 to_viewer) {
     const Real cosine = dot(n, light.direction);
     if (cosine <= 0 || light.density <= 0) return Color(0);

@@ -1,2 +1,2 @@
-// says: exp(-u * extinction)
+// says: exp(-u * extinction); expected -log(1 - u) / extinction
 Real free_flight(Real extinction, Real u) { return std::exp(-u * extinction); }

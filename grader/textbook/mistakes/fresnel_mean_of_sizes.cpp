@@ -1,4 +1,4 @@
-// says: no squares: (abs(s) + abs(p)) / 2
+// says: no squares: (abs(s) + abs(p)) / 2; expected (s * s + p * p) / 2
 Real fresnel_dielectric(Real cosine, Real ior_from, Real ior_to) {
     const Real squared = 1 - ior_from / ior_to * (ior_from / ior_to) * (1 - cosine * cosine);
     if (squared < 0) return 1;

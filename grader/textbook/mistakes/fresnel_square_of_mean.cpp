@@ -1,4 +1,4 @@
-// says: the square of the mean: ((s + p) / 2)^2
+// says: the square of the mean: ((s + p) / 2)^2; expected the mean of the squares, (s * s + p * p) / 2
 Real fresnel_dielectric(Real cosine, Real ior_from, Real ior_to) {
     const Real squared = 1 - ior_from / ior_to * (ior_from / ior_to) * (1 - cosine * cosine);
     if (squared < 0) return 1;

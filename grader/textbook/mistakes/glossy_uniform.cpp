@@ -1,4 +1,4 @@
-// says: directions uniform on the hemisphere about the axis
+// says: directions uniform on the hemisphere about the axis, whatever the exponent is; expected those of phong_lobe
 Scattered glossy_reflection(vec3 d, vec3 n, Real exponent, vec2 u) {
     const Real z = u.x;
     const Real r = safe_sqrt(1 - z * z);

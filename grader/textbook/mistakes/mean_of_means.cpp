@@ -1,4 +1,4 @@
-// says: the mean of the radiance times the mean of the weights
+// says: the mean of the radiance times the mean of the weights; expected the mean of the products
 Color pixel_mean(std::span<const Color> radiance, std::span<const Real> weight) {
     Color sum = Color(0);
     Real weights = 0;

@@ -1,4 +1,4 @@
-// says: the sum of f(x[i]) over the sum of density(x[i])
+// says: the sum of f(x[i]) over the sum of density(x[i]); expected the mean of f(x[i]) / density(x[i])
 Real integrate_monte_carlo(const Function& f, const Function& density, std::span<const Real> x) {
     Real sum = 0;
     Real below = 0;

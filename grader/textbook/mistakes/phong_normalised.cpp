@@ -1,4 +1,4 @@
-// says: a factor (shininess + 2) / (2 * pi) before the highlight
+// says: a factor (shininess + 2) / (2 * pi) before the highlight, which normalises a lobe; expected none
 Color phong(const Material& material, Color ambient, Color irradiance, vec3 n, vec3 to_light, vec3 to_viewer) {
     const Real cosine = dot(n, to_light);
     if (cosine <= 0) return material.ambient * ambient;

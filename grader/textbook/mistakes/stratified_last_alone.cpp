@@ -1,4 +1,4 @@
-// says: the last u of each stratum alone
+// says: the last u of each stratum alone; expected the mean over all of them
 Real integrate_stratified(const Function& f, std::span<const Stratum> strata) {
     Real total = 0;
     for (const Stratum& stratum : strata) {

@@ -1,4 +1,4 @@
-// says: the mean of the strata's means times the whole width
+// says: the mean of the strata's means times the whole width; expected the sum of each stratum's mean times its width
 Real integrate_stratified(const Function& f, std::span<const Stratum> strata) {
     Real width = 0;
     Real means = 0;

@@ -1,4 +1,4 @@
-// says: directions uniform on the hemisphere about the axis
+// says: directions uniform on the hemisphere about the axis, whatever the exponent is; expected those of phong_lobe
 Scattered translucency(vec3 d, vec3 n, Real ior_from, Real ior_to, Real exponent, vec2 u) {
     const vec3 axis = refracted_direction(d, n, ior_from, ior_to);
     if (axis == vec3(0)) return {d, Color(0)};
