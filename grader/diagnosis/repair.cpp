@@ -68,7 +68,8 @@ public:
         // whose rows take turns, lest all be of one kind
         const auto rough = Integrals::of(wrong, right, 1, 6, 0.3), closer = Integrals::of(wrong, right, 2, 12, 0.1),
                    fine = Integrals::of(wrong, right, 9, 48, 0.02);
-        if (!rough || !closer || !fine || !see() || are_right({}, *fine)) return std::nullopt;
+        const auto among_all = Integrals::of(calls_, right, 9, 48, 0.02);  // right calls must stay so
+        if (!rough || !closer || !fine || !among_all || !see() || are_right({}, *fine)) return std::nullopt;
         std::vector<Mistake> changes = mistakes_in(all_, arguments_, told_);  // the simplest first
         // integrals of an odd one may be right by chance: none that is less simple than `max(x, 0)`, but for another
         // value in the place of one
@@ -84,7 +85,8 @@ public:
                 edits.push_back({&changes[i]});
             const std::vector<Rows> all = answers(edits, rough->rows());
             for (std::size_t i = 0; i < all.size(); ++i)
-                if (rough->are_right(all[i]) && are_right(edits[i], *closer) && are_right(edits[i], *fine))
+                if (rough->are_right(all[i]) && are_right(edits[i], *closer) && are_right(edits[i], *fine) &&
+                    are_right(edits[i], *among_all))
                     return Repair{.words = in_words(all_, edits[i]) + ", the samples are spread as they must be",
                                   .line = line_of(all_, edits[i]),
                                   .cost = edits[i].cost()};

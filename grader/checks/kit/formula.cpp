@@ -21,8 +21,9 @@ std::string numbers(const Row& row) {
     return fmt::format("({:.6g}{})", fmt::join(shown, ", "), row.size() > most ? ", ..." : "");
 }
 
-/// Whether all rows are as a suspect has them, but for a few on an edge; among them some that are not right.
-bool matches(const Observation& seen, const Rows& right, const RowSuspect& suspect, double tolerance) {
+/// How many rows are as a suspect has them, where all are but for a few on an edge, and among them some that are not
+/// right; else 0.
+std::size_t matching(const Observation& seen, const Rows& right, const RowSuspect& suspect, double tolerance) {
     std::size_t same = 0, telling = 0, wrong = 0;
     for (std::size_t k = 0; k < seen.inputs.size(); ++k) {
         const bool as_suspected = deviation(seen.outputs[k], suspect.outputs(seen.inputs[k], right[k])) <= tolerance;
@@ -31,7 +32,8 @@ bool matches(const Observation& seen, const Rows& right, const RowSuspect& suspe
         wrong += is_wrong;
         telling += is_wrong && as_suspected;
     }
-    return wrong > 0 && telling >= 0.95 * double(wrong) && same >= 0.99 * double(seen.inputs.size());
+    const bool is_all = wrong > 0 && telling >= 0.95 * double(wrong) && same >= 0.99 * double(seen.inputs.size());
+    return is_all ? same : 0;
 }
 
 /// Whether the rows that are wrong are those of a circumstance, and there are others.
@@ -68,8 +70,12 @@ namespace {
 Shown cause_of(const RowFormula& f, const Observation& seen) {
     Rows right;
     for (const Row& inputs : seen.inputs) right.push_back(f.right(inputs));
+    std::size_t most = 0;
+    std::string best;
     for (const RowSuspect& suspect : f.suspects)
-        if (matches(seen, right, suspect, f.tolerance)) return suspect.words;
+        if (const std::size_t same = matching(seen, right, suspect, f.tolerance); same > most)
+            most = same, best = suspect.words;
+    if (most > 0) return best;
 
     std::vector<double> off;
     for (std::size_t k = 0; k < right.size(); ++k) off.push_back(deviation(seen.outputs[k], right[k]));
