@@ -290,3 +290,15 @@ TEST_CASE("of answers that are right or wrong the wrong ones are counted") {
     seen.inputs = {{0}, {1}, {1}, {0}}, seen.outputs = {{0}, {0}, {0}, {0}};
     CHECK(wrong.measure(seen) == 2);
 }
+
+TEST_CASE("of several mistakes that give nearly all answers, the one that gives most is told") {
+    RowFormula squares{
+        .id = "F1", .what = "off by", .tolerance = 1e-6, .right = [](const Row& in) { return Row{in[0] * in[0]}; }};
+    squares.suspects = {{"it is 1 more", [](const Row& in, const Row& right) { return Row{right[0] + (in[0] != 7)}; }},
+                        {"it is 1 more, at 7 as well", [](const Row&, const Row& right) { return Row{right[0] + 1}; }}};
+    const Statistic off = formula(squares);
+    Observation seen;
+    for (int x = 0; x < 200; ++x) seen.inputs.push_back({double(x)}), seen.outputs.push_back({x * x + 1.0});
+    REQUIRE(off.cause);
+    CHECK(off.cause(seen).words == "it is 1 more, at 7 as well");
+}

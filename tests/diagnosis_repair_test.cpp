@@ -3,6 +3,7 @@
 
 #include "diagnosis/calls_made.h"
 #include "diagnosis/edits_in_words.h"
+#include "diagnosis/integrals.h"
 #include "diagnosis/renamed.h"
 #include "diagnosis/repair.h"
 #include "explained.h"
@@ -48,6 +49,8 @@ TEST_CASE("a student's source: what it holds, and in which line") {
                                      std::pair("w * half(x)", 17), std::pair("s - t", 20), std::pair("sum + 3", 23)})
         CHECK(node(more, text).line == line);
     CHECK(std::ranges::count(more.nodes, "x * 9", &textbook::Node::text) == 0);
+    const auto listed = textbook::editable(function("    for (const Real t : {x * 3, u.y}) if (t > 0) return t;\n"));
+    CHECK(node(listed, "x * 3").line == 6);
     CHECK_THAT(more.text, ContainsSubstring("case 1:"));
     CHECK_THAT(more.text, ContainsSubstring("for (const Real w : {1.0, 2.0})"));
 }
@@ -117,6 +120,13 @@ TEST_CASE("another operator in place of one has the brackets that it needs") {
         textbook::editable(function("    const bool a = x > 1, b = x > 2, c = x > 3;\n"
                                     "    return a || b || c ? 1 - u.x * u.x * (1 - x) : 0;\n"));
     CHECK(node(source, "a || b || c").alternatives.front() == "(a || b) && c");
+    const auto has = [](const textbook::Node& node, const std::string& alternative) {
+        return std::ranges::count(node.alternatives, alternative) == 1;
+    };
+    const auto sums = textbook::editable(function("    return (x - x * u.x) * (x / u.y + x) * ((x - 1) * u.x);\n"));
+    CHECK(has(node(sums, "x - x * u.x"), "(x - x) * u.x"));  // brackets that are missing
+    CHECK(has(node(sums, "x / u.y + x"), "x / (u.y + x)"));
+    CHECK(has(node(sums, "(x - 1) * u.x"), "x - 1 * u.x"));  // and too many
     CHECK(textbook::loosest("a * (b + c)") == textbook::loosest("a * b"));
     CHECK(textbook::loosest("a * -b + f(c, d)") == textbook::loosest("a - b"));
     CHECK(textbook::loosest("(a + b)") == textbook::loosest("a"));
@@ -342,6 +352,21 @@ TEST_CASE("what must stand where samples lie elsewhere than the solution's") {
     CHECK(repair({-1, 1, 0, 0}).empty());      // right, elsewhere
     CHECK(repair({-1, 1, 0.3, 0}) != "");      // `extinction`
     CHECK(repair({-1, 1.5, 0.3, 7}).empty());  // no change of one expression
+}
+
+TEST_CASE("samples that are no directions are not spread as they must be, whatever they integrate") {
+    const Ask right = answers("cosine_hemisphere");
+    const Rows rows = squares();
+    const Calls all = compared(declared("cosine_hemisphere"), rows, right, right);
+    const auto integrals = Integrals::of(all, right, 1, 12, 0.1);
+    REQUIRE(integrals);
+    const auto of_height = [&](auto height) {
+        Rows samples = right(integrals->rows());
+        for (Row& out : samples) out[2] = height(std::hypot(out[0], out[1])), out[3] = out[2] / rt::pi;
+        return samples;
+    };
+    CHECK(integrals->are_right(of_height([](double r) { return std::sqrt(1 - r * r); })));
+    CHECK_FALSE(integrals->are_right(of_height([](double r) { return r; })));  // its moments are
 }
 
 TEST_CASE("a program that gives no answers, or too few, is no repair") {

@@ -161,6 +161,17 @@ TEST_CASE("beside nan stands what is wrong with answers that are numbers") {
     CHECK(diagnose(fragment).words == fragment.finding.of_numbers);
 }
 
+TEST_CASE("where to read on: of the fragment, where calls say what a picture shows") {
+    FragmentRecord fragment;
+    fragment.name = "phong", fragment.verdict = Verdict::failed;
+    fragment.checks.resize(1);
+    fragment.checks[0].fragment = "phong", fragment.checks[0].scene = "lit";
+    fragment.checks[0].verdict = Verdict::failed, fragment.checks[0].message = "pixel (0, 0) is negative";
+    CHECK(diagnose(fragment).section == "When it looks wrong");
+    fragment.finding.how = "`radiance` has the opposite sign";
+    CHECK(diagnose(fragment).section == "phong");
+}
+
 TEST_CASE("answers with the digits of single precision are told, also where doubles are made of them") {
     const Rows rows = calls([](Generator& random) { return row(between(random, 0.1, 0.9), square(random)); });
     const auto off = [](double by) {
