@@ -38,11 +38,19 @@ std::string other_number(const textbook::Node& node, const Mistake& mistake) {
     }
 }
 
+/// Whether nothing beside it binds it: all of a statement, an argument, what is in brackets.
+bool stands_alone(const std::string& text, const std::string& context) {
+    const std::size_t at = context.find(text);
+    if (at == context.npos) return false;
+    const std::string before = context.substr(0, at), after = context.substr(at + text.size());
+    const auto ends = [&](const char* end) { return before.ends_with(end); };
+    const bool is_first = before.empty() || ends("(") || ends(", ") || ends("= ") || ends("return ");
+    return is_first && (after.empty() || after.starts_with(")") || after.starts_with(","));
+}
+
 /// Another operator binds less than what is written: within a larger expression it needs brackets.
 std::string in_its_place(const textbook::Node& node, const std::string& alternative) {
-    const bool is_whole = node.context == node.text || node.context.ends_with("= " + node.text) ||
-                          node.context.ends_with("return " + node.text) ||
-                          node.context.ends_with("(" + node.text + ")");
+    const bool is_whole = stands_alone(node.text, node.context);
     const bool is_looser = textbook::loosest(alternative) < textbook::loosest(node.text);
     return is_looser && !is_whole ? "(" + alternative + ")" : alternative;
 }

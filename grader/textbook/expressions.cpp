@@ -224,9 +224,10 @@ Expression ExpressionReader::primary() {
         all.text += fields.text, all.inner += fields.inner;
     } else {
         const bool is_constant = chain == "inf" || chain == "pi" || chain.find("::") != std::string::npos;
-        // what stands once may be changed where it comes from, but for a field of what was computed
+        // what stands once may be changed where it comes from, but for a field of what was computed; in a student's
+        // source the line is told that way
         const bool is_once = (uses_[chain] < 2 || (constants_.contains(chain) && uses_[chain] < 3)) &&
-                             !(chain != name && locals_.contains(name));
+                             !(chain != name && (watches_fields_ || locals_.contains(name)));
         all.code = all.inner;
         if (!is_constant && !is_once && chain != "true" && chain != "false") watch(all, add(all.text));
         return all;

@@ -15,7 +15,9 @@ constexpr std::size_t most_written = 400'000;
 
 class SourceReader : StatementReader {
 public:
-    explicit SourceReader(const std::string& text) : StatementReader("", text, {}, 0), text_(text) {}
+    explicit SourceReader(const std::string& text) : StatementReader("", text, {}, 0), text_(text) {
+        watches_fields_ = true;
+    }
 
     EditableSource run() {
         const auto is_long = [](const Token& token) { return token.text.size() > longest_token; };
