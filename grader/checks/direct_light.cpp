@@ -166,7 +166,7 @@ std::function<Rows(Generator&)> any_samples() {
         const bool far = chance(random, 0.25);
         const double density = far                   ? range_between(random, 20, 1e6)
                                : chance(random, 0.1) ? 0
-                                                     : log_between(random, 1e-3, 20);
+                                                     : range_between(random, 1e-5, 20);
         const LightSample sample{d, log_between(random, 0.3, 10), density};
         return row(m, brightness_of_light(random) * (far ? density : 1) * radiance, sample, n, c);
     };

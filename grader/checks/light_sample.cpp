@@ -137,18 +137,24 @@ Check large_spheres() {
                                    "is the sine of the cone the radius over the distance of the centre?")})});
 }
 
-/// Each kind of light, from wherever it shines.
+/// Each kind of light, of any size, from wherever it shines; flat ones also at a grazing angle.
 Check density_of_samples() {
     std::vector<RowWith> kinds;
     std::vector<OwnDensity> densities;
     const auto direction_of = of_call<rt::light_sample>([](const LightSample& s) { return s.direction; });
     for (const auto& [kind, name] : {std::pair(Emitter::Kind::quad, "a quad"), std::pair(Emitter::Kind::disc, "a disc"),
                                      std::pair(Emitter::Kind::sphere, "a sphere")}) {
-        kinds.emplace_back([kind = kind](Generator& draw, vec2 u) {
-            const Emitter light = emitter(draw, kind);
-            const vec3 axis = kind == Emitter::Kind::sphere ? direction(draw) : rt::unit(rt::normal(light));
-            return row(light, rt::center(light) + between(draw, 1, 3) * tilted(draw, axis, between(draw, 0, 1)), u);
-        });
+        const auto from = [](Generator& draw, Emitter::Kind of, double angle, vec2 u) {
+            const auto [light, scale] = of_any_size(draw, of);
+            const vec3 axis = of == Emitter::Kind::sphere ? direction(draw) : rt::unit(rt::normal(light));
+            return row(light, rt::center(light) + scale * between(draw, 1, 3) * tilted(draw, axis, angle), u);
+        };
+        kinds.emplace_back(
+            [=, kind = kind](Generator& draw, vec2 u) { return from(draw, kind, between(draw, 0, 1), u); });
+        if (kind != Emitter::Kind::sphere)
+            kinds.emplace_back([=, kind = kind](Generator& draw, vec2 u) {
+                return from(draw, kind, std::acos(log_between(draw, 5e-3, 0.05)), u);
+            });
         const auto density = [kind = kind](const LightSample& s, const Emitter& light, vec3, vec2) {
             return light.kind == kind ? s.density : 0;
         };

@@ -9,11 +9,6 @@ namespace {
 
 constexpr double least_of_some = 0.5, dearest_of_some = 1.3;  // share of the wrong calls; cost
 
-bool is_same_place(const Mistake& a, const Mistake& b) {
-    if (a.of_arguments && b.of_arguments) return true;
-    return std::ranges::any_of(a.made.nodes, [&](int node) { return b.made.is_of(node); });
-}
-
 }  // namespace
 
 FormSearch::FormSearch(const Calls& calls, Asked& asked, std::size_t& left)
@@ -72,7 +67,7 @@ std::optional<Relation> FormSearch::two() {
     std::erase_if(all, [&](const Mistake& m) { return m.cost > dearest_of_pairs || !changes_an_answer(m); });
     for (std::size_t b = 1; b < all.size(); ++b)
         for (std::size_t a = 0; a < b; ++a) {
-            if (is_same_place(all[a], all[b])) continue;
+            if (are_in_one_place(all[a], all[b])) continue;
             if (left_ == 0) return std::nullopt;
             if (!explain_all(all[a], all[b])) continue;
             Relation both{asked_.words_of(all[a]) + ", and " + asked_.words_of(all[b]), Relation::Kind::change};
@@ -96,12 +91,17 @@ Relation FormSearch::or_another(Relation found, std::span<const Mistake> mistake
     const Mistake& first = mistakes.front();
     for (const Mistake& other : mistakes.subspan(1)) {
         if (!is_alternative(first) || other.cost > first.cost) break;
-        if (!is_alternative(other) || is_same_place(first, other) || !may_explain(other) || share_of(other) < 1)
+        if (!is_alternative(other) || are_in_one_place(first, other) || !may_explain(other) || share_of(other) < 1)
             continue;
         found.said += ", or " + asked_.words_of(other);
         break;
     }
     return found;
+}
+
+bool FormSearch::are_in_one_place(const Mistake& a, const Mistake& b) const {
+    if (a.of_arguments || b.of_arguments) return a.of_arguments && b.of_arguments;
+    return Expressions{asked_.form().nodes, asked_.first()}.overlap(a.made, b.made);
 }
 
 bool FormSearch::explains(std::size_t k, const Mistake& first, const Mistake* second) {

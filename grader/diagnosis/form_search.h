@@ -37,6 +37,7 @@ private:
     /// Of operators and functions that nothing tells apart, the first two are told: they stand in different places.
     Relation or_another(Relation found, std::span<const Mistake> mistakes);
 
+    bool are_in_one_place(const Mistake& a, const Mistake& b) const;
     bool explains(std::size_t k, const Mistake& first, const Mistake* second = nullptr);
 
     /// Whether it explains the first or the second call that it can change.

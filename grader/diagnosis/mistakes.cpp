@@ -282,6 +282,17 @@ private:
 
 }  // namespace
 
+bool Expressions::holds(int whole, int node) const {
+    return std::ranges::any_of(this->node(whole).parts, [&](int part) { return part == node || holds(part, node); });
+}
+
+bool Expressions::overlap(const textbook::Mistake& a, const textbook::Mistake& b) const {
+    return std::ranges::any_of(a.nodes, [&](int one) {
+        return std::ranges::any_of(b.nodes,
+                                   [&](int other) { return one == other || holds(one, other) || holds(other, one); });
+    });
+}
+
 std::vector<Mistake> mistakes_in(const Expressions& all, const Layout& arguments, const std::vector<bool>& told) {
     return MistakesMade(all, arguments, told).run();
 }

@@ -34,6 +34,10 @@ struct Expressions {
     std::vector<textbook::Value::Kind> seen{};  // none: never computed
 
     const textbook::Node& node(int number) const { return nodes[std::size_t(number - first)]; }
+    /// Whether an expression is a part of another, or of a part of it.
+    bool holds(int whole, int node) const;
+    /// Whether two mistakes are in one place, or one within the other's.
+    bool overlap(const textbook::Mistake& a, const textbook::Mistake& b) const;
 };
 
 /// Mistakes in these that make sense for such arguments, the simplest first.

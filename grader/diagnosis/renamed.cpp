@@ -23,10 +23,6 @@ bool is_renamed(const Expressions& all, const Mistake& change) {
            is_name(all.node(change.made.nodes.front()).text);
 }
 
-bool holds(const Expressions& all, int whole, int node) {
-    return std::ranges::any_of(all.node(whole).parts, [&](int part) { return part == node || holds(all, part, node); });
-}
-
 /// What changes of a text's names there are: where, how long it is, and what takes its place.
 struct Place {
     std::size_t from, to;
@@ -55,7 +51,7 @@ Place place_in(const Expressions& all, const Mistake& change, const std::string&
     std::size_t before = 0;
     for (int other = all.first; other < node; ++other) {
         const textbook::Node& one = all.node(other);
-        const bool is_within = whole < 0 ? one.context == of.context && one.line == of.line : holds(all, whole, other);
+        const bool is_within = whole < 0 ? one.context == of.context && one.line == of.line : all.holds(whole, other);
         before += is_within && one.text == of.text;
     }
     return place_of(text, of.text, before, change.other);
@@ -83,7 +79,7 @@ Mistake of_both(const Expressions& all, const Edit& edit) {
     const int first = edit.first->made.nodes.front(), second = edit.second->made.nodes.front();
     int whole = -1;
     for (int node = all.first; node < all.first + int(all.nodes.size()) && whole < 0; ++node)
-        if (holds(all, node, first) && holds(all, node, second)) whole = node;  // parts stand before what holds them
+        if (all.holds(node, first) && all.holds(node, second)) whole = node;  // parts stand before what holds them
     const int told = whole < 0 ? first : whole;
     std::string text = whole < 0 ? all.node(first).context : all.node(whole).text;
     std::vector<Place> places = {place_in(all, *edit.first, text, whole), place_in(all, *edit.second, text, whole)};

@@ -259,15 +259,14 @@ private:
     }
 
     /// Pairs of simple ones at different places.
-    static std::vector<Edit> two(const std::vector<Mistake>& changes) {
+    std::vector<Edit> two(const std::vector<Mistake>& changes) const {
         constexpr std::size_t most = 400;
         std::vector<Edit> simple, pairs;
         for (const Mistake& change : changes)
             if (change.cost <= dearest_of_two && simple.size() < most) simple.push_back({&change});
         for (std::size_t b = 1; b < simple.size(); ++b)
             for (std::size_t a = 0; a < b; ++a)
-                if (std::ranges::none_of(simple[a].first->made.nodes,
-                                         [&](int node) { return simple[b].first->made.is_of(node); }))
+                if (!all_.overlap(simple[a].first->made, simple[b].first->made))
                     pairs.push_back({simple[a].first, simple[b].first});
         return pairs;
     }

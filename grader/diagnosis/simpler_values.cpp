@@ -37,6 +37,8 @@ std::vector<std::vector<double>> simpler_values(const Field& part, const Row& ro
     } else if (part.kind != Kind::choice) {
         // the same number as 1 - u, by which others sample as well
         if (part.name == "u") add(std::vector<double>(n, 0.5));
+        // a power of 0 shows least
+        if (part.name.ends_with("exponent") || part.name.ends_with("shininess")) add({1}), add({2});
         for (const double x : {0.0, 1.0, 0.5, 2.0, -1.0, 0.25, 3.0, 10.0, 100.0, rt::inf})
             add(std::vector<double>(n, x));
         if (n == 2)

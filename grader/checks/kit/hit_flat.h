@@ -73,10 +73,14 @@ inline ExactFrame exact_frame(Generator& random) {
     return frame;
 }
 
-/// A ray straight down to a point, whose t is exact.
+/// A ray straight down to a point, whose t is exact; now and then one of its ends, which do not count.
 inline rt::Ray exact_ray(Generator& random, rt::vec3 target, const ExactFrame& frame) {
     const double away = whole_between(random, 1, 8), speed = std::exp2(whole_between(random, -2, 2));
-    return {target + away * frame.z, -speed * frame.z, 0, rt::inf};
+    rt::Ray ray{target + away * frame.z, -speed * frame.z, 0, rt::inf};
+    const int end = whole_between(random, 0, 5);
+    if (end == 0) ray.near = away / speed;
+    if (end == 1) ray.far = away / speed;
+    return ray;
 }
 
 /// Where the ray's line meets a plane.

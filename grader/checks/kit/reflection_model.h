@@ -81,7 +81,7 @@ inline double brightness_of_light(Generator& random) {
 }
 
 /// A highlight as the handout promises it: of any exponent from 1 to 10,000, or of 0, seen from within it or from where
-/// it is 0 since the viewer is on the other side of the mirrored light; now and then white.
+/// it is 0 since the viewer looks away from the mirrored light; now and then white. The viewer is above the surface.
 struct Highlight {
     rt::Material material;
     rt::vec3 n, to_light, to_viewer;
@@ -89,8 +89,7 @@ struct Highlight {
 inline Highlight extreme_highlight(Generator& random, bool is_flat = false) {
     Highlight h;
     const bool behind = !is_flat && chance(random, 0.4);
-    h.n = scene_direction(random), h.to_light = tilted(random, h.n, between(random, 0, 1.2));
-    const rt::vec3 mirrored = 2 * rt::dot(h.n, h.to_light) * h.n - h.to_light;
+    h.n = scene_direction(random);
     // behind it, a power of a negative number is nan, or a number where the exponent is whole
     const int whole = whole_between(random, 1, 4);
     h.material.shininess = is_flat               ? 0
@@ -98,9 +97,16 @@ inline Highlight extreme_highlight(Generator& random, bool is_flat = false) {
                            : chance(random, 0.5) ? whole
                                                  : whole + 0.5;
     h.material.specular = chance(random, 0.3) ? rt::Color(1) : box(random, 0.1, 0.9);
-    h.to_viewer =
-        tilted(random, behind ? -mirrored : mirrored,
-               behind || is_flat ? between(random, 0, 1.2) : between(random, 0, 2) / std::sqrt(h.material.shininess));
+    const double widest = is_flat ? 1.2 : 2 / std::sqrt(std::max(h.material.shininess, 1.0));
+    rt::vec3 mirrored;
+    bool is_seen = false;
+    while (!is_seen) {
+        h.to_light = tilted(random, h.n, behind ? between(random, 0.8, 1.4) : between(random, 0, 1.2));
+        mirrored = 2 * rt::dot(h.n, h.to_light) * h.n - h.to_light;
+        h.to_viewer = behind ? tilted(random, h.n, between(random, 0.2, 1.4))
+                             : tilted(random, mirrored, between(random, 0, widest));
+        is_seen = rt::dot(h.to_viewer, h.n) > 0.01 && (!behind || rt::dot(h.to_viewer, mirrored) < -0.02);
+    }
     return h;
 }
 
