@@ -66,7 +66,7 @@ Row small_quad(Generator& random, Small which) {
         return row(flat, Ray{{-2 * size, 0, chance(random, 0.5) ? 0 : size}, {1, 0, 0}, 0, rt::inf});
     }
     const Quad q{size * box(random, -1, 1), size * frame.x, size * frame.y};
-    const double reach = which == Small::least || chance(random, 0.7) ? 0.95 : 2.5;
+    const double reach = which != Small::any || chance(random, 0.7) ? 0.95 : 2.5;
     double x, y;
     do x = between(random, -reach, reach), y = between(random, -reach, reach);
     while (std::abs(std::abs(x) - 1) < 0.03 || std::abs(std::abs(y) - 1) < 0.03);

@@ -137,6 +137,61 @@ Check large_spheres() {
                                    "is the sine of the cone the radius over the distance of the centre?")})});
 }
 
+/// The solid angle of a triangle. Source: van Oosterom, Strackee, "The solid angle of a plane triangle", 1983.
+double solid_angle(vec3 a, vec3 b, vec3 c) {
+    const double x = glm::length(a), y = glm::length(b), z = glm::length(c);
+    return 2 * std::atan2(std::abs(rt::dot(a, rt::cross(b, c))),
+                          x * y * z + rt::dot(a, b) * z + rt::dot(a, c) * y + rt::dot(b, c) * x);
+}
+
+/// Of a flat light from a point before it: of a disc, as a polygon.
+double solid_angle(const Emitter& light, vec3 p) {
+    const vec3 center = rt::center(light) - p;
+    const bool is_quad = light.kind == Emitter::Kind::quad;
+    const rt::Frame frame = rt::frame_about(rt::unit(rt::normal(light)));
+    const int corners = is_quad ? 4 : 256;
+    const auto corner = [&](int k) {
+        const double angle = 2 * rt::pi * k / corners;
+        if (is_quad)
+            return center + (k % 4 < 2 ? 1.0 : -1.0) * light.quad.u + ((k + 1) % 4 < 2 ? 1.0 : -1.0) * light.quad.v;
+        return center + light.disc.radius * (std::cos(angle) * frame.x + std::sin(angle) * frame.y);
+    };
+    double sum = 0;
+    for (int k = 0; k < corners; ++k) sum += solid_angle(center, corner(k), corner(k + 1));
+    return sum;
+}
+
+/// Flat lights of any size, near and far, most of them at a slant.
+Statistic solid_angle_of_flat_lights() {
+    return mean_of({.id = "L1",
+                    .what = "solid angle of flat lights of any size, at a slant, near and far, over what it is",
+                    .number = of_call<rt::light_sample>([](const LightSample& s, const Emitter& light, vec3 p, vec2) {
+                        return s.density > 0 ? 1 / s.density / solid_angle(light, p) : 0.0;
+                    }),
+                    .delta0 = 0.003,
+                    .delta = 0.03,
+                    .hint = by_ratio("the solid angle of flat lights at a slant, small and large, near and far,",
+                                     {{2, "is the density halved?"}, {0.5, "is the density doubled?"}},
+                                     "is the density distance^2 / (cosine at the light * area) there as well?")});
+}
+
+Check any_flat_light() {
+    const auto inputs = [](Generator& random) {
+        Rows rows;
+        constexpr int lamps = 24;
+        for (int k = 0; k < lamps; ++k) {
+            const auto [light, scale] = of_any_size(random, k % 2 == 0 ? Emitter::Kind::quad : Emitter::Kind::disc);
+            const double cosine = k % 3 == 0 ? between(random, 0.5, 1) : log_between(random, 0.02, 0.5);
+            const vec3 p = rt::center(light) + scale * range_between(random, 1, 100) *
+                                                   tilted(random, rt::unit(rt::normal(light)), std::acos(cosine));
+            for (const Row& u : rows_over_square(12, [](vec2 u) { return row(u); })(random))
+                rows.push_back(row(light, p, vec2(u[0], u[1])));
+        }
+        return rows;
+    };
+    return probe_check("any_flat_light", inputs, {solid_angle_of_flat_lights()});
+}
+
 /// Each kind of light, of any size, from wherever it shines; flat ones also at a grazing angle.
 Check density_of_samples() {
     std::vector<RowWith> kinds;
@@ -173,6 +228,7 @@ Checks check_light_sample(Generator& random) {
                      light_sample::sphere_light(random),
                      anywhere(),
                      large_spheres(),
+                     any_flat_light(),
                      light_sample::irradiance(random),
                      density_of_samples(),
                      dark_side()};

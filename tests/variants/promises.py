@@ -152,6 +152,13 @@ promises = [
     ("hit_triangle", "no least determinant, however small", Body(moller_trumbore.replace("1e-6", "1e-9"))),
     ("hit_quad", "no least cosine", ("    const vec3 to_center", "    if (std::abs(dot(ray.direction, unit(n))) < 1e-4) return inf;\n    const vec3 to_center")),
     ("hit_quad", "axes that are turned in the plane", ("dot(p, quad.u)) > dot(quad.u, quad.u)", "dot(p, frame_about(unit(n)).x)) > length(quad.u)")),
+    ("light_sample", "lamps at a slant", ("squared / (cosine", "squared / (std::max(cosine, 0.3)")),
+    ("light_sample", "lamps close by", ("cosine > 0 ? squared", "cosine > 0 ? std::max(squared, 0.05)")),
+    ("light_sample", "small lamps", ("cosine * area(light)", "(area(light) < 0.01 ? 0.8 : 1.0) * cosine * area(light)")),
+    ("direct_light", "densities of large lamps", ("!(light.density > 0)", "!(light.density > 1e-3)")),
+    ("color_bleeding", "normals that are nearly axes", ("frame_about(n)", "frame_about(n.z < -0.99 ? vec3(0, 0, -1) : n)")),
+    *[(f, "the interval is open", ("t > ray.near && t < ray.far", "t >= ray.near && t <= ray.far")) for f in ("hit_quad", "hit_triangle")],
+    ("hit_triangle", "no least distance, however short", ("t > ray.near", "t > std::max(ray.near, 1e-5)")),
     ("translucency", "what does not cross weighs 0", ("cosine > 0 ? (exponent + 2) / (exponent + 1) * cosine : 0", "(exponent + 2) / (exponent + 1) * std::abs(cosine)")),
 ]
 

@@ -60,9 +60,16 @@ inline rt::vec3 exact_direction(Generator& random) {
     return d;
 }
 
-/// A unit vector as scenes have them: along an axis of the world, level or upright, or any.
+/// A unit vector that is nearly an axis of the world.
+inline rt::vec3 near_axis(Generator& random) {
+    const rt::vec3 off = log_between(random, 1e-3, 0.1) * direction(random);
+    return rt::unit(exact_direction(random) + off);
+}
+
+/// A unit vector as scenes have them: along an axis of the world or nearly so, level or upright, or any.
 inline rt::vec3 scene_direction(Generator& random) {
     if (chance(random, 0.3)) return exact_direction(random);
+    if (chance(random, 0.15)) return near_axis(random);
     if (!chance(random, 0.15)) return direction(random);
     const double turn = between(random, 0, 2 * rt::pi);
     const int axis = whole_between(random, 0, 2);
