@@ -260,17 +260,14 @@ Checks check_color_bleeding(Generator& random) {
                  }),
                  .truth = 2.0 / 3,
                  .hint = always("about an axis of the world, directions are not those about other normals")}));
-    const RowWith any_normal = [](Generator& draw, vec2 u) { return row(scene_direction(draw), any_albedo(draw), u); };
-    // as many near each axis that a frame which is made another way fails near one of them
-    const RowWith near = [](Generator& draw, vec2 u) { return row(near_axis(draw), any_albedo(draw), u); };
     // BRDF x cosine / weight is the density
     const Check density =
-        own_density({any_normal, near, near, near},
-                    {{of_call<rt::color_bleeding>([](const Scattered& s) { return s.direction; }),
-                      of_call<rt::color_bleeding>([](const Scattered& s, vec3 n, Color albedo, vec2) {
-                          return s.weight.r > 0 ? albedo.r / rt::pi * rt::dot(s.direction, n) / s.weight.r : 0;
-                      }),
-                      "the density that the weight supposes"}});
+        own_density([](Generator& draw, vec2 u) { return row(scene_direction(draw), any_albedo(draw), u); },
+                    {of_call<rt::color_bleeding>([](const Scattered& s) { return s.direction; }),
+                     of_call<rt::color_bleeding>([](const Scattered& s, vec3 n, Color albedo, vec2) {
+                         return s.weight.r > 0 ? albedo.r / rt::pi * rt::dot(s.direction, n) / s.weight.r : 0;
+                     }),
+                     "the density that the weight supposes"});
     return {any_surface(),         any_albedo_at_all(), axes, estimates(random), density,
             hollow_sphere(random), beside_wall(random)};
 }

@@ -123,28 +123,34 @@ Statistic distance_to_sphere(const std::string& what) {
     const Allowed never = [](double, const Ray&) { return false; };
     const Allowed before_far = [](double t, const Ray& ray) { return t > 0 && t < ray.far; };
     const Allowed after_near = [](double t, const Ray& ray) { return t > ray.near; };
+    const Allowed as_length = [](double t, const Ray& ray) {
+        const double way = t * glm::length(ray.direction);
+        return way > ray.near && way < ray.far;
+    };
     return formula<rt::hit_sphere>(
         {.id = "W1",
          .what = what,
          .tolerance = 1e-3,
          .right = first(inside, inside),
-         .suspects = {{length_forgotten, with_unit_direction(Way::textbook)},
-                      {length_forgotten, with_unit_direction(Way::nearest_point)},
-                      {length_forgotten, with_unit_direction(Way::header)},
-                      {"the far crossing is returned where the near one counts", first(never, inside)},
-                      {"crossings behind the ray's origin count as hits", first(anywhere, anywhere)},
-                      {"the far crossing is never returned: a ray that starts inside must hit the sphere from within",
-                       first(inside, never)},
-                      {"the ray's interval is ignored: a hit counts only for near < t < far",
-                       first(after_start, after_start)},
-                      {"the near end of the ray's interval is ignored", first(before_far, before_far)},
-                      {"the far end of the ray's interval is ignored", first(after_near, after_near)},
-                      {"t is a length; expected in units of |direction|, which need not be 1",
-                       [](double right, const Sphere&, const Ray& r) { return right * glm::length(r.direction); }},
-                      {"a sphere that is missed gives no inf",
-                       [](double right, const Sphere& s, const Ray& r) {
-                           return std::isnan(crossings(s, r)[0]) ? double(NAN) : right;
-                       }}},
+         .suspects =
+             {{length_forgotten, with_unit_direction(Way::textbook)},
+              {length_forgotten, with_unit_direction(Way::nearest_point)},
+              {length_forgotten, with_unit_direction(Way::header)},
+              {"the far crossing is returned where the near one counts", first(never, inside)},
+              {"crossings behind the ray's origin count as hits", first(anywhere, anywhere)},
+              {"the far crossing is never returned: a ray that starts inside must hit the sphere from within",
+               first(inside, never)},
+              {"the ray's interval is ignored: a hit counts only for near < t < far", first(after_start, after_start)},
+              {"the ends of the ray's interval are compared with a length; expected with t, in units of |direction|",
+               first(as_length, as_length)},
+              {"the near end of the ray's interval is ignored", first(before_far, before_far)},
+              {"the far end of the ray's interval is ignored", first(after_near, after_near)},
+              {"t is a length; expected in units of |direction|, which need not be 1",
+               [](double right, const Sphere&, const Ray& r) { return right * glm::length(r.direction); }},
+              {"a sphere that is missed gives no inf",
+               [](double right, const Sphere& s, const Ray& r) {
+                   return std::isnan(crossings(s, r)[0]) ? double(NAN) : right;
+               }}},
          .circumstances = {{"only rays whose direction is no unit vector are wrong: d . d is not 1",
                             [](const Sphere&, const Ray& r) { return std::abs(glm::length(r.direction) - 1) > 1e-6; }},
                            {"only rays that start inside the sphere are wrong",

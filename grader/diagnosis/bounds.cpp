@@ -101,4 +101,25 @@ std::optional<Broken> broken_bound(const Calls& calls, const Ask& right) {
     return bounds.first;
 }
 
+std::string starts_on_surface(const Calls& calls) {
+    if (calls.size() == 0) return {};
+    const auto named = [](const Layout& layout, const char* name) {
+        const auto part = std::ranges::find(layout.parts, name, &Field::name);
+        return part == layout.parts.end() ? std::nullopt : std::optional(part->at);
+    };
+    const auto point = named(calls.layouts.front(), "hit.point"), origin = named(calls.result, "origin"),
+               near = named(calls.result, "near");
+    if (!point || !origin || !near) return {};
+    bool is_epsilon = calls.mine.front()[*near] > 0;
+    for (std::size_t k = 0; k < calls.size(); ++k) {
+        const auto is_there = [&](const Row& answer) {
+            return vector_at(answer, *origin) == vector_at(calls.rows[k], *point);
+        };
+        if (!is_there(calls.mine[k]) || is_there(calls.right[k])) return {};
+        is_epsilon = is_epsilon && calls.mine[k][*near] == calls.mine.front()[*near];
+    }
+    return is_epsilon ? ""
+                      : "the ray starts on the surface, which it can meet there: `spawn_ray` moves its origin off it";
+}
+
 }  // namespace grade

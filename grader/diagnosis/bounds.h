@@ -15,4 +15,8 @@ struct Broken {
 
 std::optional<Broken> broken_bound(const Calls& calls, const Ask& right);
 
+/// Of rays from a surface, that they start on it: so close that calls look right, and pictures do not. Empty: they do
+/// not, or leave out the first part of their way, always the same.
+std::string starts_on_surface(const Calls& calls);
+
 }  // namespace grade

@@ -61,6 +61,7 @@ public:
         if (in_double) finding_.how = by_double(all_, *in_double);
         if (are_near(all_) && finding_.how.empty()) finding_.how = in_single_precision(all_);
         if (are_near(all_) && finding_.how.empty()) finding_.how = small_offsets(all_);
+        if (finding_.how.empty()) finding_.how = starts_on_surface(all_);
         if (wrong_ == 0) return finding_;
         if (!look_for_relation(source)) return {};
         const bool is_nothing = !relation_ || relation_->explains == Relation::Explains::nothing;

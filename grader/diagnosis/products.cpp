@@ -38,7 +38,10 @@ std::vector<Column> columns_of(const PartOfCalls& of) {
         return q.value(of.calls.rows[k], of.calls.layouts[k], of.calls.mine[k]);
     };
     for (const Quantity& q : quantities)
-        if (q.answer_at != of.part.at) add(q.words, [&](std::size_t k) { return std::log(std::abs(at(q, k))); });
+        if (q.answer_at != of.part.at) {
+            const bool is_signed = std::ranges::any_of(of.scope, [&](std::size_t k) { return at(q, k) < 0; });
+            add(is_signed ? "|" + q.words + "|" : q.words, [&](std::size_t k) { return std::log(std::abs(at(q, k))); });
+        }
     const std::size_t numbers = std::size_t(std::ranges::find_if(quantities, is_of_vectors) - quantities.begin());
     constexpr std::size_t few = 4;
     for (std::size_t a = 0; a < numbers && numbers <= few; ++a)

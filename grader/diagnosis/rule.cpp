@@ -69,7 +69,7 @@ std::string of_function(const std::string& arguments, const With& with, const As
                     in_words(jumps(lowest, highest, rounds, with, right), "f({})", 6));
 }
 
-/// What each sample adds where all others are black.
+/// What each sample adds where all others are black; empty: together they add something else.
 std::string of_samples(const std::vector<double>& weights, const Ask& ask) {
     Rows rows;
     for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -78,7 +78,11 @@ std::string of_samples(const std::vector<double>& weights, const Ask& ask) {
         rows.push_back(row(radiance, weights));
     }
     std::vector<Taken> terms;
-    for (const Row& answer : ask(rows)) terms.push_back({answer.front(), double(terms.size())});
+    double sum = 0;
+    for (const Row& answer : ask(rows)) terms.push_back({answer.front(), double(terms.size())}), sum += answer.front();
+    const std::vector<rt::Color> white(weights.size(), rt::Color(1));
+    const Row of_all = ask({row(white, weights)}).front();
+    if (!(std::abs(of_all.front() - sum) < 1e-9)) return {};  // it is no sum
     std::erase_if(terms, [](const Taken& term) { return term.weight == 0; });
     return in_words(terms, "radiance[{}]", 6);
 }
@@ -126,7 +130,8 @@ std::string wrong_rule(const Calls& calls, const Ask& mine, const Ask& right) {
     }
     if (name == "pixel_mean") {
         const std::vector<double> weights = {1, 2, 4};
-        return if_other("weight = [1, 2, 4]", of_samples(weights, mine), of_samples(weights, right));
+        const std::string own = of_samples(weights, mine);
+        return own.empty() ? own : if_other("weight = [1, 2, 4]", own, of_samples(weights, right));
     }
     return {};
 }

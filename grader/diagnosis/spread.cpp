@@ -214,12 +214,21 @@ std::string in_few_values(const Spreads& own, const Spreads& due, const std::vec
     return {};
 }
 
-std::string mean_and_range(const std::vector<double>& x) {
+double mean_of(const std::vector<double>& sorted) {
     double sum = 0;
-    for (const double v : x) sum += v;
-    const double mean = sum / double(x.size());
-    const bool is_zero = std::abs(mean) < 1e-9 * (x.back() - x.front());
-    return fmt::format("{:.4g} on average, from {:.4g} to {:.4g}", is_zero ? 0.0 : mean, x.front(), x.back());
+    for (const double v : sorted) sum += v;
+    const double mean = sum / double(sorted.size());
+    return std::abs(mean) < 1e-9 * (sorted.back() - sorted.front()) ? 0 : mean;
+}
+
+/// "1.2 on average; it must be 1.4", and the ranges where means are nearly the same.
+std::string means_in_words(const std::vector<double>& mine, const std::vector<double>& right) {
+    const double own = mean_of(mine), due = mean_of(right);
+    constexpr double clear = 0.02;
+    if (std::abs(own - due) > clear * (right.back() - right.front()))
+        return fmt::format("{:.4g} on average; it must be {:.4g}", own, due);
+    return fmt::format("{:.4g} on average, from {:.4g} to {:.4g}; it must be {:.4g}, from {:.4g} to {:.4g}", own,
+                       mine.front(), mine.back(), due, right.front(), right.back());
 }
 
 /// Which argument the random numbers are; none: there are none.
@@ -276,9 +285,8 @@ std::optional<std::string> spread_of(const Calls& calls, const Calls& all, const
         if (apart(own[i], due[i]) > apart(own[worst], due[worst])) worst = i;
     if (own[worst].back() == 1e300) return std::nullopt;
     const std::string so = usual_spread(own, due, list);
-    return fmt::format("{}over all random numbers {} is {}; it must be {}",
-                       so.empty() ? so : "the directions are " + so + ": ", list[worst % list.size()].words,
-                       mean_and_range(own[worst]), mean_and_range(due[worst]));
+    return fmt::format("{}over all random numbers {} is {}", so.empty() ? so : "the directions are " + so + ": ",
+                       list[worst % list.size()].words, means_in_words(own[worst], due[worst]));
 }
 
 }  // namespace grade

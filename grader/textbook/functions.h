@@ -76,11 +76,12 @@ struct TwoScalars {
 /// Of a small or a large constant, such as a tolerance or a limit.
 inline constexpr Function tolerance_functions[] = {
     {"0", 0.75, [](double) { return 0.0; }},
-    {"{} / 1e3", 0.8, [](double x) { return x / 1e3; }, ": a tolerance must be small beside what is compared"},
+    {"{} / 1e12", 0.76, [](double x) { return x / 1e12; }, ": a tolerance must be small beside what is compared"},
+    {"{} / 1e9", 0.77, [](double x) { return x / 1e9; }, ": a tolerance must be small beside what is compared"},
+    {"{} / 1e8", 0.78, [](double x) { return x / 1e8; }, ": a tolerance must be small beside what is compared"},
+    {"{} / 1e6", 0.79, [](double x) { return x / 1e6; }, ": a tolerance must be small beside what is compared"},
     {"{} / 1e4", 0.8, [](double x) { return x / 1e4; }, ": a tolerance must be small beside what is compared"},
-    {"{} / 1e6", 0.8, [](double x) { return x / 1e6; }, ": a tolerance must be small beside what is compared"},
-    {"{} / 1e8", 0.8, [](double x) { return x / 1e8; }, ": a tolerance must be small beside what is compared"},
-    {"{} / 1e9", 0.8, [](double x) { return x / 1e9; }, ": a tolerance must be small beside what is compared"},
+    {"{} / 1e3", 0.81, [](double x) { return x / 1e3; }, ": a tolerance must be small beside what is compared"},
     {"10 * {}", 1.15, [](double x) { return 10 * x; }},
     {"100 * {}", 1.15, [](double x) { return 100 * x; }},
     {"1e3 * {}", 1.15, [](double x) { return 1e3 * x; }},

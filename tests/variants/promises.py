@@ -156,7 +156,6 @@ promises = [
     ("light_sample", "lamps close by", ("cosine > 0 ? squared", "cosine > 0 ? std::max(squared, 0.05)")),
     ("light_sample", "small lamps", ("cosine * area(light)", "(area(light) < 0.01 ? 0.8 : 1.0) * cosine * area(light)")),
     ("direct_light", "densities of large lamps", ("!(light.density > 0)", "!(light.density > 1e-3)")),
-    ("color_bleeding", "normals that are nearly axes", ("frame_about(n)", "frame_about(n.z < -0.99 ? vec3(0, 0, -1) : n)")),
     *[(f, "the interval is open", ("t > ray.near && t < ray.far", "t >= ray.near && t <= ray.far")) for f in ("hit_quad", "hit_triangle")],
     ("hit_triangle", "no least distance, however short", ("t > ray.near", "t > std::max(ray.near, 1e-5)")),
     ("translucency", "what does not cross weighs 0", ("cosine > 0 ? (exponent + 2) / (exponent + 1) * cosine : 0", "(exponent + 2) / (exponent + 1) * std::abs(cosine)")),

@@ -31,9 +31,9 @@ struct RowFormula {
 };
 
 /// The largest deviation of any row, which must stay below the tolerance; without one, how many rows are wrong. Single
-/// precision reaches 1e-4 where the inputs are ordinary. The cause is the suspect whose outputs are those of the
-/// most rows, of nearly all; else the first circumstance that nearly all wrong rows have in common, and other rows have not; the worst row
-/// is shown as well.
+/// precision reaches 1e-4 where the inputs are ordinary. The cause is the suspect whose outputs are those of most
+/// rows, of nearly all; else the first circumstance that nearly all wrong rows have in common, and other rows have not;
+/// the worst row is shown as well.
 Statistic formula(const RowFormula& of_rows);
 
 /// What a mistake returns: f(arguments...), or a change of the right answer, f(right) or f(right, arguments...).

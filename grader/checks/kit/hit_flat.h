@@ -134,6 +134,8 @@ std::vector<Suspect<fragment>> flat_suspects(const FlatShape<Shape>& flat) {
         {"the near end of the ray's interval is ignored",
          when([](const Ray& r, double t) { return t > 0 && t < r.far; })},
         {"the far end of the ray's interval is ignored", when([](const Ray& r, double t) { return t > r.near; })},
+        {"the ends of the ray's interval are compared with a length; expected with t, in units of |direction|",
+         when([](const Ray& r, double t) { return in_interval(r, t * glm::length(r.direction)); })},
         {"the whole plane is hit, not the shape alone",
          hit_where(
              flat, [](const Shape&, const Ray&) { return true; }, in_interval)},
