@@ -109,7 +109,10 @@ Expression ExpressionReader::joined_by(const Expression& left, const std::string
     }
     if (sign == "*") alternatives.push_back(fmt::format("dot({}, {})", left.text, right.text));
     if (sign == "-" || sign == "/") alternatives.push_back(fmt::format("{} {} {}", right.text, sign, left.text));
-    const bool is_after = is_group_of(right, as), is_before = !is_after && is_group_of(left, as);
+    constexpr std::size_t short_code = 2'000;  // what is in a group is written twice, and so on outwards
+    const bool is_short = left.code.size() + right.code.size() < short_code;
+    const bool is_after = is_short && is_group_of(right, as),
+               is_before = is_short && !is_after && is_group_of(left, as);
     const Expression& group = is_after ? right : left;
     const char* const regrouped = as.level == 6 ? "{} {} {} {} {}" : is_after ? "({} {} {}) {} {}" : "{} {} ({} {} {})";
     if (is_after)
