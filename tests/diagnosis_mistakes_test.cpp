@@ -1,3 +1,4 @@
+#include "diagnosis/surest.h"
 #include "explained.h"
 
 using namespace grade;
@@ -254,4 +255,65 @@ TEST_CASE("directions that are spread in a usual way are told as such") {
         calls([](Generator& random) { return row(direction(random), between(random, 0.3, 0.8), square(random)); });
     CHECK_THAT(found("scatter_direction", scattered, isotropic).how,
                ContainsSubstring("the directions are uniform on the whole sphere"));
+}
+
+TEST_CASE("a shadow ray that starts on the surface is told so, whatever else differs; one with an epsilon is not") {
+    const Rows rows = calls([](Generator& random) {
+        const rt::vec3 n = direction(random), point = box(random, -3, 3);
+        return row(rt::Hit{point, n, 1e-14}, tilted(random, n, between(random, 0.1, 1.4)), between(random, 0.5, 5));
+    });
+    const auto mine = [](double near, double varying) {
+        return [=](const Rows& asked) {
+            Rows all = answers("shadow_ray")(asked);
+            for (std::size_t k = 0; k < asked.size(); ++k) {
+                for (std::size_t c = 0; c < 3; ++c) all[k][c] = asked[k][c];
+                all[k][6] = near + varying * asked[k].back();
+            }
+            return all;
+        };
+    };
+    const auto is_told = ContainsSubstring("the ray starts on the surface");
+    CHECK_THAT(found("shadow_ray", rows, mine(0, 0)).how, is_told);
+    CHECK_THAT(found("shadow_ray", rows, mine(0, 1e-9)).how, is_told);
+    CHECK_THAT(found("shadow_ray", rows, mine(1e-3, 0)).how, !is_told);
+    CHECK(found("shadow_ray", rows, answers("shadow_ray")).how.empty());
+}
+
+TEST_CASE("of samples that lie elsewhere, what a few of them have in common is not what is wrong") {
+    Calls all;
+    all.signature = declared("glossy_reflection");
+    for (int k = 0; k < 10; ++k) {
+        all.rows.push_back(row(rt::vec3(0, 0, -1), rt::vec3(0, 0, 1), 1.0, rt::vec2(0.1 * k, 0.5)));
+        all.layouts.push_back(all.signature.of_arguments(all.rows.back()));
+        all.right.push_back(row(rt::vec3(0, 0, 1), rt::Color(1)));
+        all.mine.push_back(row(rt::vec3(0, 1, 0), rt::Color(k < 4 ? 0 : 2)));
+    }
+    all.result = all.signature.of_result(all.right.front());
+    Relation constant{"`weight` is always (0, 0, 0)"};
+    constant.is_constant = true;
+    CHECK(tells_of_few(constant, all));
+    for (int k = 4; k < 6; ++k) all.mine[std::size_t(k)] = row(rt::vec3(0, 1, 0), rt::Color(0));
+    CHECK_FALSE(tells_of_few(constant, all));
+    constant.is_constant = false;
+    CHECK_FALSE(tells_of_few(constant, all));
+}
+
+TEST_CASE("what is no sum is not told as one") {
+    const Rows rows = calls([](Generator& random) {
+        std::vector<rt::Color> radiance;
+        for (int i = 0; i < 4; ++i) radiance.push_back(box(random, 0, 1));
+        return row(radiance, std::vector<double>(4, 1.0));
+    });
+    const Ask brightest = [](const Rows& asked) {
+        Rows all;
+        for (const Row& in : asked) {
+            const auto count = std::size_t(in[0]);
+            Row out(3);
+            for (std::size_t i = 0; i < count; ++i)
+                for (std::size_t c = 0; c < 3; ++c) out[c] = std::max(out[c], in[1 + 3 * i + c]);
+            all.push_back(out);
+        }
+        return all;
+    };
+    CHECK_THAT(found("pixel_mean", rows, brightest).how, !ContainsSubstring("the sum is"));
 }

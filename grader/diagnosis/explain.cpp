@@ -107,6 +107,7 @@ private:
         // that an argument is not used at all says more than two mistakes by which it cancels
         const auto is_unused = [](const Dependence& d) { return d.mine == 0 && d.right > 0.2; };
         if (relation_ && relation_->of_two && std::ranges::any_of(depends_, is_unused)) relation_.reset();
+        if (sampled_ && relation_ && tells_of_few(*relation_, all_)) relation_.reset();
         const bool may_be_coarse = finding_.how.empty() && sampled_ && not_numbers_ == 0 && !is_exact(relation_);
         const bool is_coarse = may_be_coarse && !(finding_.how = coarse_spread(all_, mine_, right_)).empty();
         if (source.editable && !is_coarse) {

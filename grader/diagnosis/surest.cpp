@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "diagnosis/answer_forms.h"
 #include "diagnosis/by_textbook.h"
 #include "diagnosis/calls_made.h"
@@ -173,6 +175,14 @@ std::optional<Relation> surest_relation(const Calls& calls, const Ask& mine, con
     if (!is_exact(best)) take(two_of_textbook(picked(calls, most_compared), left_of_pairs));
     if (best) add_others(*best, calls, right, sampled, left_of_forms);
     return best;
+}
+
+bool tells_of_few(const Relation& relation, const Calls& all) {
+    if (relation.explains != Relation::Explains::all || !relation.is_constant) return false;
+    const std::vector<std::size_t> wrong = all.wrong();
+    const auto nothing =
+        std::size_t(std::ranges::count_if(wrong, [&](std::size_t k) { return is_void(all.result, all.mine[k]); }));
+    return nothing > 0 && 2 * nothing < wrong.size();
 }
 
 }  // namespace grade

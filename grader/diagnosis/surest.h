@@ -12,4 +12,8 @@ std::optional<Relation> simpler(const std::optional<Relation>& of_arguments, con
 /// two mistakes in every call, or in some and in the others.
 std::optional<Relation> surest_relation(const Calls& calls, const Ask& mine, const Ask& right, bool sampled);
 
+/// Whether it says that samples count for nothing, and most of those that are wrong do count: then it is another
+/// mistake's.
+bool tells_of_few(const Relation& relation, const Calls& all);
+
 }  // namespace grade
