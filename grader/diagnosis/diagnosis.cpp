@@ -84,9 +84,7 @@ Subject subject_of(std::string_view id) {
 std::string section_of(const CheckRecord& check, const StatisticRecord* statistic) {
     // what is no statistic's: no picture of radiance, or a fragment that remembers
     if (!statistic && check.verdict == Verdict::failed)
-        return check.trouble == Trouble::keeps_state ? std::string(rules_section)
-               : check.scene.empty()                 ? check.fragment
-                                                     : std::string(pictures_section);
+        return std::string(check.trouble == Trouble::keeps_state ? rules_section : pictures_section);
     if (!statistic) return section_of(check.fragment, check.verdict, check.trouble);
     // a fragment that remembers, or makes its own numbers
     const bool keeps_state = statistic->verdict == Verdict::failed && statistic->id == "V0";

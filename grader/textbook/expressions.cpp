@@ -111,8 +111,10 @@ Expression ExpressionReader::joined_by(const Expression& left, const std::string
     if (sign == "-" || sign == "/") alternatives.push_back(fmt::format("{} {} {}", right.text, sign, left.text));
     constexpr std::size_t short_code = 2'000;  // what is in a group is written twice, and so on outwards
     const bool is_short = left.code.size() + right.code.size() < short_code;
-    const bool is_after = is_short && is_group_of(right, as),
-               is_before = is_short && !is_after && is_group_of(left, as);
+    // a product in a sum lacks brackets: not tried in forms, of which there are many
+    const bool is_tried = is_short && (as.level == 6 || is_source_);
+    const bool is_after = is_tried && is_group_of(right, as),
+               is_before = is_tried && !is_after && is_group_of(left, as);
     const Expression& group = is_after ? right : left;
     const char* const regrouped = as.level == 6 ? "{} {} {} {} {}" : is_after ? "({} {} {}) {} {}" : "{} {} ({} {} {})";
     if (is_after)
@@ -230,7 +232,7 @@ Expression ExpressionReader::primary() {
         // what stands once may be changed where it comes from, but for a field of what was computed; in a student's
         // source the line is told that way
         const bool is_once = (uses_[chain] < 2 || (constants_.contains(chain) && uses_[chain] < 3)) &&
-                             !(chain != name && (watches_fields_ || locals_.contains(name)));
+                             !(chain != name && (is_source_ || locals_.contains(name)));
         all.code = all.inner;
         if (!is_constant && !is_once && chain != "true" && chain != "false") watch(all, add(all.text));
         return all;

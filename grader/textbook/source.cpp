@@ -16,7 +16,7 @@ constexpr std::size_t most_written = 400'000;
 class SourceReader : StatementReader {
 public:
     explicit SourceReader(const std::string& text) : StatementReader("", text, {}, 0), text_(text) {
-        watches_fields_ = true;
+        is_source_ = true;
     }
 
     EditableSource run() {
