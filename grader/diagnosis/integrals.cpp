@@ -4,6 +4,8 @@
 #include <cmath>
 #include <random>
 
+#include "diagnosis/scalars.h"
+
 namespace grade {
 
 namespace {

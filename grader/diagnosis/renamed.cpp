@@ -78,8 +78,9 @@ std::vector<Edit> renamed(const Expressions& all, const std::vector<Mistake>& ch
 Mistake of_both(const Expressions& all, const Edit& edit) {
     const int first = edit.first->made.nodes.front(), second = edit.second->made.nodes.front();
     int whole = -1;
-    for (int node = all.first; node < all.first + int(all.nodes.size()) && whole < 0; ++node)
-        if (all.holds(node, first) && all.holds(node, second)) whole = node;  // parts stand before what holds them
+    for (int around = all.first; around < all.first + int(all.nodes.size()) && whole < 0; ++around)
+        if (all.holds(around, first) && all.holds(around, second))
+            whole = around;  // parts stand before what holds them
     const int told = whole < 0 ? first : whole;
     std::string text = whole < 0 ? all.node(first).context : all.node(whole).text;
     std::vector<Place> places = {place_in(all, *edit.first, text, whole), place_in(all, *edit.second, text, whole)};

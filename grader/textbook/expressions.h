@@ -185,7 +185,7 @@ protected:
     const std::string file_;
     std::vector<Token> tokens_;
     std::set<std::string> fragments_, constants_, locals_;
-    bool is_source_ = false;  // a student's, not a form: of it, more is tried
+    bool is_source_ = false;       // a student's, not a form: of it, more is tried
     std::set<std::string> calls_;  // of fragments
     std::map<std::string, int> uses_;
     std::vector<std::size_t> blocks_;                                        // that are open, by where they begin
