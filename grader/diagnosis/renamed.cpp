@@ -23,7 +23,7 @@ bool is_renamed(const Expressions& all, const Mistake& change) {
            is_name(all.node(change.made.nodes.front()).text);
 }
 
-/// What changes of a text's names there are: where, how long it is, and what takes its place.
+/// Where in a text a name stands, and what takes its place.
 struct Place {
     std::size_t from, to;
     std::string by;

@@ -81,8 +81,9 @@ std::string of_samples(const std::vector<double>& weights, const Ask& ask) {
     double sum = 0;
     for (const Row& answer : ask(rows)) terms.push_back({answer.front(), double(terms.size())}), sum += answer.front();
     const std::vector<rt::Color> white(weights.size(), rt::Color(1));
-    const Row of_all = ask({row(white, weights)}).front();
-    if (!(std::abs(of_all.front() - sum) < 1e-9)) return {};  // it is no sum
+    const Rows of_all = ask({row(white, weights)});
+    if (of_all.empty() || of_all[0].empty()) return {};     // it has ended
+    if (!(std::abs(of_all[0][0] - sum) < 1e-9)) return {};  // it is no sum
     std::erase_if(terms, [](const Taken& term) { return term.weight == 0; });
     return in_words(terms, "radiance[{}]", 6);
 }
