@@ -29,10 +29,11 @@ kill -9 "$pid"
 wait "$pid" 2>/dev/null
 expect 0 '"complete": false' cat "$work/a.json"
 expect 0 "not complete" cat "$work/page/index.html"
-for folder in "$TMPDIR"/grade-*; do
+for folder in "$TMPDIR"/grade-*/; do
     mkdir -p "$folder/deep/er"
     chmod 000 "$folder/deep"
 done
+touch "$TMPDIR/grade-killed.lock"  # before its folder was made
 # what the next one finds, it removes; what is somebody else's, and what is in use, it does not
 mkdir "$TMPDIR/grade-other"
 expect 0 "3 of 3" "$grade" solution phong

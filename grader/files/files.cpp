@@ -114,70 +114,94 @@ const fs::path& temporary_place() {
 namespace {
 
 constexpr const char* folder_begin = "grade-";
-constexpr const char* lock_name = ".lock";
+constexpr const char* lock_end = ".lock";
 
-/// Locks a folder that nobody else has locked, and that is still there. -1: somebody has.
-int lock_of(const fs::path& folder, int flags) {
-    const int file = open((folder / lock_name).c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC | flags, 0600);
+/// A lock stands beside its folder, is there before it and goes after it: what is half removed is still found.
+fs::path lock_file_of(const fs::path& folder) { return folder.string() + lock_end; }
+
+/// Locks a file that nobody else has locked, and that is still there and one's own.
+bool is_locked(int file) {
     struct stat facts {};
-    if (file >= 0 && flock(file, LOCK_EX | LOCK_NB) == 0 && fstat(file, &facts) == 0 && facts.st_nlink > 0 &&
-        facts.st_uid == geteuid())
-        return file;
-    if (file >= 0) close(file);
-    return -1;
+    return flock(file, LOCK_EX | LOCK_NB) == 0 && fstat(file, &facts) == 0 && facts.st_nlink > 0 &&
+           facts.st_uid == geteuid();
+}
+
+/// Where a folder cannot be removed whole, its lock stays for the next to try.
+void remove_with_lock(const fs::path& folder) {
+    std::error_code error;
+    remove_tree(folder);
+    if (!fs::exists(fs::symlink_status(folder, error))) fs::remove(lock_file_of(folder), error);
 }
 
 /// What programs that were killed have left.
 void sweep() {
     std::error_code error;
     for (fs::directory_iterator at(temporary_place(), error), end; !error && at != end; at.increment(error)) {
-        if (!at->path().filename().string().starts_with(folder_begin) || at->is_symlink(error)) continue;
-        const int lock = lock_of(at->path(), 0);
+        const fs::path file = at->path();
+        if (!file.filename().string().starts_with(folder_begin) || file.extension() != lock_end) continue;
+        const int lock = open(file.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
         if (lock < 0) continue;
-        remove_tree(at->path());
+        if (is_locked(lock)) remove_with_lock(fs::path(file).replace_extension());
         close(lock);
     }
+}
+
+/// Gives its owner all rights to all folders of a tree.
+void open_up(const fs::path& folder) {
+    std::error_code error;
+    fs::permissions(folder, fs::perms::owner_all, fs::perm_options::add, error);
+    for (fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, error), end;
+         !error && at != end; at.increment(error))
+        // before it is entered
+        if (at->symlink_status(error).type() == fs::file_type::directory)
+            fs::permissions(at->path(), fs::perms::owner_all, fs::perm_options::add, error);
 }
 
 }  // namespace
 
 void remove_tree(const fs::path& folder) {
-    std::error_code error;
-    if (fs::remove_all(folder, error) != std::uintmax_t(-1)) return;
-    const auto open_up = [&](const fs::path& path) {
-        fs::permissions(path, fs::perms::owner_all, fs::perm_options::add, error);
-    };
-    open_up(folder);
-    for (fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, error), end;
-         at != end;) {
-        // before it is entered
-        if (at->symlink_status(error).type() == fs::file_type::directory) open_up(at->path());
-        at.increment(error);
-        if (error) break;
+    // a program that is about to die may still write there
+    for (int tries = 0; tries < 5; ++tries) {
+        std::error_code error;
+        if (fs::remove_all(folder, error) != std::uintmax_t(-1)) return;
+        open_up(folder);
     }
-    fs::remove_all(folder, error);
 }
 
 TemporaryFolder::TemporaryFolder() {
     static const bool swept = (sweep(), true);
     (void)swept;
-    // a sweep between the two steps takes it away
+    const std::string pattern = (temporary_place() / fmt::format("{}XXXXXX", folder_begin)).string();
+    const auto fail = [&](const char* what) {
+        const int cause = errno;
+        throw std::runtime_error(fmt::format("{}: {}: {}", pattern, what, std::strerror(cause)));
+    };
+    // a sweep between the two steps of a lock takes it away
     for (int tries = 0; tries < 10 && lock_ < 0; ++tries) {
-        std::string pattern = (temporary_place() / fmt::format("{}XXXXXX", folder_begin)).string();
-        if (!mkdtemp(pattern.data()))
-            throw std::runtime_error(fmt::format("{}: no such folder can be made: {}", pattern, std::strerror(errno)));
-        path_ = pattern;
-        lock_ = lock_of(path_, O_CREAT);
-        if (lock_ < 0 && (errno == EMFILE || errno == ENFILE || errno == ENOSPC || errno == EDQUOT)) break;
+        std::string name = pattern + lock_end;
+        const int file = mkostemps(name.data(), std::strlen(lock_end), O_CLOEXEC);
+        if (file < 0) fail("no such folder can be made");
+        path_ = fs::path(name).replace_extension();
+        if (is_locked(file)) {
+            lock_ = file;
+        } else {
+            const int cause = errno;
+            unlink(name.c_str());
+            close(file);
+            errno = cause;
+        }
     }
-    if (lock_ >= 0) return;
+    if (lock_ < 0) fail("cannot be locked");
+    if (mkdir(path_.c_str(), 0700) == 0) return;
     const int cause = errno;
-    remove_tree(path_);
-    throw std::runtime_error(fmt::format("{}: cannot be locked: {}", path_.string(), std::strerror(cause)));
+    unlink(lock_file_of(path_).c_str());
+    close(lock_);
+    errno = cause;
+    fail("no such folder can be made");
 }
 
 TemporaryFolder::~TemporaryFolder() {
-    remove_tree(path_);
+    remove_with_lock(path_);
     close(lock_);
 }
 
