@@ -116,3 +116,29 @@ TEST_CASE("without lobes or lamps multiple importance sampling leaves everything
         CHECK(with.rays == without.rays);
     }
 }
+
+TEST_CASE("what bounces brings the environment's light as shadow rays do, at less cost") {
+    const std::string text =
+        environment(vec3(1, 0.7, 0.4)) + scene_table("[render]", {{"samples", 64}, {"bounces", 2}}) +
+        camera({0, 3, 7}, {0, 0.5, 0}, {{"size", "[24, 16]"}}) + material("grey", {{"albedo", 0.6}}) +
+        material("shiny", {{"reflectance", 0.8}}) + material("both", {{"albedo", 0.5}, {"reflectance", 0.1}}) +
+        quad("grey", {0, 0, 0}, {9, 0, 0}, {0, 0, -9}) + sphere("grey", {-1, 0.9, 0}, 0.9) +
+        sphere("shiny", {1, 0.9, 0}, 0.9);
+    const Scene by_bounces = parse_scene(text, "scene.toml"),
+                // one speck that is a mirror and diffuse, so that surfaces may go on by chance
+        by_shadow_rays = parse_scene(text + sphere("both", {0, 1000, 0}, 1e-3), "scene.toml");
+    CHECK(make_plan(by_bounces).sky_by_bounces);
+    CHECK_FALSE(make_plan(by_shadow_rays).sky_by_bounces);
+    const Estimate bounced = estimate(by_bounces, Sampler::random, 40),
+                   looked_for = estimate(by_shadow_rays, Sampler::random, 40);
+    for (int c = 0; c < 3; ++c) {
+        CAPTURE(c, bounced.mean[c], looked_for.mean[c]);
+        CHECK(std::abs(bounced.mean[c] - looked_for.mean[c]) <
+              4.5 * std::sqrt(bounced.variance[c] + looked_for.variance[c]));
+    }
+    CHECK(bounced.noise < looked_for.noise);
+    const auto rays = [](const Scene& scene) {
+        return render(scene, {.samples = 4}).rays[std::size_t(RayKind::shadow)];
+    };
+    CHECK(2 * rays(by_bounces) < rays(by_shadow_rays));
+}

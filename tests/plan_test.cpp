@@ -190,15 +190,17 @@ TEST_CASE("emission_counts is asked where diffuse rays go and something shines t
                               sphere("floor", {0, 0, 0}, 1),
                       lamp = sphere("lamp", {0, 3, 0}, 1), bounces = scene_table("[render]", {{"bounces", 2}}),
                       mirror = changed(floor, "\"floor\"\n", "\"mirror\"\n");
-    const Case cases[] = {{bounces + floor + lamp, true},
-                          {"environment = 1\n" + bounces + floor, true},
-                          {bounces + changed(floor, "emission = 5", "emission = 5\nsampled = false") + lamp, true},
-                          {"background = 1\n" + bounces + floor, false},
-                          {bounces + floor, false},
-                          {floor + lamp, false},
-                          {"environment = 1\n" + floor + lamp, false},
-                          {bounces + mirror + lamp, false},
-                          {"environment = 1\n" + bounces + mirror, false}};
+    const Case cases[] = {
+        {bounces + floor + lamp, true},
+        {"environment = 1\n" + bounces + floor, false},  // no shadow ray looks for what bounces finds
+        {"environment = 1\n" + bounces + changed(floor, "albedo = 0.5", "albedo = 0.5\nreflectance = 0.1"), true},
+        {bounces + changed(floor, "emission = 5", "emission = 5\nsampled = false") + lamp, true},
+        {"background = 1\n" + bounces + floor, false},
+        {bounces + floor, false},
+        {floor + lamp, false},
+        {"environment = 1\n" + floor + lamp, false},
+        {bounces + mirror + lamp, false},
+        {"environment = 1\n" + bounces + mirror, false}};
     for (const Case& c : cases) {
         CAPTURE(c.scene);
         const RenderPlan plan = make_plan(parse_scene(c.scene, "scene.toml"));

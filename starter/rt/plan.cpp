@@ -193,11 +193,14 @@ RenderPlan make_plan(const Scene& scene, const Sampling& sampling) {
     plan.environment_lit = plan.environment && plan.diffuse;
     plan.bounce = plan.diffuse && scene.bounces > 0;
     plan.through = plan.through && (plan.point_lights || plan.light || plan.environment_lit);
-    plan.counts_twice = plan.bounce && (plan.emission || plan.environment_lit);
     plan.split = plan.specular && scene.depth <= deepest_split && !plan.lobe && !plan.bounce && !plan.medium &&
                  !plan.light && !plan.environment_lit;
     plan.choice = plan.choice && !plan.split;
     decide_roulette(scene, plan);
+    // A diffuse ray goes as a shadow ray to the environment would, and so costs nothing more; but one that goes on by
+    // chance, or that boundaries may stop, brings it with more noise.
+    plan.sky_by_bounces = plan.environment_lit && plan.bounce && !plan.choice && !plan.roulette && !plan.through;
+    plan.counts_twice = plan.bounce && (plan.emission || (plan.environment_lit && !plan.sky_by_bounces));
     plan.camera_dimensions = camera_dimensions;
     plan.wave_dimensions = light_dimension + (plan.one_lamp ? 2 : int(plan.lamps.size()));
     number_pairs(plan);

@@ -69,6 +69,7 @@ struct RenderPlan {
     bool solid_angle = false;      // quads that shine are sampled by solid angle
     bool one_lamp = false;         // one of many lamps is chosen at each point
     bool environment_lit = false;  // diffuse surfaces gather light from the environment
+    bool sky_by_bounces = false;   // diffuse rays bring it; shadow rays look for it where none goes on
     bool bvh = false;
     bool spheres = false, triangles = false, quads = false, discs = false;
     bool smooth = false;        // meshes with normals

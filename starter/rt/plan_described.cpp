@@ -41,7 +41,9 @@ std::string describe_integrals(const RenderPlan& plan, const Scene& scene) {
            row("light", plan.light, fmt::format("{} emitters", plan.lamps.size()),
                "no emitter that lights a diffuse surface or a medium") +
            describe_lamps(plan) +
-           row("environment", plan.environment_lit, "lights the diffuse surfaces",
+           row("environment", plan.environment_lit,
+               plan.sky_by_bounces ? "found by what bounces; by shadow rays where nothing bounces any more"
+                                   : "lights the diffuse surfaces",
                "no environment that lights a diffuse surface") +
            row("lobe", plan.lobe, "glossy or translucent surfaces", "no glossy or translucent surface") +
            row("bounce", plan.bounce, fmt::format("up to {}", scene.bounces),
@@ -91,13 +93,13 @@ std::string describe_costs(const RenderPlan& plan, const Scene& scene) {
     const int lamps = plan.light ? plan.one_lamp ? 1 : int(plan.lamps.size()) : 0;
     const std::string text = fmt::format("dimensions       {} for the camera, {} for each wave\n",
                                          numbers(camera_drawn(plan)), numbers(wave_drawn(plan)));
-    const std::size_t shadow = scene.lights.size() + std::size_t(lamps) + plan.environment_lit;
-    const int waves = 1 + (plan.bounce ? scene.bounces : 0);
+    const int waves = 1 + (plan.bounce ? scene.bounces : 0), of_sky = plan.sky_by_bounces ? 1 : waves;
+    const std::size_t shadow =
+        (scene.lights.size() + std::size_t(lamps)) * std::size_t(waves) + std::size_t(plan.environment_lit * of_sky);
     const int samples = sampling.passes ? 1 : sampling.samples;
     return text +
            fmt::format("rays per {:<7} {} camera, at most {} shadow where no path meets mirrors, glass or media\n",
-                       sampling.passes ? "sample" : "pixel", samples,
-                       std::size_t(samples) * shadow * std::size_t(waves));
+                       sampling.passes ? "sample" : "pixel", samples, std::size_t(samples) * shadow);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ SETTINGS = [["--samples", "4"], ["--samples", "1"], ["--samples", "4", "--sample
 
 # Of the plan, what a Whitted scene without a tree does not have.
 ABSENT = """pixel light lobe lens time bounce medium environment emission choice weigh solid_angle one_lamp
-environment_lit media_lit roulette counts_twice glossy translucent bvh triangles discs smooth through""".split()
+environment_lit sky_by_bounces media_lit roulette counts_twice glossy translucent bvh triangles discs smooth through""".split()
 NOTHING = """
 /// A switch that is off, and that nothing turns on.
 struct Absent {

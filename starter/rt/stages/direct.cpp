@@ -57,6 +57,12 @@ void point_light(const Wave& wave, const PointLight& lamp, Batch& shadow, Colors
     }
 }
 
+bool all_bounce_to_sky(const World& world, const Batch& b) {
+    int bounce = 0;
+    for (int i = 0; i < b.count; ++i) bounce += bounces_to_sky(world, b, i);
+    return bounce == b.count;
+}
+
 void ambient_light(const Wave& wave, Colors& found) {
     for (int i = 0; i < wave.batch.count; ++i) {
         if (wave.surfaces.material[i] == nothing || wave.material(i).ambient == Color(0)) continue;
@@ -145,10 +151,12 @@ void direct_stage(const Wave& wave, Batch& shadow, Colors& found, Chunk& chunk) 
                    : shine_on_surfaces<false>(lamps, u, b, s, reflectances, shadow, light);
         send(plan.through);
     });
-    if (reflects && plan.environment_lit) {
+    if (reflects && plan.environment_lit && !all_bounce_to_sky(world, b)) {
         Numbers u;
         wave.draw_2d(environment_dimension, lanes, u);
         environment_light(world.scene.environment, u, s, reflectances, shadow, light);
+        for (int i = 0; i < b.count; ++i)
+            if (bounces_to_sky(world, b, i)) light.set(i, Color(0));
         send(plan.through);
     }
 }

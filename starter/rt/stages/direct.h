@@ -52,6 +52,11 @@ inline Lit from_point_light(const PointLight& lamp, const Material& m, const Hit
     return {light, shadow_ray(hit, to.direction, to.distance)};
 }
 
+/// Whether a diffuse ray from lane i brings the light of the environment.
+inline bool bounces_to_sky(const World& world, const Batch& b, int i) {
+    return world.plan.sky_by_bounces && b.bounce[i] < world.scene.bounces;
+}
+
 /// From a direction of the environment. Not by direct_light: highlights are of lamps alone, and cos(theta) is z, before
 /// the direction is turned to the world.
 [[gnu::always_inline]] inline Lit from_environment(Color radiance, Color albedo, const Hit& hit, vec3 n, vec2 u) {

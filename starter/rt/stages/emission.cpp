@@ -9,7 +9,7 @@ namespace {
 template <bool counts_twice>
 void see_sky(const World& world, const Batch& b, Colors& found) {
     const Color environment = world.scene.environment, background = world.scene.background;
-    const bool lit = world.plan.environment_lit;
+    const bool lit = world.plan.environment_lit && !world.plan.sky_by_bounces;
 #pragma GCC ivdep
     for (int i = 0; i < lanes; ++i) {
         const Event from = Event(b.event[i]);

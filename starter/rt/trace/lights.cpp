@@ -191,7 +191,8 @@ void trace_lights(const Wave& wave, int i, Told& told) {
         }
     with_lamps_for(lane, lane.hit().point,
                    [&](std::size_t number, const ChosenLamp& chosen, vec2 u) { tell_lamp(lane, number, chosen, u); });
-    if (world.plan.environment_lit && m.albedo != Color(0)) tell_environment(lane);
+    if (world.plan.environment_lit && m.albedo != Color(0) && !bounces_to_sky(world, wave.batch, i))
+        tell_environment(lane);
 }
 
 }  // namespace rt

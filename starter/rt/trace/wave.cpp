@@ -48,23 +48,24 @@ void tell_emission(const Wave& wave, int i, Told& told) {
     const World& world = wave.world;
     const Batch& b = wave.batch;
     const Event from = Event(b.event[i]);
+    const RenderPlan& plan = world.plan;
     const auto counts = [&](bool sampled) {
-        if (!world.plan.counts_twice) return true;
+        if (!plan.counts_twice) return true;
         const bool answer = emission_counts(from, sampled);
         tell(told, "emission_counts", "from {}, {} by shadow rays: {}", event_names[b.event[i]],
              sampled ? "looked for" : "not looked for", answer ? "yes" : "no");
         return answer;
     };
     if (b.shape[i] == nothing) {
-        if (!world.plan.environment && world.scene.background == Color(0)) return;
-        const Color sky =
-            world.plan.environment && counts(world.plan.environment_lit) ? world.scene.environment : Color(0);
+        if (!plan.environment && world.scene.background == Color(0)) return;
+        const bool sampled = plan.environment_lit && !plan.sky_by_bounces;
+        const Color sky = plan.environment && counts(sampled) ? world.scene.environment : Color(0);
         const Color light = sky + (from == Event::camera ? world.scene.background : Color(0));
         tell(told, "sky", "{}", text(light));
         if (light != Color(0)) tell_added(told, b.weight.at(i) * light);
         return;
     }
-    if (b.shape[i] < 0 || !world.plan.emission || !wave.surfaces.shines[i]) return;
+    if (b.shape[i] < 0 || !plan.emission || !wave.surfaces.shines[i]) return;
     const SurfaceRecord& lamp = world.surfaces[std::size_t(b.shape[i])];
     const bool sampled = lamp.emitter != nothing;
     const Color emission = world.scene.materials[std::size_t(wave.surfaces.material[i])].emission;
