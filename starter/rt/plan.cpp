@@ -198,8 +198,9 @@ RenderPlan make_plan(const Scene& scene, const Sampling& sampling) {
     plan.choice = plan.choice && !plan.split;
     decide_roulette(scene, plan);
     // A diffuse ray goes as a shadow ray to the environment would, and so costs nothing more; but one that goes on by
-    // chance, or that boundaries may stop, brings it with more noise.
-    plan.sky_by_bounces = plan.environment_lit && plan.bounce && !plan.choice && !plan.roulette && !plan.through;
+    // chance brings it with more noise, and boundaries that let shadow rays through count as depth for it.
+    plan.sky_by_bounces = plan.environment_lit && plan.bounce && !plan.choice && !plan.roulette &&
+                          (!plan.through || scene.depth >= Scene{}.depth);
     plan.counts_twice = plan.bounce && (plan.emission || (plan.environment_lit && !plan.sky_by_bounces));
     plan.camera_dimensions = camera_dimensions;
     plan.wave_dimensions = light_dimension + (plan.one_lamp ? 2 : int(plan.lamps.size()));
