@@ -9,7 +9,7 @@ namespace {
 template <bool counts_twice>
 void see_sky(const World& world, const Batch& b, Colors& found) {
     const Color environment = world.scene.environment, background = world.scene.background;
-    const bool lit = world.plan.environment_lit && !world.plan.sky_by_bounces;
+    const bool lit = world.plan.environment_lit;
 #pragma GCC ivdep
     for (int i = 0; i < lanes; ++i) {
         const Event from = Event(b.event[i]);
@@ -53,9 +53,11 @@ std::optional<Real> share_of_found(const World& world, const SurfaceRecord& lamp
 }
 
 void emission_stage(const World& world, const Batch& batch, const Surfaces& surfaces, Colors& found) {
-    if (world.plan.environment || world.scene.background != Color(0))
-        with_flag(world.plan.counts_twice, [&](auto twice) { see_sky<twice()>(world, batch, found); });
-    if (world.plan.emission) see_emitters(world, batch, surfaces, found);
+    const RenderPlan& plan = world.plan;
+    if (plan.environment || world.scene.background != Color(0))
+        with_flag(plan.counts_twice && !plan.sky_by_bounces,
+                  [&](auto twice) { see_sky<twice()>(world, batch, found); });
+    if (plan.emission) see_emitters(world, batch, surfaces, found);
 }
 
 }  // namespace rt

@@ -58,8 +58,8 @@ void tell_emission(const Wave& wave, int i, Told& told) {
     };
     if (b.shape[i] == nothing) {
         if (!plan.environment && world.scene.background == Color(0)) return;
-        const bool sampled = plan.environment_lit && !plan.sky_by_bounces;
-        const Color sky = plan.environment && counts(sampled) ? world.scene.environment : Color(0);
+        const bool seen = plan.environment && (plan.sky_by_bounces || counts(plan.environment_lit));
+        const Color sky = seen ? world.scene.environment : Color(0);
         const Color light = sky + (from == Event::camera ? world.scene.background : Color(0));
         tell(told, "sky", "{}", text(light));
         if (light != Color(0)) tell_added(told, b.weight.at(i) * light);
