@@ -31,7 +31,8 @@ Statistic tint() {
          .tolerance = 1e-3,
          .says = "the weight does not have the colour of the albedo",
          .mistakes = {
-             {"the weight is grey: the albedo is missing", tint_error([](Color) { return Color(1); })},
+             {"the weight is grey; expected the albedo, channel by channel",
+              tint_error([](Color) { return Color(1); })},
              {"the albedo is squared in the weight", tint_error([](Color a) { return a * a; })},
              {"red and blue are exchanged in the weight", tint_error([](Color a) { return Color(a.b, a.g, a.r); })},
              {"red and green are exchanged in the weight", tint_error([](Color a) { return Color(a.g, a.r, a.b); })},

@@ -67,11 +67,11 @@ Check truth_table() {
              {"a sampled emitter counts from the camera alone: mirrors, glass, lobes and media send no shadow rays "
               "either",
               [](Event e, bool sampled) { return e == Event::camera || !sampled; }},
-             {"a sampled emitter does not count after glass or a mirror: caustics are missing",
+             {"after glass or a mirror a sampled emitter does not count; it must: caustics are missing",
               but_after(Event::specular)},
-             {"a sampled emitter does not count after a glossy lobe, which sends no shadow rays",
+             {"after a glossy lobe a sampled emitter does not count; it must: no shadow ray was sent",
               but_after(Event::lobe)},
-             {"a sampled emitter does not count inside a medium, which sends no shadow rays",
+             {"after a medium a sampled emitter does not count; it must: no shadow ray was sent",
               but_after(Event::medium)}}});
     for (auto& suspect : other_formulas()) all.suspects.push_back(std::move(suspect));
     Statistic right = formula(all);

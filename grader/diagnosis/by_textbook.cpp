@@ -76,15 +76,6 @@ Relation named(const textbook::Form& mistake, std::string says, double cost) {
     return found;
 }
 
-/// A form that is wrong as a whole.
-std::optional<Relation> known_mistake(const Calls& calls, bool sampled) {
-    const auto wrong_parts = wrong_parts_of(calls);
-    for (const textbook::Form& form : textbook::forms())
-        if (form.fragment == calls.signature.fragment && !form.says.empty())
-            if (const auto cost = cost_as(form, calls, sampled, wrong_parts)) return named(form, form.says, *cost);
-    return std::nullopt;
-}
-
 /// A form that is right, with one that is wrong as a whole in the place of a fragment that it calls.
 std::optional<Relation> known_mistake_in_part(const Calls& calls, bool sampled) {
     const auto wrong_parts = wrong_parts_of(calls);
@@ -101,6 +92,14 @@ std::optional<Relation> known_mistake_in_part(const Calls& calls, bool sampled) 
 }
 
 }  // namespace
+
+std::optional<Relation> known_mistake(const Calls& calls, bool sampled) {
+    const auto wrong_parts = wrong_parts_of(calls);
+    for (const textbook::Form& form : textbook::forms())
+        if (form.fragment == calls.signature.fragment && !form.says.empty())
+            if (const auto cost = cost_as(form, calls, sampled, wrong_parts)) return named(form, form.says, *cost);
+    return std::nullopt;
+}
 
 std::optional<Relation> relation_of_textbook(const Calls& calls, bool sampled, std::size_t& left) {
     if (calls.size() == 0) return std::nullopt;

@@ -13,6 +13,9 @@ constexpr std::size_t most_of_textbook = 400'000;  // answers of forms that one 
 /// left     answers of forms that it may take, of most_of_textbook
 std::optional<Relation> relation_of_textbook(const Calls& calls, bool sampled, std::size_t& left);
 
+/// A form that is wrong as a whole, whose answers are these in all calls that are wrong.
+std::optional<Relation> known_mistake(const Calls& calls, bool sampled);
+
 /// Two mistakes, of which one may be a change of an argument.
 std::optional<Relation> two_of_textbook(const Calls& calls, std::size_t& left);
 

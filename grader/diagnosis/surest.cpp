@@ -21,6 +21,9 @@ std::optional<Relation> simpler_one(std::optional<Relation> of_arguments, std::o
                                                                                                           : of_form;
     if (of_arguments->explains != Relation::Explains::all) return of_form;
     if (of_form->other_numbers) return of_arguments;
+    // a name says more than how answers are made
+    const bool has_name = of_form->kind == Relation::Kind::named_mistake;
+    if (has_name && !of_arguments->has_change() && !of_arguments->is_constant) return of_form;
     constexpr double clearly = 0.25, as_cheap = 0.5;
     const bool is_change = of_form->has_change(), everywhere = of_form->everywhere;
     if (is_change && everywhere && (!of_arguments->everywhere || of_arguments->is_constant)) return of_form;
@@ -28,7 +31,7 @@ std::optional<Relation> simpler_one(std::optional<Relation> of_arguments, std::o
     if (is_change && !of_arguments->has_change() && !everywhere && of_form->cost <= of_arguments->cost) return of_form;
     if (!of_form->is_change() || !of_arguments->is_change() || of_form->cost > of_arguments->cost + as_cheap)
         return of_arguments;
-    if (of_form->kind == Relation::Kind::named_mistake) return of_form;
+    if (has_name) return of_form;
     if (of_form->edit == of_arguments->said && of_form->said != of_form->edit) {
         of_form->usually = of_arguments->usually;
         return of_form;
@@ -59,7 +62,10 @@ std::optional<Relation> sure_relation(const Calls& calls, const Ask& ask_right, 
         const auto of_arguments = relation_of(some, ask, sampled);
         if (is_no_mistake(of_arguments)) return of_arguments;
         constexpr double simple = 1;
-        if (is_exact(of_arguments) && of_arguments->is_change() && of_arguments->cost <= simple) return of_arguments;
+        if (is_exact(of_arguments) && of_arguments->is_change() && of_arguments->cost <= simple) {
+            const auto known = known_mistake(some, sampled);
+            return known ? known : of_arguments;
+        }
         const auto of_form = relation_of_textbook(some, sampled, left_of_forms);
         return is_no_mistake(of_form) ? of_form : simpler(of_arguments, of_form);
     };

@@ -9,10 +9,11 @@ namespace {
 
 constexpr double step = 1e-3;  // of u: the noise of single precision, over it, is below the tolerance
 constexpr double tolerance = 5e-3;
-constexpr std::size_t points = 48;   // of each kind of arguments
-constexpr std::size_t strata = 128;  // along an axis, each with two numbers side by side
-constexpr std::size_t each = 5;      // rows: u, and u before and behind along each axis
-constexpr std::size_t least = 10;    // samples that count
+constexpr int columns = 8, rows_of_cells = 6;
+constexpr std::size_t points = columns * rows_of_cells;  // of each kind of arguments, one in each cell of the square
+constexpr std::size_t strata = 128;                      // along an axis, each with two numbers side by side
+constexpr std::size_t each = 5;                          // rows: u, and u before and behind along each axis
+constexpr std::size_t least = 10;                        // samples that count
 
 /// p |dx/du| at each sample that counts, in order.
 std::vector<double> products(const Observation& seen, const OwnDensity& of, std::size_t count) {
@@ -40,8 +41,10 @@ double off_most(const std::vector<double>& sorted) {
     return is_constant && std::abs(middle - std::round(middle)) > tolerance * middle ? middle : 1;
 }
 
-Rows about(const RowWith& row_with, Generator& random) {
-    const rt::vec2 u = rt::vec2(0.1) + 0.7 * square(random);
+/// A point of a cell with those beside it; the square's rim, where maps are steep, is left out.
+Rows about(const RowWith& row_with, Generator& random, std::size_t cell) {
+    const rt::vec2 of_cell(double(cell % columns), double(cell / columns));
+    const rt::vec2 u = rt::vec2(0.03) + 0.94 * (of_cell + square(random)) / rt::vec2(columns, rows_of_cells);
     const Generator same = random;
     Rows rows;
     for (const rt::vec2 off : {rt::vec2(0), {-step, 0}, {step, 0}, {0, -step}, {0, step}}) {
@@ -108,7 +111,7 @@ Check own_density(const std::vector<RowWith>& kinds, const std::vector<OwnDensit
     const auto inputs = [kinds, dimensions = all.front().dimensions](Generator& random) {
         Rows rows;
         for (std::size_t k = 0; k < points * kinds.size(); ++k)
-            for (Row& one : about(kinds[k % kinds.size()], random)) rows.push_back(std::move(one));
+            for (Row& one : about(kinds[k % kinds.size()], random, k / kinds.size())) rows.push_back(std::move(one));
         for (const RowWith& kind : kinds) rows = joined(std::move(rows), side_by_side(kind, random, dimensions));
         return rows;
     };
