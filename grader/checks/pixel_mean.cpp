@@ -198,7 +198,7 @@ Check lamp_steps(Generator& random) {
 /// So many pixels of a floor that what goes wrong once in 100,000 is seen.
 Check many_pixels(Generator& random) {
     const Place place = any_place(random);
-    const rt::ivec2 size(1000, 700);
+    const rt::ivec2 size(1200, 1000);
     const vec3 light = place({box(random, -0.3, 0.3).x, box(random, -0.3, 0.3).y, between(random, 1, 2)});
     const double intensity = log_between(random, 40, 120), albedo = between(random, 0.4, 0.8);
     const View view = film_view(place, size);
@@ -225,11 +225,11 @@ Check many_pixels(Generator& random) {
     return render_check(
         "many_pixels", {scene, 1, "random"},
         {of_picture({.id = "G4",
-                     .what = "pixels, of 700,000, that are off by two percent",
+                     .what = "pixels, of 1,200,000, that are off by two percent",
                      .number = odd,
                      .truth = 0,
                      .exact = true,
-                     .hint = with_value("{:.0f} pixels of 700,000 are not what they must be: is something else than "
+                     .hint = with_value("{:.0f} pixels of 1,200,000 are not what they must be: is something else than "
                                         "the mean returned, for some sums?")})});
 }
 

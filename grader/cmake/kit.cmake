@@ -15,16 +15,12 @@ foreach(objects solution_baseline blanks_baseline)
 endforeach()
 
 # add_kit_grade(name archives): the same of these parts. Its libraries are beside it; old-style, so that theirs are found
-# there too. Without symbols: half of its size; and where a linker folds functions that are the same, without a sixteenth.
-set(folding "")
-if(EXISTS /usr/bin/ld.gold)
-    set(folding -fuse-ld=gold -Wl,--icf=safe)
-endif()
+# there too. Without symbols: half of its size.
 function(add_kit_grade name archives)
     add_grade(${name} rt_baseline rt_baseline_speed ${archives} child_baseline solution_baseline blanks_baseline)
     add_dependencies(${name} ${name}_studies)
     foreach(program ${name} ${name}_studies)
-        target_link_options(${program} PRIVATE -Wl,--disable-new-dtags -Wl,--gc-sections -Wl,-s ${folding})
+        target_link_options(${program} PRIVATE -Wl,--disable-new-dtags -Wl,--gc-sections -Wl,-s)
         set_target_properties(${program} PROPERTIES BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH "$ORIGIN/lib")
     endforeach()
     set_target_properties(${name}_here ${name} ${name}_studies PROPERTIES EXCLUDE_FROM_ALL ON)

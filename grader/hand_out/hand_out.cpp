@@ -208,6 +208,7 @@ void hand_out(const fs::path& project, const Assignment& assignment, const fs::p
     write_starter(blanks, (folder / "starter/fragments").string());
     write_starter(blanks, (folder / "grader/blanks").string());
     copy_folder(folder_of_glm(built) / "glm", folder / "grader/include/glm");
+    fs::remove_all(folder / "grader/include/glm/gtx");  // GLM's experimental part, half a megabyte
     write_machine(built, program, folder / "grader" / kind_of_machine(), whom);
     for (const fs::path& kit : others) add_machines(kit, folder);
 }
