@@ -197,9 +197,10 @@ RenderPlan make_plan(const Scene& scene, const Sampling& sampling) {
                  !plan.light && !plan.environment_lit;
     plan.choice = plan.choice && !plan.split;
     decide_roulette(scene, plan);
-    // A diffuse ray goes as a shadow ray to the environment would, and so costs nothing more; but one that goes on by
-    // chance brings it with more noise, and boundaries that let shadow rays through count as depth for it.
-    plan.sky_by_bounces = plan.environment_lit && plan.bounce && !plan.choice && !plan.roulette &&
+    // A diffuse ray goes as a shadow ray to the environment would, and so costs nothing more. But one that goes on by
+    // chance brings it with more noise, boundaries that let shadow rays through count as depth for it, and interpolated
+    // normals may send it through its own surface.
+    plan.sky_by_bounces = plan.environment_lit && plan.bounce && !plan.choice && !plan.roulette && !plan.smooth &&
                           (!plan.through || scene.depth >= Scene{}.depth);
     plan.counts_twice = plan.bounce && (plan.emission || (plan.environment_lit && !plan.sky_by_bounces));
     plan.camera_dimensions = camera_dimensions;
