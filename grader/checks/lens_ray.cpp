@@ -54,7 +54,10 @@ Check even() {
     const auto row_with = [](Generator& draw, vec2 u) {
         Camera camera = any_lens_camera(draw);
         if (chance(draw, 0.15)) camera.focus = rt::inf;
-        if (chance(draw, 0.3)) camera.lens_radius = log_between(draw, 1e-3, 0.05);
+        if (chance(draw, 0.3)) {
+            camera.lens_radius = log_between(draw, 1e-3, 0.05);
+            camera.eye *= camera.lens_radius;  // so near 0 that single precision tells its points apart
+        }
         return row(camera, Ray{camera.eye, view_direction(camera, 200.0 * square(draw)), 0, rt::inf}, u);
     };
     return own_density(row_with, {of_call<rt::lens_ray>([](const Ray& ray) { return ray.origin; }),

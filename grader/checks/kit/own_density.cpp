@@ -41,8 +41,8 @@ double off_most(const std::vector<double>& sorted) {
     return is_constant && std::abs(middle - std::round(middle)) > tolerance * middle ? middle : 1;
 }
 
-/// A point of a cell with those beside it. Left out is the square's rim, where maps are steep, and the middle of a disk,
-/// where neighbours are so close that single precision does not tell them apart.
+/// A point of a cell with those beside it. Left out is the square's rim, where maps are steep, and the middle of a
+/// disk, where neighbours are so close that single precision does not tell them apart.
 Rows about(const RowWith& row_with, Generator& random, std::size_t cell) {
     const rt::vec2 of_cell(double(cell % columns), double(cell / columns));
     const rt::vec2 u = rt::vec2(0.1) + 0.87 * (of_cell + square(random)) / rt::vec2(columns, rows_of_cells);
