@@ -46,7 +46,6 @@ promises = [
     ("moved", "times before 0", ("time * velocity", "std::abs(time) * velocity")),
     *[(f, "angles in radians, neighbours stay neighbours", ("unit_circle(u.y)", "vec2(std::cos(360 * u.y), std::sin(360 * u.y))"))
       for f in ("uniform_disk", "cosine_hemisphere", "phong_lobe", "sphere_cone", "scatter_direction")],
-    ("uniform_disk", "even to the rim", ("std::sqrt(u.x)", "std::sqrt(u.x > 0.9 ? 0.9 + 10 * sqr(u.x - 0.9) : u.x)")),
     ("uniform_disk", "both numbers of u are used", ("unit_circle(u.y)", "unit_circle(u.x)")),
     ("cosine_hemisphere", "u.x = 0", ("std::sqrt(u.x) * unit_circle(u.y)", "u.x / std::sqrt(u.x) * unit_circle(u.y)")),
     ("phong_lobe", "u.x = 0", ("u.x > 0 ? u.x / cosine : exponent > 0 ? 0 : 1", "u.x / cosine")),
