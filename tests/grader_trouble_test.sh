@@ -35,9 +35,14 @@ for folder in "$TMPDIR"/grade-*/; do
 done
 touch "$TMPDIR/grade-killed.lock"  # before its folder was made
 # what the next one finds, it removes; what is somebody else's, and what is in use, it does not
-mkdir "$TMPDIR/grade-other"
+mkdir "$TMPDIR/grade-other" "$work/others"
+chmod 500 "$work/others"
+ln -s "$work/others" "$TMPDIR/grade-link"
+touch "$TMPDIR/grade-link.lock"
 expect 0 "3 of 3" "$grade" solution phong
-expect 0 "1" left
+expect 0 "3" left
+expect 0 "500" stat -c %a "$work/others"
+rm "$TMPDIR/grade-link" "$TMPDIR/grade-link.lock"
 rmdir "$TMPDIR/grade-other"
 
 # objects kept in a folder whose name is in what takes the place of its name

@@ -141,7 +141,9 @@ void sweep() {
         if (!file.filename().string().starts_with(folder_begin) || file.extension() != lock_end) continue;
         const int lock = open(file.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
         if (lock < 0) continue;
-        if (is_locked(lock)) remove_with_lock(fs::path(file).replace_extension());
+        // a link in a folder for all may be somebody else's
+        const fs::path folder = fs::path(file).replace_extension();
+        if (is_locked(lock) && !fs::is_symlink(folder, error)) remove_with_lock(folder);
         close(lock);
     }
 }
