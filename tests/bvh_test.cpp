@@ -96,6 +96,7 @@ Real looks(int level) {
     const int batches = 64;
     static Journeys journeys;
     static Meetings meetings;
+    static Visits visits;
     for (int k = 0; k < batches; ++k) {
         Batch b{};
         b.count = lanes;
@@ -112,7 +113,11 @@ Real looks(int level) {
             if (n == 0) break;
             nodes += n;
             meetings.count = 0;
-            for (int k = 0; k < n; ++k) step(bvh.nodes.data(), journeys, rays[k], meetings);
+            for (int k = 0; k < n; ++k) step(bvh.nodes.data(), journeys, rays[k], visits);
+            for (; visits.count > 0; --visits.count) {
+                const int k = visits.count - 1;
+                add_pairs(bvh.nodes[visits.node[k]], visits.lane[k], visits.met[k], meetings);
+            }
             for (int m = 0; m < meetings.count; ++m) {
                 const int i = int(meetings.lane(m));
                 const Real t = hit_triangle(triangles[std::size_t(meetings.item(m))], b.ray(i));

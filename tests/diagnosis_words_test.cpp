@@ -16,6 +16,9 @@ TEST_CASE("what sanitizers say, in a line of the student's own file") {
     CHECK(fault_in_words("==2==ERROR: AddressSanitizer: stack-overflow on address 0x7f\n    #0 0x5 in f(int) "
                          "/usr/include/x.h:3\n    #1 0x5 in f(int) /tmp/x/phong.cpp:4\n",
                          "phong") == "phong.cpp:4: the function calls itself without end");
+    CHECK(fault_in_words("==2==ERROR: AddressSanitizer: stack-overflow on address 0x7f\n    #0 0x5 in f(int) "
+                         "/tmp/x/phong.cpp:4\n    #1 0x5 in main /usr/include/x.h:3\n",
+                         "phong") == "phong.cpp:4: the stack is full: an array has too many elements");
     const std::string abort =
         "ERROR: AddressSanitizer: ABRT on unknown address\n    #0 0x5 in f /tmp/x/phong.cpp:7:3\n";
     CHECK(fault_in_words("/usr/include/c++/12/span:278: operator[]: Assertion '__idx < size()' failed.\n" + abort,

@@ -1,7 +1,8 @@
-/// Which rays of a beam a triangle need not be asked about: what is left out is never a hit, however close, and nearly
-/// all that pass by at some distance are left out.
+/// Which rays, of a beam or alone, a triangle need not be asked about: what is left out is never a hit, however close,
+/// and nearly all that pass by at some distance are left out.
 
 #include <bit>
+#include <optional>
 
 #include "extremes/extremes.h"
 #include "rt/fragments.h"
@@ -55,24 +56,38 @@ Real beside(const Triangle& t, const Ray& ray) {
     return -std::min(u, std::min(v, w));
 }
 
-void count(Random& random, vec3 middle, Real size, Real distance, Counts& counts) {
-    static Journeys journeys;
+enum class Together { yes, no };
+
+/// Those of the rays that the triangle is asked about; none: they have no axis in common.
+std::optional<std::uint64_t> left_of(const Bvh& bvh, const Journeys& journeys, Together together, std::uint64_t rays) {
     static Beam beam;
     static Shears shears;
+    if (together == Together::yes) {
+        start(journeys, beam);
+        if (!start(journeys, beam, shears)) return std::nullopt;
+        return may_hit(bvh.corners[0], 0, shears, rays);
+    }
+    start(journeys, shears);
+    std::uint64_t left = 0;
+    for (int i = 0; i < lanes; ++i) left |= std::uint64_t(may_hit(bvh.corners[0], shears, i) & 1) << i;
+    return left & rays;
+}
+
+void count(Random& random, vec3 middle, Real size, Real distance, Together together, Counts& counts) {
+    static Journeys journeys;
     const Triangle t = triangle_in(random, middle, size);
-    const Bvh bvh = build_bvh(1, [&](std::size_t) { return Box{middle - 2.5, middle + 2.5}; });
+    Bvh bvh = build_bvh(1, [&](std::size_t) { return Box{middle - 2.5, middle + 2.5}; });
+    add_corners(bvh, [&](std::size_t) { return &t; });
     const Batch b = beam_at(random, t, distance);
     start(bvh, b, journeys);
-    start(journeys, beam);
-    start(journeys, beam, shears);
-    if (shears.axis == Shears::none) return;
     std::uint64_t alive = 0;
     for (int i = 0; i < lanes; ++i) alive |= std::uint64_t(journeys.far[i] >= 0) << i;
-    const std::uint64_t left = may_hit(corners_of(t, bvh), shears, alive);
+    const std::optional<std::uint64_t> left = left_of(bvh, journeys, together, alive);
+    if (!left) return;
     const bool plump =
         length(cross(t.b - t.a, t.c - t.a)) > 0.1 * sqr(length(t.c - t.a)) && length(t.c - t.a) > 0.3 * size;
     for (int i = 0; i < lanes; ++i) {
-        const bool out = !(left >> i & 1), hit = hit_triangle(t, b.ray(i)) < inf;
+        const bool out = !(*left >> i & 1), hit = hit_triangle(t, b.ray(i)) < inf;
         const bool far_beside = plump && (alive >> i & 1) && beside(t, b.ray(i)) > 0.05;
         counts.left_out += out, counts.hits += hit, counts.hit_though_left_out += out && hit;
         counts.beside += far_beside, counts.beside_left_out += far_beside && out;
@@ -81,12 +96,13 @@ void count(Random& random, vec3 middle, Real size, Real distance, Counts& counts
 
 }  // namespace
 
-TEST_CASE("a ray of a beam that is left out of a triangle's never hits it", "[hit_triangle]") {
+TEST_CASE("a ray that is left out of a triangle's never hits it", "[hit_triangle]") {
+    const Together together = GENERATE(Together::yes, Together::no);
     Random random(11);
     Counts counts;
     for (int round = 0; round < 20000; ++round)
         count(random, round % 4 ? vec3(0) : random.scale(1, 1e9) * random.direction(), random.scale(1e-7, 1),
-              random.scale(0.05, 1e5), counts);
+              random.scale(0.05, 1e5), together, counts);
     INFO(counts.hits << " hits, " << counts.left_out << " left out");
     CHECK(counts.hits > 100000);
     CHECK(counts.left_out > 40000);
@@ -94,10 +110,11 @@ TEST_CASE("a ray of a beam that is left out of a triangle's never hits it", "[hi
 }
 
 TEST_CASE("and what passes a triangle of ordinary size by is left out", "[hit_triangle]") {
+    const Together together = GENERATE(Together::yes, Together::no);
     Random random(12);
     Counts counts;
     for (int round = 0; round < 5000; ++round)
-        count(random, vec3(0), random.scale(0.003, 1), random.scale(0.5, 100), counts);
+        count(random, vec3(0), random.scale(0.003, 1), random.scale(0.5, 100), together, counts);
     INFO(counts.beside << " rays pass by");
     CHECK(counts.beside > 10000);
     CHECK(double(counts.beside_left_out) > 0.98 * double(counts.beside));

@@ -15,6 +15,7 @@ Camera any_pinhole(Generator& random) {
     camera.right = frame.x, camera.up = frame.y, camera.back = frame.z;
     camera.tan_half_fov = chance(random, 0.75) ? between(random, 0.2, 1.2) : log_between(random, 0.01, 10);
     camera.size = {whole_between(random, 20, 400), whole_between(random, 20, 400)};
+    if (chance(random, 0.5)) camera.focus = log_between(random, 0.1, 100);  // no matter without a lens
     return camera;
 }
 

@@ -72,7 +72,7 @@ Checks check_cosine_hemisphere(Generator& random) {
     const auto row_with = [](Generator&, rt::vec2 u) { return row(u); };
     return {probe_check("cosine_law", inputs,
                         {unit_direction<rt::cosine_hemisphere>("V3"), above, cosine, density, spread, purity()}),
-            density_of_directions<rt::cosine_hemisphere>(row_with), ends_of_square(row_with), open_sky(random)};
+            density_of_directions<rt::cosine_hemisphere>({row_with}), ends_of_square(row_with), open_sky(random)};
 }
 
 }  // namespace grade

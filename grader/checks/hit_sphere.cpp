@@ -83,6 +83,36 @@ Row ordinary_sphere(Generator& random, bool clipped) {
     return row(sphere, ray);
 }
 
+/// A ray towards a sphere or away from it, or from within, whose interval begins and ends anywhere: before the near
+/// crossing, between it and the foot of the perpendicular, between that and the far crossing, or behind.
+///
+/// begins, ends  which of these four
+Row interval_in_order(Generator& random, int begins, int ends) {
+    const Sphere sphere{box(random, -5, 5), log_between(random, 0.1, 10)};
+    const rt::vec3 d = scene_direction(random);
+    const rt::vec3 beside = between(random, 0.05, 0.9) * sphere.radius * tilted(random, d, rt::pi / 2);
+    Ray ray{sphere.center + beside - between(random, 2, 6) * sphere.radius * d, log_between(random, 0.3, 3) * d};
+    const auto [t0, t1] = crossings(sphere, ray);
+    const double foot = (t0 + t1) / 2, bounds[] = {t0 - (t1 - t0), t0, foot, t1, t1 + (t1 - t0)};
+    const auto in = [&](int part, double low, double high) {
+        return bounds[part] + between(random, low, high) * (bounds[part + 1] - bounds[part]);
+    };
+    ray.near = std::max(0.0, in(begins, 0.1, begins == ends ? 0.45 : 0.9));
+    ray.far = in(ends, begins == ends ? 0.55 : 0.1, 0.9);
+    // t counts from the origin: now and then that lies where the interval begins
+    if (chance(random, 0.3)) ray.origin += ray.near * ray.direction, ray.far -= ray.near, ray.near = 0;
+    return row(sphere, ray);
+}
+
+/// All orders, some of each.
+Rows intervals_in_order(Generator& random) {
+    Rows rows;
+    for (int begins = 0; begins < 4; ++begins)
+        for (int ends = begins; ends < 4; ++ends)
+            for (int k = 0; k < 3; ++k) rows.push_back(interval_in_order(random, begins, ends));
+    return rows;
+}
+
 /// A small sphere that is met or missed by a hair: single precision, metres from the origin, does not know which.
 Row fine_sphere(Generator& random) {
     const Sphere sphere{box(random, -5, 5), log_between(random, 1e-3, 1e-2)};
@@ -181,7 +211,7 @@ Checks check_hit_sphere(Generator& random) {
                         {distance_to_sphere("distance, off by")}),
             probe_check("small_spheres", rows_of(96, small_sphere),
                         {distance_to_sphere("distance to a small sphere, off by")}),
-            probe_check("interval", rows_then(clipped, at_ends),
+            probe_check("interval", rows_then(rows_then(clipped, intervals_in_order), at_ends),
                         {distance_to_sphere("distance within the interval, off by")}),
             silhouette(random)};
 }

@@ -59,6 +59,7 @@ Row ordinary_triangle(Generator& random, bool clipped) {
         share[0] = between(random, low, 1), share[1] = between(random, low, 1), share[2] = 1 - share[0] - share[1];
     } while (*std::min_element(share.begin(), share.end()) < low ||
              std::abs(*std::min_element(share.begin(), share.end())) < 0.02);
+    std::rotate(share.begin(), share.begin() + whole_between(random, 0, 2), share.end());  // beyond each corner
     // some close to an edge, on either side: a fault there is seen in few pixels
     if (chance(random, 0.35)) {
         const double before = share[0];

@@ -46,21 +46,33 @@ Statistic regular_sum() {
               [](double right, const Integrand&, double a, double b, int n) { return right * n / (b - a); }}}});
 }
 
+/// That f was called at the right points, several times at each; empty: it was not.
+std::string called_more_often(const Observation& seen) {
+    const double times = seen.outputs.front()[1] / seen.inputs.front().back();
+    for (std::size_t k = 0; k < seen.inputs.size(); ++k)
+        if (seen.outputs[k][1] != times * seen.inputs[k].back()) return {};
+    return times > 1 && times == std::floor(times)
+               ? fmt::format("f is called {} times at each point; expected once: keep its value in a variable", times)
+               : "";
+}
+
 /// The probe also says how often f was called, and between which x.
 Statistic points_used() {
-    return property({.id = "I1",
-                     .what = "points used, off by",
-                     .violation =
-                         [](const Row& in, const Row& out) {
-                             return of_arguments<rt::integrate_uniform>(
-                                 [&](const Integrand&, double a, double b, int n) {
-                                     const double h = (b - a) / n;
-                                     return std::max({std::abs(out[1] - n), std::abs(out[2] - (a + h / 2)) / h,
-                                                      std::abs(out[3] - (b - h / 2)) / h});
-                                 })(in);
-                         },
-                     .tolerance = 1e-3,
-                     .says = "f is not evaluated once at each of the N midpoints, from a + D/(2N) to b - D/(2N)"});
+    Statistic s =
+        property({.id = "I1",
+                  .what = "points used, off by",
+                  .violation =
+                      [](const Row& in, const Row& out) {
+                          return of_arguments<rt::integrate_uniform>([&](const Integrand&, double a, double b, int n) {
+                              const double h = (b - a) / n;
+                              return std::max({std::abs(out[1] - n), std::abs(out[2] - (a + h / 2)) / h,
+                                               std::abs(out[3] - (b - h / 2)) / h});
+                          })(in);
+                      },
+                  .tolerance = 1e-3,
+                  .says = "f is not evaluated once at each of the N midpoints, from a + D/(2N) to b - D/(2N)"});
+    s.cause = called_more_often;
+    return s;
 }
 
 /// The integral of height exp(-rate x), the same functions on each level.

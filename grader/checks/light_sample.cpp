@@ -49,6 +49,16 @@ Row beside_lamp(Generator& draw) {
                square(draw));
 }
 
+/// A point that is the middle of a flat lamp, where maps of the square have theirs: the sample may be the point itself.
+Row on_lamp(Generator& draw) {
+    Emitter light = emitter(draw, chance(draw, 0.5) ? Emitter::Kind::quad : Emitter::Kind::disc);
+    const rt::Frame frame = rt::frame_about(exact_direction(draw));
+    light.quad = {exact_direction(draw), 0.5 * frame.x, 0.25 * frame.y};
+    light.disc = {light.quad.center, frame.z, 0.5};
+    const double y = chance(draw, 0.5) ? 0.5 : 0;
+    return row(light, rt::center(light), vec2(chance(draw, 0.5) ? 0.5 : chance(draw, 0.5) ? 0 : 1 - 0x1p-53, y));
+}
+
 /// Lamps of any size, from close by to a thousand sizes away, seen along an axis of the world or anyhow; flat ones from
 /// behind and from the side as well, spheres from the inside, and so close that they fill half of the sky.
 Check anywhere() {
@@ -101,9 +111,11 @@ Check anywhere() {
          .violation = of_call<rt::light_sample>([](const LightSample& s) {
              return std::isfinite(s.density + s.distance + rt::dot(s.direction, s.direction)) ? 0.0 : 1.0;
          }),
-         .says = "an answer is no finite number where the point is within a sphere, or in the plane of a lamp"});
-    return probe_check("anywhere", rows_then(rows_of_kinds(96, flat, sphere, within), rows_of(24, beside_lamp)),
-                       {dark, on, missing, finite});
+         .says = "an answer is no finite number where the point is within a sphere, on a lamp or in its plane"});
+    return probe_check(
+        "anywhere",
+        rows_then(rows_of_kinds(96, flat, sphere, within), rows_then(rows_of(24, beside_lamp), rows_of(32, on_lamp))),
+        {dark, on, missing, finite});
 }
 
 /// The solid angle of spheres of any size that fill up to half of the sky, or next to nothing.

@@ -99,7 +99,8 @@ Checks check_phong_lobe(Generator& random) {
     const auto row_with = [](Generator& draw, rt::vec2 u) { return row(log_between(draw, 1, 1e4), u); };
     return {lobe("narrow_lobe", narrow), lobe("wide_lobe", wide), any_exponent(),
             density_of_directions<rt::phong_lobe>(
-                [](Generator& draw, rt::vec2 u) { return row(log_between(draw, 1, 30), u); }),
+                {[](Generator& draw, rt::vec2 u) { return row(log_between(draw, 1, 30), u); },
+                 [](Generator& draw, rt::vec2 u) { return row(between(draw, 0, 1), u); }}),
             ends_of_square(row_with)};
 }
 

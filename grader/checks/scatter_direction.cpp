@@ -174,7 +174,7 @@ Checks check_scatter_direction(Generator& random) {
             directions("backward", backward),
             directions("isotropic", 0),
             probe_check("any_g", extremes, {unit_direction<rt::scatter_direction>("V3"), density()}),
-            density_of_directions<rt::scatter_direction>(any_g),
+            density_of_directions<rt::scatter_direction>({any_g}),
             ends_of_square(row_with),
             axes,
             white_medium(random),

@@ -62,9 +62,9 @@ Checks check_sphere_cone(Generator& random) {
                   .tolerance = 1e-3,
                   .says = "the density is wrong for a very small sphere, or for one that fills half of the sky"}));
     return {cone("small_sphere", small), cone("large_sphere", large),
-            density_of_directions<rt::sphere_cone>([](Generator& draw, rt::vec2 u) {
+            density_of_directions<rt::sphere_cone>({[](Generator& draw, rt::vec2 u) {
                 return row(chance(draw, 0.15) ? 1 : log_between(draw, 0.02, 0.99), u);
-            }),
+            }}),
             ends, shadow_check(random, "sphere_penumbra", any_shadow(random, rt::Emitter::Kind::sphere))};
 }
 

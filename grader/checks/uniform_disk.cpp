@@ -33,11 +33,12 @@ Checks check_uniform_disk(Generator& random) {
         "D2", "chi-squared of equal areas", cell,
         "equal areas of the disk do not get equally many points: do radius and angle each use a number of their own?");
     const auto row_with = [](Generator&, rt::vec2 u) { return row(u); };
-    return {
-        probe_check("even_on_the_disk", inputs, {inside, density, radius, even, purity()}),
-        density_of_warp(row_with, {of_call<rt::uniform_disk>([](const DiskSample& s) { return rt::vec3(s.point, 0); }),
-                                   of_call<rt::uniform_disk>([](const DiskSample&) { return 1 / rt::pi; }), "1/pi"}),
-        ends_of_square(row_with), shadow_check(random, "disc_penumbra", any_shadow(random, rt::Emitter::Kind::disc))};
+    return {probe_check("even_on_the_disk", inputs, {inside, density, radius, even, purity()}),
+            density_of_warp({row_with},
+                            {of_call<rt::uniform_disk>([](const DiskSample& s) { return rt::vec3(s.point, 0); }),
+                             of_call<rt::uniform_disk>([](const DiskSample&) { return 1 / rt::pi; }), "1/pi"}),
+            ends_of_square(row_with),
+            shadow_check(random, "disc_penumbra", any_shadow(random, rt::Emitter::Kind::disc))};
 }
 
 }  // namespace grade

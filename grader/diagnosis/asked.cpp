@@ -45,7 +45,7 @@ std::string Asked::words_of(const Mistake& mistake, bool with_context) const {
     const bool is_everywhere = mistake.made.nodes.size() > 1;
     const bool has_context = !is_everywhere && with_context && node.context != node.text;
     const std::string words = in_place(changed_in_words(all, mistake), written_in_words(all, mistake),
-                                       has_context ? which_in_words(all, mistake) : "");
+                                       has_context ? which_in_words(all, mistake, true) : "");
     if (is_everywhere) return words + " everywhere";
     return has_context ? fmt::format("{}, where a textbook has `{}`", words, node.context) : words;
 }

@@ -101,6 +101,26 @@ std::optional<Broken> broken_bound(const Calls& calls, const Ask& right) {
     return bounds.first;
 }
 
+namespace {
+
+/// Whether each ray starts a little way from the point along a direction; point, along: in the arguments.
+bool moves_along(const Calls& calls, std::size_t point, std::size_t origin, std::size_t along) {
+    constexpr double little = 1e-3, parallel = 1e-2;
+    std::size_t measured = 0;
+    for (std::size_t k = 0; k < calls.size(); ++k) {
+        const rt::vec3 from = vector_at(calls.rows[k], point), by = vector_at(calls.mine[k], origin) - from;
+        const double way = glm::length(by), size = 1 + rt::largest(from);
+        const bool is_rounded = way < 100 * rt::roundoff * size;  // then it has no direction
+        if (way == 0 || way > little * size) return false;
+        if (is_rounded) continue;
+        if (glm::length(rt::cross(by, vector_at(calls.rows[k], along))) > parallel * way) return false;
+        ++measured;
+    }
+    return 2 * measured > calls.size();
+}
+
+}  // namespace
+
 std::string starts_on_surface(const Calls& calls) {
     if (calls.size() == 0) return {};
     const auto named = [](const Layout& layout, const char* name) {
@@ -110,6 +130,10 @@ std::string starts_on_surface(const Calls& calls) {
     const auto point = named(calls.layouts.front(), "hit.point"), origin = named(calls.result, "origin"),
                near = named(calls.result, "near");
     if (!point || !origin || !near) return {};
+    const auto to_light = named(calls.layouts.front(), "to_light");
+    if (to_light && moves_along(calls, *point, *origin, *to_light))
+        return "the origin is moved along `to_light`, by next to nothing off the surface where the light grazes it: "
+               "`spawn_ray` moves it along the normal";
     bool is_epsilon = calls.mine.front()[*near] > 0;
     for (std::size_t k = 0; k < calls.size(); ++k) {
         const auto is_there = [&](const Row& answer) {

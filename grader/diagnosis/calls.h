@@ -87,8 +87,16 @@ inline bool counts(const Layout& result, const Field& part, const Row& a, const 
     return is_measure(part) || (!is_void(result, a) && !is_void(result, b));
 }
 
+/// Whether mine is no number where the right one is.
+inline bool is_nan(const Row& mine, const Row& right) {
+    const auto has_nan = [](const Row& row) {
+        return std::ranges::any_of(row, [](double x) { return std::isnan(x); });
+    };
+    return has_nan(mine) && !has_nan(right);
+}
+
 inline bool is_alike(const Layout& result, const Row& a, const Row& b, double within) {
-    if (is_void(result, a) && is_void(result, b)) return true;
+    if (is_void(result, a) && is_void(result, b)) return !is_nan(a, b) && !is_nan(b, a);
     return std::ranges::all_of(result.parts, [&](const Field& part) { return is_equal(part, a, b, within); });
 }
 
@@ -102,14 +110,6 @@ inline bool is_answer(const Layout& result, const Row& answer, const Row& wanted
 /// Whether there is more in an answer than 0 and inf.
 inline bool is_something(const Row& answer) {
     return std::ranges::any_of(answer, [](double x) { return std::isfinite(x) && x != 0; });
-}
-
-/// Whether mine is no number where the right one is.
-inline bool is_nan(const Row& mine, const Row& right) {
-    const auto has_nan = [](const Row& row) {
-        return std::ranges::any_of(row, [](double x) { return std::isnan(x); });
-    };
-    return has_nan(mine) && !has_nan(right);
 }
 
 /// "`density`", "the answer"

@@ -119,7 +119,8 @@ std::string in_order(const FragmentRecord& fragment, const FirstHint& hint) {
     const Finding& finding = fragment.finding;
     const bool is_sure = hint.worth == StatisticRecord::Worth::cause;
     const bool is_wrong_first = hint.is_slow && !finding.how.empty();
-    std::string cause = (is_sure && !is_wrong_first) || finding.how.empty() ? hint.words : finding.how;
+    const bool is_nan_alone = hint.is_nan && finding.of_nan;  // then the usual reasons of a nan say less
+    std::string cause = (is_sure && !is_wrong_first && !is_nan_alone) || finding.how.empty() ? hint.words : finding.how;
     if (is_sure && !hint.is_nan && cause == hint.words && finding.line > 0 && !cause.empty() && cause.back() != '?')
         cause += fmt::format(": see line {}", finding.line);
     if (hint.is_changing && !finding.fault.empty()) cause.clear();

@@ -46,18 +46,19 @@ std::string change_in_words(const Expressions& all, const Mistake& change) {
     const textbook::Node& node = all.node(first);
     if (const std::string words = is_everywhere ? "" : setting_in_words(all, change); !words.empty())
         return fmt::format("{} in line {}", words, node.line);
+    constexpr double mostly = 0.6;  // of the statement
+    const bool is_told =
+        double(node.text.size()) > mostly * double(node.context.size()) || node.context.size() > longest;
     const std::string words =
         in_place(printable(with_type(changed_in_words(all, change))), printable(written_in_words(all, change)),
-                 is_everywhere ? "" : which_in_words(all, change));
+                 is_everywhere ? "" : which_in_words(all, change, !is_told));
     if (is_everywhere) {
         const bool in_one_line =
             std::ranges::all_of(change.made.nodes, [&](int other) { return all.node(other).line == node.line; });
         return fmt::format("{} everywhere{} in line {}", words, in_one_line ? "" : ", first", node.line);
     }
     const std::string where = fmt::format("{} in line {}", words, node.line);
-    constexpr double mostly = 0.6;  // of the statement is told already
-    const bool is_told = double(node.text.size()) > mostly * double(node.context.size());
-    return is_told || node.context.size() > longest ? where : fmt::format("{}, `{}`", where, printable(node.context));
+    return is_told ? where : fmt::format("{}, `{}`", where, printable(node.context));
 }
 
 }  // namespace

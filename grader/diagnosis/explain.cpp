@@ -23,23 +23,7 @@ namespace grade {
 
 namespace {
 
-/// The call of a finding, in words, and as it can be pasted into a program and into a shell.
-void add_call(Finding& finding, const Signature& signature, const Example& example) {
-    finding.arguments = arguments_in_words(signature, example.row, {example.told, example.always, example.digits});
-    finding.code = call_in_code(signature, example.row);
-    if (are_readable(signature))
-        finding.command = fmt::format("./grade call {} '{}'", signature.fragment, finding.arguments);
-}
-
 std::string which(const WrongCalls& region) { return (region.is_exact ? "those " : "") + region.words; }
-
-/// Whether all answers are nearly right.
-bool are_near(const Calls& all) {
-    constexpr double nearly = 1e-3;
-    for (std::size_t k = 0; k < all.size(); ++k)
-        if (!is_alike(all.result, all.mine[k], all.right[k], nearly)) return false;
-    return true;
-}
 
 /// An explanation of one fragment, as it is made.
 class Explanation {
@@ -66,7 +50,8 @@ public:
         if (!look_for_relation(source)) return {};
         const bool is_nothing = !relation_ || relation_->explains == Relation::Explains::nothing;
         if (is_nothing) broken_ = broken_bound(all_, right_);
-        if (is_rare(broken_) && sampled_ && spread_of(all_, all_, mine_, right_)) broken_.reset();
+        const bool is_rare = broken_ && 20 * broken_->calls.size() < all_.size();  // it may follow from what is in all
+        if (is_rare && sampled_ && spread_of(all_, all_, mine_, right_)) broken_.reset();
         if (finding_.how.empty() && !(relation_ && relation_->by_repair))
             if (const InLine reals = by_reals(all_, source.with_reals); !reals.words.empty())
                 finding_.how = reals.words, finding_.line = reals.line;
@@ -97,13 +82,20 @@ private:
         finding_.how = how.words, finding_.of_numbers = how.of_numbers, is_elsewhere_ = how.is_elsewhere;
     }
 
+    /// Of samples that are as good as the solution's but for some that are nan. False: there is none.
+    bool look_at_nan_alone(const Recompiled& source) {
+        relation_.reset(), all_ = only_nan(all_), wrong_ = not_numbers_;
+        if (source.editable) editable_ = source.editable();
+        return not_numbers_ > 0;
+    }
+
     /// False: other random numbers give these answers.
     bool look_for_relation(const Recompiled& source) {
         depends_ = dependences(all_, all_, mine_, right_);
         for (const Dependence& d : depends_) all_.told.push_back(d.mine > 0 || d.right > 0);
         many_calls_ = crossed(all_, mine_, right_);
         relation_ = surest_relation(many_calls_, ask_mine_, ask_right_, sampled_);
-        if (is_no_mistake(relation_)) return false;
+        if (is_no_mistake(relation_)) return look_at_nan_alone(source);
         // that an argument is not used at all says more than two mistakes by which it cancels
         const auto is_unused = [](const Dependence& d) { return d.mine == 0 && d.right > 0.2; };
         if (relation_ && relation_->of_two && std::ranges::any_of(depends_, is_unused)) relation_.reset();
@@ -113,7 +105,9 @@ private:
         if (source.editable && !is_coarse) {
             const std::string unused = sampled_ ? unused_numbers(all_, depends_) : "";
             editable_ = source.editable();
-            add_repair(relation_, many_calls_, editable_, {unused, independence(all_, depends_)});
+            if (editable_ && source.more_calls)
+                editable_->further = [&] { return compared(all_.signature, source.more_calls(), mine_, right_); };
+            add_repair(relation_, all_, editable_, {unused, independence(all_, depends_)});
         }
         finding_.sampled = sampled_, finding_.line = relation_ ? relation_->line_of_repair : 0;
         if (is_exact(relation_)) {
@@ -123,14 +117,9 @@ private:
         return true;
     }
 
-    /// Whether it is broken in few calls: then it may follow from what is wrong in all.
-    bool is_rare(const std::optional<Broken>& broken) const {
-        return broken && 20 * broken->calls.size() < all_.size();
-    }
-
     /// How wrong answers come about, where they are not nearly right.
     void tell_how() {
-        if (tell_repair_of_spread()) return;
+        if (tell_repair_of_spread() || tell_only_nan()) return;
         constexpr double most = 0.9;
         const bool is_nothing = !relation_ || relation_->explains == Relation::Explains::nothing;
         if (finding_.how.empty() && !is_exact(relation_)) finding_.how = in_single_precision(all_);
@@ -143,6 +132,16 @@ private:
         if (finding_.how.empty() && is_nothing) finding_.how = independence(all_, depends_);
         if (finding_.how.empty() && relation_) tell(how_of(*relation_));
         if (finding_.how.empty()) finding_.how = wrong_answers(all_);
+    }
+
+    /// Where nothing else is wrong, where nan begins says more than what it looks like.
+    bool tell_only_nan() {
+        constexpr double simple = 1.2;  // a change as `safe_sqrt(x)` for `sqrt(x)`
+        const bool is_told = !finding_.how.empty() || (relation_ && relation_->by_repair && relation_->cost <= simple);
+        if (not_numbers_ == 0 || not_numbers_ < wrong_ || is_told || !editable_) return false;
+        const std::string first = first_not_a_number(all_, *editable_);
+        if (!first.empty()) finding_.how = "nan begins with " + first, finding_.of_nan = true, relation_.reset();
+        return finding_.of_nan;
     }
 
     /// Of samples that lie elsewhere than the solution's, what must stand in the source: no call says it.
@@ -158,9 +157,10 @@ private:
             !finding_.how.empty() ||
             (!are_two && ((is_exact(relation_) && !is_factor && !is_other) || (relation_ && relation_->by_repair)));
         if (!sampled_ || is_known || !editable_) return false;
-        std::size_t left = 50'000;  // of the solution's answers
+        std::size_t left = 100'000;  // of the solution's answers
         const auto repair = repair_of_spread(all_, *editable_, limited(ask_right_, left));
-        if (!repair || (is_other && repair->cost > relation_->cost)) return false;
+        constexpr double clearly = 0.5;  // what a textbook has may not stand in the file
+        if (!repair || (is_other && repair->cost > relation_->cost + clearly)) return false;
         finding_.how = broken_ ? broken_->words + "; " + repair->words : repair->words;
         finding_.of_numbers = repair->words, finding_.by_repair = true, finding_.line = repair->line;
         return true;
@@ -204,7 +204,7 @@ private:
     }
 
     void tell_where_nan_begins() {
-        const std::string first = editable_ ? first_not_a_number(all_, *editable_) : "";
+        const std::string first = editable_ && !finding_.of_nan ? first_not_a_number(all_, *editable_) : "";
         if (!first.empty()) finding_.where += "; nan begins with " + first;
     }
 

@@ -12,6 +12,7 @@ struct Recompiled {
     std::function<std::optional<Editable>()> editable{};  // with expressions that can be changed
     MadeInDouble in_double{};                             // none as well where it has no `float`
     std::vector<MadeInDouble> with_reals{};               // in place of a whole number each
+    std::function<Rows()> more_calls{};                   // of its checks, which a change must put right as well
 };
 
 /// What calls of a fragment show about its mistake: the same for every fragment, from its declaration alone. Asks both

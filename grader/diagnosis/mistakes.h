@@ -47,7 +47,7 @@ std::vector<Mistake> mistakes_in(const Expressions& all, const Layout& arguments
 std::string changed_in_words(const Expressions& all, const Mistake& mistake);
 std::string written_in_words(const Expressions& all, const Mistake& mistake);
 
-/// "the second " of several alike in one statement; empty: there is one.
-std::string which_in_words(const Expressions& all, const Mistake& mistake);
+/// "the second " of several alike, in one statement, or in all of its line; empty: there is one.
+std::string which_in_words(const Expressions& all, const Mistake& mistake, bool in_statement);
 
 }  // namespace grade

@@ -48,6 +48,14 @@ bool stands_alone(const std::string& text, const std::string& context) {
     return is_first && (after.empty() || after.starts_with(")") || after.starts_with(","));
 }
 
+/// "x" for "1 * x", and "1" for "x / x": what another operator makes of an expression.
+std::string simpler(const std::string& text) {
+    if (text.starts_with("1 * ")) return text.substr(4);
+    const std::size_t over = text.find(" / ");
+    const bool are_same = over != text.npos && text.substr(0, over) == text.substr(over + 3);
+    return are_same ? "1" : text;
+}
+
 /// Another operator binds less than what is written: within a larger expression it needs brackets.
 std::string in_its_place(const textbook::Node& node, const std::string& alternative) {
     const bool is_whole = stands_alone(node.text, node.context);
@@ -60,7 +68,7 @@ std::string in_its_place(const textbook::Node& node, const std::string& alternat
 std::string changed_in_words(const Expressions& all, const Mistake& mistake) {
     const textbook::Node& node = all.node(mistake.made.nodes.front());
     if (mistake.made.alternative != 0)
-        return mistake.made.nodes.size() > 1 ? called(mistake.pattern) : in_its_place(node, mistake.pattern);
+        return mistake.made.nodes.size() > 1 ? called(mistake.pattern) : in_its_place(node, simpler(mistake.pattern));
     const bool is_sign_too_many = mistake.pattern == "-{}" && node.name.starts_with('-');
     if (is_sign_too_many && node.name.find(' ') == node.name.npos) return node.name.substr(1);
     if (!mistake.other.empty()) return filled(mistake.pattern, node.name, mistake.other);
@@ -73,12 +81,12 @@ std::string written_in_words(const Expressions& all, const Mistake& mistake) {
     return mistake.made.nodes.size() > 1 ? called(node.text) : node.text;
 }
 
-std::string which_in_words(const Expressions& all, const Mistake& mistake) {
+std::string which_in_words(const Expressions& all, const Mistake& mistake, bool in_statement) {
     static constexpr const char* ordinals[] = {"the first ", "the second ", "the third ", "the fourth "};
     const textbook::Node& node = all.node(mistake.made.nodes.front());
     std::size_t alike = 0, before = 0;
     for (const textbook::Node& other : all.nodes)
-        if (other.text == node.text && other.name == node.name && other.context == node.context &&
+        if (other.text == node.text && other.name == node.name && (!in_statement || other.context == node.context) &&
             other.line == node.line && other.function == node.function) {
             if (&other < &node) ++before;
             ++alike;

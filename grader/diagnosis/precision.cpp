@@ -69,4 +69,11 @@ InLine by_reals(const Calls& calls, const std::vector<MadeInDouble>& sources) {
     return all;
 }
 
+bool are_near(const Calls& all) {
+    constexpr double nearly = 1e-3;
+    for (std::size_t k = 0; k < all.size(); ++k)
+        if (!is_alike(all.result, all.mine[k], all.right[k], nearly)) return false;
+    return true;
+}
+
 }  // namespace grade

@@ -37,4 +37,7 @@ struct InLine {
 /// first one, which changes what each of the others does, is not enough: the others are not compiled then.
 InLine by_reals(const Calls& calls, const std::vector<MadeInDouble>& sources);
 
+/// Whether all answers are nearly right.
+bool are_near(const Calls& all);
+
 }  // namespace grade

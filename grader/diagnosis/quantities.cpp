@@ -146,4 +146,18 @@ std::vector<Quantity> quantities_of(const Layout& layout, const std::vector<bool
     return all;
 }
 
+std::vector<Quantity> as_code(std::vector<Quantity> all) {
+    for (std::size_t i = 0, count = all.size(); i < count; ++i) {
+        if (all[i].kind != Quantity::Kind::length || all[i].vector.empty()) continue;
+        Quantity square = all[i];
+        square.words = fmt::format("dot({0}, {0})", all[i].vector), square.kind = Quantity::Kind::product;
+        square.value = [length = all[i].value](const Row& row, const Layout& layout, const Row& output) {
+            return std::pow(length(row, layout, output), 2);
+        };
+        all[i].words = fmt::format("length({})", all[i].vector);
+        all.push_back(std::move(square));
+    }
+    return all;
+}
+
 }  // namespace grade

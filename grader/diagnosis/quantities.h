@@ -21,4 +21,7 @@ struct Quantity {
 std::vector<Quantity> quantities_of(const Layout& layout, const std::vector<bool>& told,
                                     const Layout* result = nullptr);
 
+/// With lengths as they are written in a source, and their squares.
+std::vector<Quantity> as_code(std::vector<Quantity> all);
+
 }  // namespace grade

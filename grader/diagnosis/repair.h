@@ -12,6 +12,7 @@ struct Editable {
     std::vector<textbook::Node> nodes;
     std::set<std::string> varying;  // arguments among them that get other values: what was passed is not what is there
     Ask ask;                        // answers to calls as textbook::row_of makes them
+    std::function<Calls()> further{};  // in which a change must hold as well before it is told; none: there are none
 };
 
 /// A change of one expression, or of two, after which the fragment gives the right answers.
@@ -21,10 +22,11 @@ struct Repair {
     double share = 1;        // of the wrong calls that it puts right
     bool is_simple = false;  // of one expression, and simpler than two mistakes that explain as much
     bool is_of_two = false;
+    bool is_of_literal = false;  // a number in the place of another
     double cost = 0;
 };
 
-/// The simplest one; none: there is none. It breaks no right answer.
+/// The simplest one; none: there is none. It breaks no right answer, of further calls neither.
 ///
 /// only_one  of one expression, after which every answer is right
 std::optional<Repair> repair_of(const Calls& calls, const Editable& source, bool only_one);

@@ -90,6 +90,7 @@ std::string of_samples(const std::vector<double>& weights, const Ask& ask) {
 
 /// How often a function is asked, and between which places, as it stands behind an answer.
 std::string use_in_words(const Row& answer, std::size_t at) {
+    if (answer.at(at) == 0) return "never asked";
     return fmt::format("asked {} times, from {} to {}", answer.at(at), number_in_words(answer.at(at + 1)),
                        number_in_words(answer.at(at + 2)));
 }

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <sstream>
+#include <vector>
 
 namespace grade {
 
@@ -52,6 +54,17 @@ std::optional<std::string> known(const Known (&list)[count], const std::string& 
     return std::nullopt;
 }
 
+/// Whether a function is in two of the calls that led there.
+bool calls_itself(const std::string& said) {
+    std::vector<std::string> functions;
+    std::istringstream lines(said);
+    for (std::string line; std::getline(lines, line);)
+        if (const std::size_t at = line.find(" in "); at != line.npos && line.find('#') < at)
+            functions.push_back(line.substr(at, line.find('(') - at));
+    std::ranges::sort(functions);
+    return std::ranges::adjacent_find(functions) != functions.end();
+}
+
 /// What a program says that then ends itself: an assertion of the standard library, or an exception.
 std::optional<std::string> known_end(const std::string& line) {
     if (line.starts_with("terminate called")) return "an exception is thrown that is no std::exception";
@@ -89,7 +102,9 @@ std::string fault_in_words(const std::string& said, const std::string& fragment)
         if (!words && (at = line.find(runtime)) != line.npos)
             words = known(runtime_errors, line.substr(at + runtime.size()));
         else if (!words && (at = line.find(address)) != line.npos)
-            words = known(address_errors, line.substr(at + address.size()));
+            words = line.substr(at + address.size()).starts_with("stack-overflow") && !calls_itself(said)
+                        ? "the stack is full: an array has too many elements"
+                        : known(address_errors, line.substr(at + address.size()));
         else if (!words)
             words = known_end(line);
         if (!words) continue;

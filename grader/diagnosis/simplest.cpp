@@ -255,4 +255,11 @@ Example as_printed(const Calls& calls, Example example, const Ask& mine, const A
     return example;
 }
 
+void add_call(Finding& finding, const Signature& signature, const Example& example) {
+    finding.arguments = arguments_in_words(signature, example.row, {example.told, example.always, example.digits});
+    finding.code = call_in_code(signature, example.row);
+    if (are_readable(signature))
+        finding.command = fmt::format("./grade call {} '{}'", signature.fragment, finding.arguments);
+}
+
 }  // namespace grade

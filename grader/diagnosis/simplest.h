@@ -1,6 +1,7 @@
 #pragma once
 
 #include "diagnosis/where.h"
+#include "record/record.h"
 
 namespace grade {
 
@@ -19,5 +20,8 @@ Example simplest_wrong(const Calls& calls, const WrongCalls& region, const Ask& 
 /// The call with its numbers as they are printed, and the answers to these; with more digits where others would not
 /// show the same.
 Example as_printed(const Calls& calls, Example example, const Ask& mine, const Ask& right);
+
+/// The call of a finding, in words, and as it can be pasted into a program and into a shell.
+void add_call(Finding& finding, const Signature& signature, const Example& example);
 
 }  // namespace grade

@@ -17,7 +17,7 @@ namespace grade {
 
 namespace {
 
-constexpr std::size_t most_calls = 256;
+constexpr std::size_t most_calls = 256, more_times = 8;
 constexpr std::size_t most_of_all = 40'000;
 constexpr std::uint64_t seeds = 4;  // whose parameters differ
 constexpr double patience = 5;      // CPU seconds for one answer; on a busy machine it waits longer
@@ -116,7 +116,6 @@ std::vector<bool> are_wrong(const Signature& signature, const Rows& calls, const
 Rows telling_calls(const std::string& fragment, const std::vector<Check>& checks, std::uint64_t seed,
                    const Signature& signature, const Ask& mine, const Ask& right) {
     constexpr std::ptrdiff_t few = 12, enough = 32;
-    constexpr std::size_t more_times = 8;
     Rows calls = calls_of(fragment, checks, seed, most_calls);
     std::ptrdiff_t count = std::ranges::count(are_wrong(signature, calls, mine, right), true);
     if (count >= few) return calls;
@@ -214,7 +213,8 @@ Finding find_cause(Programs& programs, const Toolchain& chain, const std::string
     if (not_finite) add_not_finite(calls, calls_of(fragment, checks, seed, most_of_all), mine, right);
     const Recompiled source{[&] { return editable_of(programs, fragment, meshes, seconds); },
                             [&] { return in_double_of(programs, fragment, meshes, seconds, width); },
-                            with_reals_of(programs, fragment, meshes, seconds, width)};
+                            with_reals_of(programs, fragment, meshes, seconds, width),
+                            [&] { return calls_of(fragment, checks, seed + 2 * seeds, more_times * most_calls); }};
     const Ask again = asking(own, sandbox, meshes, seconds, answers_to(fragment, width, false));
     Finding finding;
     if (!calls.empty() && keeps_something(calls, mine, again))

@@ -80,10 +80,11 @@ struct Finding {
 
     // Not in the record: what `how` says of answers that are numbers; in which line one change makes all right; whether
     // `where` says which calls; whether a change of arguments, or of a textbook's expression, explains the answers
-    // exactly; whether one of the fragment's own expressions makes them right; CPU time.
+    // exactly; whether one of the fragment's own expressions makes them right; whether `how` says where nan begins, and
+    // nothing else is wrong; CPU time.
     std::string of_numbers{};
     int line = 0;  // 0: unknown
-    bool says_which = false, by_arguments = false, by_textbook = false, by_repair = false;
+    bool says_which = false, by_arguments = false, by_textbook = false, by_repair = false, of_nan = false;
     double cpu_seconds = 0;
 };
 

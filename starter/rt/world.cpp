@@ -171,9 +171,13 @@ World make_world(const Scene& scene, const Sampling& sampling) {
     world.first_disc = Index(world.surfaces.size());
     layout.add_kind(scene, world.discs);
     if (world.plan.one_lamp) world.lamp_tree = LampTree(world.emitters);
-    if (world.plan.bvh)
-        world.bvh = build_bvh(world.surfaces.size(), [&](std::size_t id) { return layout.box_of(id); });
-    else
+    if (world.plan.bvh) world.bvh = build_bvh(world.surfaces.size(), [&](std::size_t id) { return layout.box_of(id); });
+    if (world.plan.bvh && world.plan.triangles && !world.plan.time)
+        add_corners(world.bvh, [&](std::size_t id) {
+            const std::size_t k = id - std::size_t(world.first_triangle);
+            return k < world.triangles.size() ? &world.triangles[k] : nullptr;
+        });
+    if (!world.plan.bvh)
         for (std::size_t id = 0; id < world.surfaces.size(); ++id) world.boxes.push_back(layout.box_of(id));
     world.regions = find_regions(scene, world);
     return std::move(layout.world);

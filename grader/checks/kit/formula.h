@@ -126,7 +126,7 @@ Statistic whole_ray(const std::string& id) {
     return property({.id = id,
                      .what = "the ray's interval",
                      .violation = of_call<fragment>([](const rt::Ray& ray) {
-                         return ray.near >= 0 && ray.near < 0.01 && ray.far > 1e6 ? 0.0 : 1.0;
+                         return ray.near >= 0 && ray.near < 1e-6 && ray.far > 1e6 ? 0.0 : 1.0;
                      }),
                      .says = "the ray must be valid from 0 to infinity"});
 }

@@ -222,6 +222,12 @@ Checks lobe_of_any_exponent(bool reflected, Row (*row_with)(rt::vec3 d, rt::vec3
         const rt::vec3 n = exact_direction(random);
         return row_with(-n, n, range_between(random, 1, 1e4), chance(random, 0.2) ? end_of_square(random) : u);
     };
+    const auto at_a_slant = [row_with](Generator& random) {
+        const rt::vec3 n = exact_direction(random);
+        const double angle = between(random, 0.3, 1.2),
+                     exponent = chance(random, 0.3) ? 0 : log_between(random, 1, 1e4);
+        return row_with(-tilted(random, n, angle), n, exponent, seam_of_square(random));
+    };
     return {
         probe_check(
             "any_exponent", inputs,
@@ -232,7 +238,7 @@ Checks lobe_of_any_exponent(bool reflected, Row (*row_with)(rt::vec3 d, rt::vec3
                       .delta = 0.02,
                       .hint = by_ratio("the width of lobes with exponents from 0 to 10,000", {},
                                        "is the exponent clamped, or another one than n?")})}),
-        axes_of_the_world(along_axis)};
+        axes_of_the_world(along_axis, rows_of(64, at_a_slant))};
 }
 
 }  // namespace grade

@@ -26,14 +26,14 @@ struct OwnDensity {
 /// The fragment's arguments with these numbers.
 using RowWith = std::function<Row(Generator& random, rt::vec2 u)>;
 
-/// The fragment is called with numbers u and with those close to them, along each axis; with each of the kinds of
-/// arguments in turn. A statistic for each of `all`.
+/// The fragment is called with numbers u, also near the square's edges, and with those close to them, along each axis;
+/// with each of the kinds of arguments in turn. A statistic for each of `all`.
 Check own_density(const std::vector<RowWith>& kinds, const std::vector<OwnDensity>& all);
 inline Check own_density(const RowWith& row_with, const OwnDensity& of) {
     return own_density(std::vector{row_with}, {of});
 }
 
 /// The same for a warp, which keeps strata and patterns together: neighbours stay neighbours.
-Check density_of_warp(const RowWith& row_with, const OwnDensity& of);
+Check density_of_warp(const std::vector<RowWith>& kinds, const OwnDensity& of);
 
 }  // namespace grade

@@ -36,14 +36,17 @@ inline Statistic even_about_z(const std::string& id, const std::string& what, co
 ///
 /// row_with(random, u)  the fragment's arguments
 /// where                "where a coordinate of u is 0, 1/2 or just below 1"
+/// more                 arguments as well
 template <class RowWith>
-Check well_formed(const std::string& name, rt::vec2 (*draw_u)(Generator&), RowWith row_with, const std::string& where) {
+Check well_formed(
+    const std::string& name, rt::vec2 (*draw_u)(Generator&), RowWith row_with, const std::string& where,
+    const std::function<Rows(Generator&)>& more = [](Generator&) { return Rows(); }) {
     const auto middle = [=](Generator& random) { return row_with(random, rt::vec2(0.5)); };
     const auto drawn = [=](Generator& random) {
         const rt::vec2 u = draw_u(random);
         return row_with(random, u);
     };
-    const auto inputs = rows_then(rows_of(1, middle), rows_of(96, drawn));
+    const auto inputs = rows_then(rows_then(rows_of(1, middle), rows_of(96, drawn)), more);
     const auto is_finite = [](double x) { return std::isfinite(x); };
     const auto not_finite = [=](const Row&, const Row& out) { return std::ranges::all_of(out, is_finite) ? 0.0 : 1.0; };
     const auto off_one = [](const Row&, const Row& out) {
@@ -70,18 +73,26 @@ Check ends_of_square(RowWith row_with) {
 }
 
 /// For row_with that draws axes of the world: a frame must exist about each.
+///
+/// at_ends  arguments as well whose u are at the ends of their range
 template <class RowWith>
 Check axes_of_the_world(RowWith row_with) {
     return well_formed("axes_of_the_world", square, row_with,
                        "where the direction or the normal is an axis of the world");
 }
+template <class RowWith>
+Check axes_of_the_world(RowWith row_with, const std::function<Rows(Generator&)>& at_ends) {
+    return well_formed("axes_of_the_world", square, row_with,
+                       "where the normal is an axis of the world, or a coordinate of u is 0, 1/2 or just below 1",
+                       at_ends);
+}
 
 /// Of a warp whose samples are a direction and its density.
 template <auto fragment>
-Check density_of_directions(const RowWith& row_with) {
-    return density_of_warp(row_with, {of_call<fragment>([](const rt::DirectionSample& s) { return s.direction; }),
-                                      of_call<fragment>([](const rt::DirectionSample& s) { return s.density; }),
-                                      "the density that is returned"});
+Check density_of_directions(const std::vector<RowWith>& kinds) {
+    return density_of_warp(kinds, {of_call<fragment>([](const rt::DirectionSample& s) { return s.direction; }),
+                                   of_call<fragment>([](const rt::DirectionSample& s) { return s.density; }),
+                                   "the density that is returned"});
 }
 
 /// The density that is returned must be that of the direction or point that is returned: density(sample).

@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "rt/fragments.h"
 #include "rt/stages/stages.h"
 #include "rt/tree/beam.h"
@@ -133,12 +135,11 @@ template <bool any>
 void search_together(const World& world, const Real* far, Journeys& journeys, Beam& beam, Meetings& meetings,
                      Batch& b) {
     Shears shears;
-    if (world.plan.triangles && !world.plan.time) start(journeys, beam, shears);
-    const auto sieve = [&](Index item, std::uint64_t rays) {
+    const bool sheared = !world.bvh.corners.empty() && start(journeys, beam, shears);
+    const auto sieve = [&](const Bvh::Node& leaf, unsigned child, std::uint64_t rays) {
         // Sixteen rays are sieved at a time: for one or two, testing them takes as long.
-        const bool pays = shears.axis != Shears::none && std::popcount(rays) > 2;
-        if (!pays || item < world.first_triangle || item >= world.first_quad) return rays;
-        return may_hit(corners_of(world.triangles[std::size_t(item - world.first_triangle)], world.bvh), shears, rays);
+        if (!sheared || std::popcount(rays) <= 2) return rays;
+        return may_hit(world.bvh.corners[leaf.corners], int(child), shears, rays);
     };
     // A node that only so few want is left to each by itself: tried on the meshes of tests/bench/rays.py. Where any hit
     // will do, more may leave the beam: what is near need not come first.
@@ -158,37 +159,63 @@ void search_together(const World& world, const Real* far, Journeys& journeys, Be
     if (beam.left) turn_stacks(journeys);
 }
 
+/// The rays that go different ways, and what each does next.
+struct Paths {
+    int going[lanes], waiting[lanes];  // on to a node; for what they may have hit to be tested
+    int go = 0, wait = 0;
+};
+
+/// Puts together the pairs from the leaves that rays have come to. A ray that hits nothing there goes on.
+inline void look_into_leaves(const Bvh& bvh, const Journeys& journeys, const Shears& shears, Visits& visits,
+                             Meetings& meetings, Paths& paths) {
+    for (int k = 0; k < visits.count; ++k) {
+        const int i = visits.lane[k];
+        const Bvh::Node& leaf = bvh.nodes[visits.node[k]];
+        unsigned met = visits.met[k];
+        if (!bvh.corners.empty()) met &= may_hit(bvh.corners[leaf.corners], shears, i);
+        const bool waits = add_pairs(leaf, i, met, meetings) != 0, goes_on = journeys.depth[i] > 0;
+        paths.waiting[paths.wait] = paths.going[paths.go] = i;
+        paths.wait += goes_on & waits, paths.go += goes_on & !waits;
+    }
+    visits.count = 0;
+}
+
 /// Rays that go different ways.
 template <bool any>
 void search_each(const World& world, const Real* far, Journeys& journeys, Meetings& meetings, Batch& b) {
-    const Bvh::Node* const nodes = world.bvh.nodes.data();
-    int on_the_way[lanes], n = 0;
+    const Bvh& bvh = world.bvh;
+    Paths paths;
     for (int i = 0; i < b.count; ++i)
-        if (journeys.depth[i] > 0 && journeys.far[i] >= 0) on_the_way[n++] = i;
-    // A ray that has met items waits until there are enough of them for vectors, or no ray can go on.
-    int waiting[lanes], waits = 0;
-    while (n > 0 || waits > 0) {
-        int left = 0;
+        if (journeys.depth[i] > 0 && journeys.far[i] >= 0) paths.going[paths.go++] = i;
+    if (paths.go == 0) return;
+    Shears shears;
+    const bool sheared = !bvh.corners.empty();
+    if (sheared) start(journeys, shears);
+    Visits visits;
+    while (paths.go > 0 || paths.wait > 0) {
+        const int n = std::exchange(paths.go, 0);
         for (int k = 0; k < n; ++k) {
-            const int i = on_the_way[k];
-            const bool met_items = step(nodes, journeys, i, meetings) != 0, goes_on = journeys.depth[i] > 0;
-            fetch(nodes[std::uint32_t(journeys.stack[i][journeys.depth[i]])]);  // while other rays make their steps
-            on_the_way[left] = i, waiting[waits] = i;
-            left += goes_on & !met_items, waits += goes_on & met_items;
+            const int i = paths.going[k];
+            const bool leaf = step(bvh.nodes.data(), journeys, i, visits), goes_on = journeys.depth[i] > 0;
+            if (leaf && sheared) fetch(bvh.corners[bvh.nodes[visits.node[visits.count - 1]].corners]);
+            fetch(bvh.nodes[std::uint32_t(journeys.stack[i][journeys.depth[i]])]);  // while other rays make their steps
+            paths.going[paths.go] = i;
+            paths.go += goes_on & !leaf;
         }
-        n = left;
-        if (meetings.count < Meetings::enough && n > 0) continue;
+        if (visits.count < Visits::enough && paths.go > 0) continue;
+        look_into_leaves(bvh, journeys, shears, visits, meetings, paths);
+        if (meetings.count < Meetings::enough && paths.go > 0) continue;
         settle(world, b, far, meetings, [&](int i) {
             if (any)
                 journeys.depth[i] = 0;
             else
                 shorten(journeys, i, b.far[i]);
         });
-        for (int k = 0; k < waits; ++k) {
-            on_the_way[n] = waiting[k];
-            n += journeys.depth[waiting[k]] > 0;
+        for (int k = 0; k < paths.wait; ++k) {
+            paths.going[paths.go] = paths.waiting[k];
+            paths.go += journeys.depth[paths.waiting[k]] > 0;
         }
-        waits = 0;
+        paths.wait = 0;
     }
 }
 

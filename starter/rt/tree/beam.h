@@ -121,7 +121,7 @@ inline std::uint64_t rays_that_meet(const Bvh::Node& node, int c, const Journeys
 ///
 /// alive  bit i: ray i still looks for something
 /// few    so many rays, or fewer, take the node onto their own stacks
-/// sieve  (item, rays): those of the rays that may meet the item itself
+/// sieve  (leaf, child, rays): those of the rays that may meet the item itself
 template <class Sieve>
 void step(const Bvh::Node* nodes, Journeys& j, std::uint64_t alive, int few, Sieve sieve, Beam& beam,
           Meetings& meetings) {
@@ -148,7 +148,7 @@ void step(const Bvh::Node* nodes, Journeys& j, std::uint64_t alive, int few, Sie
             beam.node[beam.depth] = node.child[c], beam.rays[beam.depth++] = met;
             continue;
         }
-        for (met = sieve(node.child[c], met); met; met &= met - 1)
+        for (met = sieve(node, c, met); met; met &= met - 1)
             meetings.pair[meetings.count++] = std::uint64_t(std::countr_zero(met)) << 32 | node.child[c];
     }
 }

@@ -226,4 +226,22 @@ Bvh build_bvh(std::size_t n, const std::function<Box(std::size_t)>& box) {
     return bvh;
 }
 
+void add_corners(Bvh& bvh, const std::function<const Triangle*(std::size_t)>& triangle) {
+    std::uint32_t leaves = 0;
+    for (Bvh::Node& node : bvh.nodes)
+        if (node.leaf) node.corners = leaves++;
+    bvh.corners.resize(leaves);
+    tbb::parallel_for(std::size_t(0), bvh.nodes.size(), [&](std::size_t k) {
+        const Bvh::Node& node = bvh.nodes[k];
+        if (!node.leaf) return;
+        for (int c = 0; c < Bvh::width && node.bound[0][0][c] <= node.bound[0][1][c]; ++c)
+            if (const Triangle* const t = triangle(node.child[c])) {
+                const vec3 corner[3] = {t->a, t->b, t->c};
+                for (int v = 0; v < 3; ++v)
+                    for (int a = 0; a < 3; ++a)
+                        bvh.corners[node.corners].at[v][a][c] = float((corner[v][a] - bvh.center[a]) * bvh.scale);
+            }
+    });
+}
+
 }  // namespace rt

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "rt/ray.h"
+#include "rt/parts.h"
 #include "rt/tree/large_pages.h"
 
 /// How a ray finds the nearest of many shapes without trying them all. Nobody needs this folder for the assignment.
@@ -39,13 +39,20 @@ struct Bvh {
         float bound[3][2][width];    // low and high along each axis; low > high where there is no child
         std::uint32_t child[width];  // the number of a node; of an item. In the order of their centres along the axis
         std::uint32_t axis;
-        std::uint32_t leaf;  // all bits set: all children are items; else 0
+        std::uint32_t leaf;     // all bits set: all children are items; else 0
+        std::uint32_t corners;  // of a leaf: which of Bvh::corners are its children's
+    };
+
+    /// Of the triangles in a leaf, in the tree's space; all 0 where a child is none.
+    struct alignas(32) Corners {
+        float at[3][3][width];  // which corner, along an axis, of a child
     };
 
     Box whole;
     vec3 center{0};
-    Real scale = 1;           // a power of two
-    LargeVector<Node> nodes;  // the root first
+    Real scale = 1;                // a power of two
+    LargeVector<Node> nodes;       // the root first
+    LargeVector<Corners> corners;  // empty, or of all leaves
 };
 
 /// Builds the tree over items 0 to n - 1 by the surface area heuristic, with bins, on all cores. The tree does not
@@ -56,5 +63,10 @@ struct Bvh {
 ///
 /// Source: Wald, "On Fast Construction of SAH-based Bounding Volume Hierarchies", IRT 2007.
 Bvh build_bvh(std::size_t n, const std::function<Box(std::size_t)>& box);
+
+/// Finds the corners of the triangles in the leaves.
+///
+/// triangle  of an item, or null; called from several threads
+void add_corners(Bvh& bvh, const std::function<const Triangle*(std::size_t)>& triangle);
 
 }  // namespace rt

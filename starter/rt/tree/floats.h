@@ -84,32 +84,29 @@ struct alignas(64) Ways {
     float enter[8], leave[8];
 };
 
-/// Writes enter << 32 | child of each child that the ray meets, in the order of the numbers k ^ turn. Of a leaf, a
-/// number is written in the place of enter. Returns how many; eight places are written.
+/// Writes enter << 32 | child of each child that the ray meets, in the order of the numbers k ^ turn; eight places are
+/// written.
 ///
 /// turn  0 or 7
-/// leaf  0 or all bits set
-[[gnu::always_inline]] inline int write_met(const Ways& ways, const std::uint32_t* child, unsigned turn, unsigned leaf,
-                                            unsigned number, std::uint64_t* to) {
+[[gnu::always_inline]] inline void write_met(const Ways& ways, const std::uint32_t* child, unsigned turn,
+                                             std::uint64_t* to) {
 #ifdef __AVX512VL__
     const __m256i order = _mm256_xor_si256(_mm256_set_epi32(7, 6, 5, 4, 3, 2, 1, 0), _mm256_set1_epi32(int(turn)));
     const __m256 enter = _mm256_permutexvar_ps(order, _mm256_load_ps(ways.enter)),
                  leave = _mm256_permutexvar_ps(order, _mm256_load_ps(ways.leave));
     const __mmask8 met = _mm256_cmp_ps_mask(enter, leave, _CMP_LE_OQ);
     const __m256i low = _mm256_permutevar8x32_epi32(_mm256_load_si256(reinterpret_cast<const __m256i*>(child)), order);
-    const __m256i high = _mm256_mask_set1_epi32(_mm256_castps_si256(enter), __mmask8(leaf), int(number));
-    const __m512i all = _mm512_or_si512(_mm512_maskz_cvtepu32_epi64(met, low),
-                                        _mm512_maskz_slli_epi64(met, _mm512_maskz_cvtepu32_epi64(met, high), 32));
+    const __m512i all =
+        _mm512_or_si512(_mm512_maskz_cvtepu32_epi64(met, low),
+                        _mm512_maskz_slli_epi64(met, _mm512_maskz_cvtepu32_epi64(met, _mm256_castps_si256(enter)), 32));
     _mm512_storeu_si512(to, _mm512_maskz_compress_epi64(met, all));
-    return std::popcount(unsigned(met));
 #else
     int n = 0;
     for (unsigned k = 0; k < 8; ++k) {
-        const unsigned c = k ^ turn, high = leaf ? number : std::bit_cast<std::uint32_t>(ways.enter[c]);
-        to[n] = std::uint64_t(high) << 32 | child[c];
+        const unsigned c = k ^ turn;
+        to[n] = std::uint64_t(std::bit_cast<std::uint32_t>(ways.enter[c])) << 32 | child[c];
         n += ways.enter[c] <= ways.leave[c];
     }
-    return n;
 #endif
 }
 

@@ -21,6 +21,14 @@ struct alignas(64) Meetings {
     Index item(int k) const { return Index(pair[k] & 0xffff'ffff); }
 };
 
+/// Leaves that rays have come to, and in which of their boxes; each ray waits in at most one.
+struct Visits {
+    static constexpr int enough = 16;
+    std::uint32_t node[lanes + 1], met[lanes + 1];  // bit c: the ray meets child c
+    int lane[lanes + 1];
+    int count = 0;
+};
+
 using Points = Vectors<pairs_at_once>;
 
 /// Shapes of one kind.

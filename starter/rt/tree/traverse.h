@@ -130,8 +130,8 @@ inline void begin(Journeys& j, bool at_root) {
     }
 }
 
-/// Where ray i meets the children of a node.
-[[gnu::always_inline]] inline void look(const Bvh::Node& node, const Journeys& j, int i, Ways& ways) {
+/// Where ray i meets the children of a node. Returns which: bit c, child c.
+[[gnu::always_inline]] inline unsigned look(const Bvh::Node& node, const Journeys& j, int i, Ways& ways) {
     const float* const bounds = node.bound[0][0];
     const float *first[3], *last[3];
     for (int a = 0; a < 3; ++a) {
@@ -139,6 +139,7 @@ inline void begin(Journeys& j, bool at_root) {
         last[a] = bounds + (j.near_side[a][i] ^ Bvh::width);
     }
     const float far = j.far[i];
+    unsigned met = 0;
     for (int c = 0; c < Bvh::width; c += half_wide) {
         FewFloats enter = FewFloats{}, leave = enter + far;
         for (int a = 0; a < 3; ++a) {
@@ -148,27 +149,40 @@ inline void begin(Journeys& j, bool at_root) {
         }
         std::memcpy(ways.enter + c, &enter, sizeof enter);
         std::memcpy(ways.leave + c, &leave, sizeof leave);
+        met |= not_above(enter, leave) << c;
     }
+    return met;
 }
 
-/// Fetches a node that is needed soon.
-inline void fetch(const Bvh::Node& node) {
-    for (int line = 0; line < 4; ++line) __builtin_prefetch(reinterpret_cast<const char*>(&node) + 64 * line);
+/// Fetches a node, or the corners of a leaf, that are needed soon.
+template <class T>
+void fetch(const T& what) {
+    for (std::size_t k = 0; k < sizeof what; k += 64) __builtin_prefetch(reinterpret_cast<const char*>(&what) + k);
 }
 
-/// Takes ray i one node further. The children that it meets go onto its stack, if they are nodes; if items, into the
-/// list. Returns how many items.
-[[gnu::always_inline]] inline int step(const Bvh::Node* nodes, Journeys& j, int i, Meetings& meetings) {
+/// Takes ray i one node further. The children that it meets go onto its stack, if they are nodes; if they are items,
+/// the leaf goes into the list. Returns whether it does.
+[[gnu::always_inline]] inline bool step(const Bvh::Node* nodes, Journeys& j, int i, Visits& visits) {
     std::uint64_t* const top = j.stack[i] + j.depth[i];
-    const Bvh::Node& node = nodes[std::uint32_t(*top)];
+    const std::uint32_t number = std::uint32_t(*top);
+    const Bvh::Node& node = nodes[number];
     Ways ways;
-    look(node, j, i, ways);
-    std::uint64_t* const to = node.leaf ? meetings.pair + meetings.count : top;
-    const int met = write_met(ways, node.child, unsigned(j.turn[node.axis][i]), node.leaf, unsigned(i), to);
-    const int items = met & int(node.leaf);
-    meetings.count += items;
-    j.depth[i] += met - items - 1;
+    const unsigned met = look(node, j, i, ways);
+    write_met(ways, node.child, unsigned(j.turn[node.axis][i]), top);
+    j.depth[i] += int(unsigned(std::popcount(met)) & ~node.leaf) - 1;
+    const bool items = (met & node.leaf) != 0;
+    visits.node[visits.count] = number, visits.met[visits.count] = met, visits.lane[visits.count] = i;
+    visits.count += items;
     return items;
+}
+
+/// Puts a ray and some children of a leaf into the list. Returns how many.
+[[gnu::always_inline]] inline int add_pairs(const Bvh::Node& leaf, int lane, unsigned met, Meetings& meetings) {
+    int n = 0;
+    for (; met; met &= met - 1, ++n)
+        meetings.pair[meetings.count + n] = std::uint64_t(lane) << 32 | leaf.child[std::countr_zero(met)];
+    meetings.count += n;
+    return n;
 }
 
 /// Ray i has met something at t.
