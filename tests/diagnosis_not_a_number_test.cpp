@@ -42,3 +42,20 @@ TEST_CASE("where nan begins, and what it is made of") {
     for (Row& answer : calls.mine) answer = {1};
     CHECK(first_not_a_number(calls, quotient()).empty());
 }
+
+TEST_CASE("where nothing else is wrong, that is told first") {
+    const Rows rows = calls([](Generator& random) { return row(between(random, 0.5, 3), between(random, 0.1, 0.9)); });
+    const Ask right = answers("free_flight");
+    const auto mine = [&](double factor) {
+        return [=](const Rows& asked) {
+            Rows all = right(asked);
+            for (std::size_t k = 0; k < asked.size(); ++k) all[k][0] *= asked[k][1] < 0.4 ? std::nan("") : factor;
+            return all;
+        };
+    };
+    const Recompiled source{[] { return std::optional(quotient()); }};
+    const Finding alone = explain(declared("free_flight"), rows, mine(1), right, source);
+    CHECK(alone.how == "nan begins with `below * over` in line 5, where `below` is 0 and `over` is infinite");
+    CHECK(alone.of_nan);
+    CHECK_FALSE(explain(declared("free_flight"), rows, mine(2), right, source).of_nan);
+}

@@ -140,3 +140,17 @@ TEST_CASE("a program that gives no answers, or too few, is no repair") {
     CHECK_FALSE(repair_of(all, {nodes, {}, [](const Rows& rows) { return Rows(rows.size(), Row(50, 1e9)); }}, false));
     CHECK_FALSE(repair_of({}, Flight{}.editable(), false));
 }
+
+TEST_CASE("a change is told where it holds in further calls as well, and nowhere breaks a right one") {
+    const Rows rows = calls([](Generator& random) { return row(between(random, 0.5, 3), between(random, 0.1, 0.9)); });
+    const Flight flight{-1, 2};
+    Calls all = compared(declared("free_flight"), rows, flight.ask(), answers("free_flight"));
+    all.told.assign(all.layouts.front().parts.size(), true);
+    Editable source = flight.editable();
+    source.further = [all] { return all; };
+    CHECK(repair_of(all, source, true));
+    Calls other = all;
+    other.right.back()[0] *= 2;
+    source.further = [other] { return other; };
+    CHECK_FALSE(repair_of(all, source, true));
+}
