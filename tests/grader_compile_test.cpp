@@ -53,6 +53,18 @@ TEST_CASE("a fragment compiles and links in every sandbox", "[steps]") {
     }
 }
 
+TEST_CASE("a fragment can include the framework's headers, and none of the assignment's other files", "[steps]") {
+    for (const Sandbox& sandbox : sandboxes()) {
+        INFO(sandbox.description);
+        CHECK(compiled(sandbox, "#include \"rt/sampler.h\"\n" + phong).good);
+        for (const std::string other : {"fragments/phong.cpp", "raytrace.cpp", "../solution/phong.cpp"}) {
+            const Compiled result = compiled(sandbox, fmt::format("#include \"{}\"\n{}", other, phong));
+            INFO(other << "\n" << result.message);
+            CHECK_THAT(result.message, ContainsSubstring("fatal error: ") && ContainsSubstring(other));
+        }
+    }
+}
+
 TEST_CASE("a source whose compilation is slow is given up after the seconds that it may take", "[steps]") {
     std::string slow = phong;
     for (int i = 0; i < 400; ++i)
