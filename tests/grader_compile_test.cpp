@@ -141,6 +141,29 @@ TEST_CASE("sanitizers say in which line a fragment breaks down", "[steps]") {
     }
 }
 
+TEST_CASE("what a program that ends by itself has cost is counted as an answer is", "[steps]") {
+    for (const Sandbox& sandbox : sandboxes()) {
+        INFO(sandbox.description);
+        const StepFolder place;
+        const Compiled result = compile_fragment(chain(), sandbox, "moved",
+                                                 "#include \"rt/fragments.h\"\n#include <unistd.h>\nnamespace rt "
+                                                 "{\nvec3 moved(vec3 point, vec3, Real time) {\n"
+                                                 "if (time < 0) return point;\nusleep(1'200'000);\n_exit(0);\n}\n}\n",
+                                                 "moved.cpp", place.folder);
+        REQUIRE(result.message.empty());
+        Runner runner(linked(chain(), sandbox, "moved", result.object, place), sandbox, fs::absolute("scenes"), 5);
+        runner.begin_count();
+        CHECK_FALSE(runner.has_answered());
+        CHECK(std::holds_alternative<Rows>(runner.probe("moved", {row(rt::vec3(1), rt::vec3(2), -1.0)})));
+        CHECK(runner.has_answered());
+        CHECK(runner.seconds_in_all() < 1);
+        const auto outcome = runner.probe("moved", {row(rt::vec3(1), rt::vec3(2), 3.0)});
+        REQUIRE(std::holds_alternative<Fault>(outcome));
+        CHECK(std::get<Fault>(outcome).verdict == Verdict::crashed);
+        CHECK(runner.seconds_in_all() > 1);
+    }
+}
+
 TEST_CASE("an object with sections that no compiler makes of a fragment goes no further", "[steps]") {
     std::vector<std::string> sections{".gnu.lto_.opts",  ".gnu.warning.x", ".interp", ".dynamic", ".preinit_array",
                                       ".gnu.debuglto_x", "penumbra",       ".init",   ".note.x"};

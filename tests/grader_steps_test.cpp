@@ -140,6 +140,17 @@ TEST_CASE("only the runner of steps starts processes", "[steps]") {
                                             "grader/programs/process.cpp: fork("});
 }
 
+TEST_CASE("who lets the deadline of an answer pass has timed out, also who ends at the hang-up") {
+    Process waits({"/bin/sh", "-c", "read line; exit 0"}, {}, "/");
+    CHECK_FALSE(waits.receive(1, in_seconds(1.1)));
+    const Ending ending = waits.finish(in_seconds(5));
+    CHECK(ending.how == Ending::How::timed_out);
+    CHECK(ending.waited);
+    Process leaves({"/bin/sh", "-c", "exit 3"}, {}, "/");
+    CHECK_FALSE(leaves.receive(1, in_seconds(5)));
+    CHECK(leaves.finish(in_seconds(5)).code == 3);
+}
+
 TEST_CASE("a program's end, output and limits are told") {
     const auto shell = [](const std::string& text, Limits limits = {}) {
         return run({"/bin/sh", "-c", text}, limits, "/");

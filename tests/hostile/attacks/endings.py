@@ -1,6 +1,6 @@
 """What does not end, or ends too soon; processes, threads and memory."""
 
-from .kit import bomb, case, disk, outputs_are_short
+from .kit import HEAD, bomb, case, disk, outputs_are_short
 
 case("10b", "100 MB on stdout and on stderr", "passed", bystander=True, after=outputs_are_short, own=True,
      source=bomb("""    const std::string text(1 << 16, 'x');
@@ -71,3 +71,22 @@ case("40d", "closes all descriptors", {"crashed", "timed_out"}, own=True, second
 
 case("42", "one second of sleep for each answer", "timed_out", ("longer", "too long", "waits", "budget"), seconds=120, own=True,
      source=disk("    static int calls = 0;\n    if (calls++ % 50 == 0) usleep(1000000);\n    return right(u);"))
+
+case("42b", "waits until it is given up, and ends by itself then", "timed_out", "waits", seconds=90, fragments=("mirror_direction",),
+     source={"mirror_direction.cpp": HEAD + """namespace rt {
+vec3 mirror_direction(vec3 d, vec3) {
+    char byte;
+    while (read(0, &byte, 1) > 0) {}
+    _exit(int(d.x) & 1);
+}
+}  // namespace rt
+"""})
+
+case("42c", "computes for 4 s and ends by itself, in each of 13 checks", {"crashed", "timed_out"}, "too long in all", seconds=120,
+     fragments=("light_sample",), source={"light_sample.cpp": HEAD + """namespace rt {
+LightSample light_sample(const Emitter&, vec3, vec2) {
+    while (clock() < 4 * CLOCKS_PER_SEC) {}
+    _exit(0);
+}
+}  // namespace rt
+"""})
