@@ -185,6 +185,16 @@ TEST_CASE("an object with sections that no compiler makes of a fragment goes no 
     }
 }
 
+TEST_CASE("a function that would run while a program is loaded goes no further", "[steps]") {
+    const std::string chooser =
+        "extern \"C\" { static int one() { return 1; } static auto chosen() { return one; }\n"
+        "static int other() __attribute__((ifunc(\"chosen\"))); }\nint use() { return other(); }\n";
+    const Compiled result = compiled(sandboxes().front(), chooser + phong);
+    INFO(result.message);
+    CHECK_FALSE(result.good);
+    CHECK_THAT(result.message, ContainsSubstring("(ifunc)"));
+}
+
 TEST_CASE("what cuts a compiler off is said in words, and is no fault of the compiler", "[steps]") {
     for (const Sandbox& sandbox : sandboxes()) {
         INFO(sandbox.description);

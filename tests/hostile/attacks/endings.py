@@ -33,6 +33,17 @@ case("15b", "starts another program", {"crashed", "failed"}, "starts other progr
     int status = 0;
     if (child < 0 || waitpid(child, &status, 0) != child || status != 0) std::abort();"""))
 
+RUN = '    const char* words[] = {"/bin/sh", "-c", "exit 42", nullptr};\n'
+
+case("15d", "becomes another program", "crashed", "starts other programs", bystander=True, fast=True,
+     source=bomb(RUN + "    execv(words[0], const_cast<char**>(words));"))
+
+case("15e", "becomes another program before main, by a number of the kernel's", "crashed", "starts other programs",
+     source=disk("    return right(u);", f"""
+[[gnu::constructor]] static void first() {{
+{RUN}    syscall(SYS_execveat, AT_FDCWD, words[0], words, nullptr, 0);
+}}"""))
+
 case("15c", "1,400 threads", {"passed", "crashed", "timed_out"}, bystander=True, seconds=90,
      source=bomb("""    pthread_attr_t small;
     pthread_attr_init(&small);
