@@ -271,7 +271,8 @@ std::string link_child(const Toolchain& chain, const Sandbox& sandbox, const std
     }
     for (const fs::path& archive : chain.archives) command.push_back(archive.string()), readable.push_back(archive);
     for (const std::string& library : chain.libraries)
-        if (library.starts_with("/") && !library.starts_with("/usr/")) readable.emplace_back(library);
+        if (library.starts_with("/") && (!library.starts_with("/usr/") || chain.is_own(library)))
+            readable.emplace_back(library);
     command.insert(command.end(), chain.libraries.begin(), chain.libraries.end());
     command.insert(command.end(), {"-o", program.string()});
 
