@@ -41,7 +41,7 @@ below=/usr/share/doc
 mkdir "$work/thief"
 printf 'asm(".globl x\\nx: .incbin \\"%s/grader/%s-linux/reference/moved.o\\"");\n' "$below" "$(uname -m)" |
     cat - solution/moved.cpp >"$work/thief/moved.cpp"
-# shellcheck disable=SC2317
+# shellcheck disable=SC2016,SC2317
 in_usr() {
     unshare --mount --map-root-user sh -c 'mount --bind "$1" "$2" && shift 2 && exec "$@"' sh "$work/root/opt/penumbra" \
         "$below" "$below/grade" "$work/thief" moved --seed 1
