@@ -53,6 +53,18 @@ TEST_CASE("a fragment compiles and links in every sandbox", "[steps]") {
     }
 }
 
+TEST_CASE("a fragment can include the framework's headers, and none of the assignment's other files", "[steps]") {
+    for (const Sandbox& sandbox : sandboxes()) {
+        INFO(sandbox.description);
+        CHECK(compiled(sandbox, "#include \"rt/sampler.h\"\n" + phong).good);
+        for (const std::string other : {"fragments/phong.cpp", "raytrace.cpp", "../solution/phong.cpp"}) {
+            const Compiled result = compiled(sandbox, fmt::format("#include \"{}\"\n{}", other, phong));
+            INFO(other << "\n" << result.message);
+            CHECK_THAT(result.message, ContainsSubstring("fatal error: ") && ContainsSubstring(other));
+        }
+    }
+}
+
 TEST_CASE("a source whose compilation is slow is given up after the seconds that it may take", "[steps]") {
     std::string slow = phong;
     for (int i = 0; i < 400; ++i)
@@ -129,6 +141,29 @@ TEST_CASE("sanitizers say in which line a fragment breaks down", "[steps]") {
     }
 }
 
+TEST_CASE("what a program that ends by itself has cost is counted as an answer is", "[steps]") {
+    for (const Sandbox& sandbox : sandboxes()) {
+        INFO(sandbox.description);
+        const StepFolder place;
+        const Compiled result = compile_fragment(chain(), sandbox, "moved",
+                                                 "#include \"rt/fragments.h\"\n#include <unistd.h>\nnamespace rt "
+                                                 "{\nvec3 moved(vec3 point, vec3, Real time) {\n"
+                                                 "if (time < 0) return point;\nusleep(1'200'000);\n_exit(0);\n}\n}\n",
+                                                 "moved.cpp", place.folder);
+        REQUIRE(result.message.empty());
+        Runner runner(linked(chain(), sandbox, "moved", result.object, place), sandbox, fs::absolute("scenes"), 5);
+        runner.begin_count();
+        CHECK_FALSE(runner.has_answered());
+        CHECK(std::holds_alternative<Rows>(runner.probe("moved", {row(rt::vec3(1), rt::vec3(2), -1.0)})));
+        CHECK(runner.has_answered());
+        CHECK(runner.seconds_in_all() < 1);
+        const auto outcome = runner.probe("moved", {row(rt::vec3(1), rt::vec3(2), 3.0)});
+        REQUIRE(std::holds_alternative<Fault>(outcome));
+        CHECK(std::get<Fault>(outcome).verdict == Verdict::crashed);
+        CHECK(runner.seconds_in_all() > 1);
+    }
+}
+
 TEST_CASE("an object with sections that no compiler makes of a fragment goes no further", "[steps]") {
     std::vector<std::string> sections{".gnu.lto_.opts",  ".gnu.warning.x", ".interp", ".dynamic", ".preinit_array",
                                       ".gnu.debuglto_x", "penumbra",       ".init",   ".note.x"};
@@ -148,6 +183,16 @@ TEST_CASE("an object with sections that no compiler makes of a fragment goes no 
                   .good);
         sections.resize(1);  // the other sandboxes see the same objects
     }
+}
+
+TEST_CASE("a function that would run while a program is loaded goes no further", "[steps]") {
+    const std::string chooser =
+        "extern \"C\" { static int one() { return 1; } static auto chosen() { return one; }\n"
+        "static int other() __attribute__((ifunc(\"chosen\"))); }\nint use() { return other(); }\n";
+    const Compiled result = compiled(sandboxes().front(), chooser + phong);
+    INFO(result.message);
+    CHECK_FALSE(result.good);
+    CHECK_THAT(result.message, ContainsSubstring("(ifunc)"));
 }
 
 TEST_CASE("what cuts a compiler off is said in words, and is no fault of the compiler", "[steps]") {

@@ -59,6 +59,32 @@ TEST_CASE("a step sees its own folder, and neither another nor a secret, nor the
     }
 }
 
+TEST_CASE("of the grader's own folders a step sees what it names alone, also where all else of /usr is seen",
+          "[steps]") {
+    const fs::path own = "/usr/lib/gcc";  // as if the project were there
+    REQUIRE(fs::is_directory(own));
+    const fs::path inner = fs::directory_iterator(own)->path();
+    for (Sandbox sandbox : sandboxes()) {
+        INFO(sandbox.description);
+        const StepFolder place;
+        const auto listed = [&] {
+            return shell(sandbox, place.folder, "cd /usr/lib/gcc && ls; cd /lib/gcc && ls").out;
+        };
+        CHECK_FALSE(listed().empty());
+        sandbox.hidden = {"/lib/gcc"};
+        if (sandbox.kind == Sandbox::Kind::container) {
+            CHECK_THAT(fault_of(sandbox, {}), Catch::Matchers::ContainsSubstring("expected it outside of /usr"));
+            continue;
+        }
+        CHECK(fault_of(sandbox, {}).empty());
+        CHECK(listed().empty());
+        CHECK(shell(sandbox, place.folder, "echo x >/usr/lib/gcc/x; cat /usr/lib/gcc/x").out.empty());
+        sandbox.readable = {inner};
+        CHECK(shell(sandbox, place.folder, "ls /usr/lib/gcc").out == inner.filename().string() + "\n");
+        CHECK_FALSE(shell(sandbox, place.folder, "ls " + inner.string()).out.empty());
+    }
+}
+
 TEST_CASE("a tool writes into its folder, and nothing that it starts outlives it", "[steps]") {
     for (const Sandbox& sandbox : sandboxes()) {
         INFO(sandbox.description);
@@ -138,6 +164,17 @@ TEST_CASE("only the runner of steps starts processes", "[steps]") {
                                             "grader/programs/in_view.cpp: execv", "grader/programs/in_view.cpp: fork(",
                                             "grader/programs/process.cpp: execv",
                                             "grader/programs/process.cpp: fork("});
+}
+
+TEST_CASE("who lets the deadline of an answer pass has timed out, also who ends at the hang-up") {
+    Process waits({"/bin/sh", "-c", "read line; exit 0"}, {}, "/");
+    CHECK_FALSE(waits.receive(1, in_seconds(1.1)));
+    const Ending ending = waits.finish(in_seconds(5));
+    CHECK(ending.how == Ending::How::timed_out);
+    CHECK(ending.waited);
+    Process leaves({"/bin/sh", "-c", "exit 3"}, {}, "/");
+    CHECK_FALSE(leaves.receive(1, in_seconds(5)));
+    CHECK(leaves.finish(in_seconds(5)).code == 3);
 }
 
 TEST_CASE("a program's end, output and limits are told") {

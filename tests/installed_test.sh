@@ -32,6 +32,24 @@ expect 2 "a kit is handed out by the project" by_user hand-out "$home/kit"
 expect 0 "passed              2 of 2" env HOME="$work/other" "$prefix/bin/grade" "$work/mine.zip" moved --seed 1
 expect 0 "" test -z "$(find "$prefix" -newer "$work/now")"
 
+# Below /usr, which all steps read, is only a link to it; the reference's objects are nobody's to include.
+(DESTDIR="$work/root" cmake --install "$build" --prefix /usr >"$work/said" 2>&1) || { cat "$work/said"; failures=1; }
+expect 0 "../../opt/penumbra/grade" readlink "$work/root/usr/bin/grade"
+expect 0 "" test ! -e "$work/root/usr/lib"
+expect 0 "passed              2 of 2" env HOME="$work/other" "$work/root/usr/bin/grade" "$work/mine.zip" moved --seed 1
+below=/usr/share/doc
+mkdir "$work/thief"
+printf 'asm(".globl x\\nx: .incbin \\"%s/grader/%s-linux/reference/moved.o\\"");\n' "$below" "$(uname -m)" |
+    cat - solution/moved.cpp >"$work/thief/moved.cpp"
+# shellcheck disable=SC2016,SC2317
+in_usr() {
+    unshare --mount --map-root-user sh -c 'mount --bind "$1" "$2" && shift 2 && exec "$@"' sh "$work/root/opt/penumbra" \
+        "$below" "$below/grade" "$work/thief" moved --seed 1
+}
+if unshare --mount --map-root-user true 2>/dev/null; then
+    expect 0 "file not found" in_usr
+fi
+
 # over what is there
 (cmake --install "$build" --prefix "$prefix" >"$work/said" 2>&1) || { cat "$work/said"; failures=1; }
 expect 0 "passed              2 of 2" by_user "$work/mine.zip" moved --seed 1

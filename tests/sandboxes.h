@@ -22,7 +22,7 @@ inline std::vector<Sandbox> sandboxes() {
     std::vector<Sandbox> all;
     for (const auto& [kind, own_user] :
          {std::pair(Sandbox::Kind::host, false), {Sandbox::Kind::container, true}, {Sandbox::Kind::container, false}}) {
-        Sandbox sandbox{kind, {}, {}, own_user};
+        Sandbox sandbox{kind, {}, {}, {}, own_user};
         if (own_user && (geteuid() != 0 || !is_open_to_others(fs::current_path()))) continue;
         const std::string fault = fault_of(sandbox, {});
         sandbox.description = fmt::format("kind {}, a user of its own: {}", int(kind), own_user);

@@ -1,5 +1,9 @@
 #include <fcntl.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -7,11 +11,13 @@
 #include <cmath>
 #include <csetjmp>
 #include <csignal>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <exception>
+#include <iterator>
 #include <optional>
 
 #include "arithmetic/self_test.h"
@@ -26,13 +32,28 @@
 
 extern "C" [[gnu::weak]] void __sanitizer_print_stack_trace();  // NOLINT: it is the sanitizers' name
 
-/// child SECONDS: renders scenes and calls fragments as the grader asks. It only ever answers with data; each answer
-/// may take SECONDS of CPU time.
+/// child SECONDS [MESHES [locked]]: renders scenes and calls fragments as the grader asks. It only ever answers with
+/// data; each answer may take SECONDS of CPU time. Locked: it cannot become another program.
 namespace {
 
 using namespace grade;
 
 static_assert(image_head == 3 + std::tuple_size_v<rt::RayCounts>);
+
+/// Kills the program where it would become another one. The sandbox cannot forbid that: by the same call this one
+/// starts.
+void lock_in(int argc, char**, char**) {
+    if (argc < 4) return;
+    sock_filter code[] = {
+        BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_execve, 1, 0), BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_execveat, 0, 1),
+        BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS), BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)};
+    const sock_fprog program{std::size(code), code};
+    if (prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) != 0) _exit(127);
+}
+
+/// Runs before any constructor, also those of fragments.
+[[gnu::section(".preinit_array"), gnu::used]] void (*const locks_in)(int, char**, char**) = lock_in;
 
 int results = -1;  // a copy of descriptor 3 that fragments do not know
 

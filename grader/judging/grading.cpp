@@ -188,7 +188,7 @@ CheckRecord Grading::judge(const Task& task, Lane& lane, SolutionRunners& soluti
             auto runner = is_used ? std::move(lane.runner) : settings.another();
             CheckRecord record = run_check(*task.check, *runner, reference, settings);
             // who never answered may not even have started, and an earlier check may have broken what it left
-            const bool is_doubtful = is_used || runner->seconds_in_all() == 0;
+            const bool is_doubtful = is_used || !runner->has_answered();
             if (record.verdict == Verdict::crashed && is_doubtful && !again) continue;
             if (is_measured(record)) lane.runner = std::move(runner);
             settings_.build.kept.keep_check(key, made_from(task.check->fragment), record);

@@ -144,11 +144,13 @@ private:
     Outcome<Observation> ask(int replicate) {
         const std::uint64_t seed = replicate_seed(settings_.grading.seed, check_, Stream::submission, replicate);
         Outcome<Observation> answer = observe(runner_, check_, seed);
-        if (std::holds_alternative<Fault>(answer)) return answer;
         ++answers_;
+        const Fault* broken = std::get_if<Fault>(&answer);
+        if (broken && broken->verdict == Verdict::timed_out) return answer;
+        if (auto fault = overspent()) return *fault;  // a crash costs time like an answer
+        if (broken) return answer;
         record_.cpu_seconds += runner_.seconds();
         fastest_ = std::min(fastest_, runner_.seconds());
-        if (auto fault = overspent()) return *fault;
         return answer;
     }
 

@@ -180,6 +180,13 @@ bool is_private(const ObjectFile& object) {
     return object.defined.size() == 1 && !has(".group") && !has(".linker-options");
 }
 
+/// What the compiler reads of the folders that it searches: of the assignment's, where fragments may be filled in, the
+/// framework's headers alone.
+std::vector<fs::path> readable_of(const Toolchain& chain, std::vector<fs::path> folders) {
+    std::ranges::replace(folders, chain.includes.front(), chain.includes.front() / "rt");
+    return folders;
+}
+
 }  // namespace
 
 Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const std::string& fragment,
@@ -193,12 +200,12 @@ Compiled compile_fragment(const Toolchain& chain, const Sandbox& sandbox, const 
         for (const fs::path& folder : includes) command.insert(command.end(), {"-I", folder.string()});
         command.insert(command.end(), {"-c", source.string(), "-o", compiled.string()});
         fs::remove(compiled);  // of an earlier try, maybe by another user
-        return run(sandbox, tool(command, work, includes, seconds));
+        return run(sandbox, tool(command, work, readable_of(chain, includes), seconds));
     };
-    std::vector<fs::path> readable = chain.includes;
+    std::vector<fs::path> searched = chain.includes;
     const fs::path header = precompiled_header(chain);
-    if (!header.empty()) readable.insert(readable.begin(), header);
-    Ending compiler = compile(readable, {});
+    if (!header.empty()) searched.insert(searched.begin(), header);
+    Ending compiler = compile(searched, {});
     if (!compiler.good() && !header.empty() && cut_off(compiler, "").empty())
         compiler = compile(chain.includes, {});  // that header lacks a little
     if (!compiler.good()) {
@@ -264,7 +271,8 @@ std::string link_child(const Toolchain& chain, const Sandbox& sandbox, const std
     }
     for (const fs::path& archive : chain.archives) command.push_back(archive.string()), readable.push_back(archive);
     for (const std::string& library : chain.libraries)
-        if (library.starts_with("/") && !library.starts_with("/usr/")) readable.emplace_back(library);
+        if (library.starts_with("/") && (!library.starts_with("/usr/") || chain.is_own(library)))
+            readable.emplace_back(library);
     command.insert(command.end(), chain.libraries.begin(), chain.libraries.end());
     command.insert(command.end(), {"-o", program.string()});
 

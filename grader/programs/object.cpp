@@ -90,6 +90,7 @@ ObjectFile read_object(std::string_view bytes) {
         const std::string_view symbols = part(bytes, section), words = part(bytes, sections[section.sh_link]);
         for (std::size_t at = 0; at + sizeof(Elf64_Sym) <= symbols.size(); at += sizeof(Elf64_Sym)) {
             const auto symbol = entry_at<Elf64_Sym>(symbols, at);
+            object.runs_while_loaded |= ELF64_ST_TYPE(symbol.st_info) == STT_GNU_IFUNC;
             if (ELF64_ST_BIND(symbol.st_info) == STB_LOCAL || symbol.st_shndx == SHN_UNDEF) continue;
             object.defined.emplace_back(name_at(words, symbol.st_name).substr(0, longest_name));
         }
@@ -102,6 +103,8 @@ std::string object_fault(const ObjectFile& object) {
         if (!is_usual(name))
             return fmt::format(
                 "a section {} is made in it; a fragment is C++, without asm and without section attributes", name);
+    if (object.runs_while_loaded)  // before child/main.cpp has locked the program in
+        return "a function of it runs while the program is loaded (ifunc); a fragment is C++, without such attributes";
     return {};
 }
 

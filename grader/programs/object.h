@@ -11,6 +11,7 @@ namespace grade {
 struct ObjectFile {
     std::vector<std::string> sections;
     std::vector<std::string> defined;  // symbols for others, the first 500 characters of each
+    bool runs_while_loaded = false;    // has a function that chooses another when the program is loaded (ifunc)
 };
 
 struct BadObject : std::runtime_error {

@@ -168,7 +168,10 @@ void Process::kill_all() const {
     kill(pid_, SIGKILL);
 }
 
-Process::Times Process::times() const { return times_of(pid_); }
+Process::Times Process::times() const {
+    const Times now = times_of(pid_);
+    return {now.computed, std::max(now.delayed, delayed_)};
+}
 
 bool Process::is_over(double seconds) {
     const Times now = times();
@@ -185,7 +188,8 @@ bool Process::pump(std::string_view bytes, std::size_t wanted, bool to_the_end, 
         if (!to_the_end && wanted > received_.size() && results_ < 0) return false;
         if (Clock::now() > deadline) {
             // the machine may be busy: who computes, or would if it could, is stopped by its CPU time
-            if (given < std::chrono::seconds(1) || is_over(std::chrono::duration<double>(given).count())) return false;
+            if (given < std::chrono::seconds(1) || is_over(std::chrono::duration<double>(given).count()))
+                return late_ = true, false;
             deadline += given;
         }
         if (!to_the_end) check_interrupt();
@@ -197,6 +201,7 @@ bool Process::pump(std::string_view bytes, std::size_t wanted, bool to_the_end, 
                                       {watch_, POLLIN, 0}}};
         const int count = poll(events.data(), events.size(), std::min(milliseconds_until(deadline), 250));
         if (count < 0 && errno != EINTR) return false;
+        if (count == 0) delayed_ = times().delayed;
         if (count == 0) continue;
 
         bool moved = false;
@@ -239,7 +244,7 @@ void Process::hang_up() { close_one(in_); }
 Ending Process::finish(Clock::time_point deadline) {
     if (ending_) return *ending_;
     hang_up();
-    const bool ended = pump({}, 0, true, deadline);
+    const bool ended = pump({}, 0, true, deadline) && !late_;  // at a hang-up who is late may still end by itself
     Ending ending;
     ending.out = out_text_, ending.err = err_text_;
     ending.cpu_seconds = ended ? 0 : times().computed;

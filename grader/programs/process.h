@@ -66,7 +66,7 @@ public:
     void hang_up();
 
     /// Waits until it ends, or kills it at the deadline. This and the two above give a program that computes more time:
-    /// its CPU time is limited.
+    /// its CPU time is limited. Who let one of theirs pass has timed out, however it ends now.
     Ending finish(Clock::time_point deadline);
 
 private:
@@ -82,9 +82,10 @@ private:
     int in_ = -1, out_ = -1, err_ = -1, results_ = -1;
     std::string out_text_, err_text_, received_;
     std::optional<Ending> ending_;
-    double busy_ = 0;                 // at the last deadline [s]
-    std::optional<double> computed_;  // at the first one [s]
-    bool waits_ = true;
+    double busy_ = 0;                   // at the last deadline [s]
+    double delayed_ = 0;                // at the last look [s]: who has ended tells it no more
+    std::optional<double> computed_;    // at the first one [s]
+    bool waits_ = true, late_ = false;  // late: a deadline for its answer has passed
 };
 
 /// Runs a program to its end; its stdin is empty. For what is the grader's own: a student's goes through sandbox.h.

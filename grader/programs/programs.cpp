@@ -31,7 +31,8 @@ Programs::Programs(const Submission& submission, const Toolchain& chain, const B
     : submission_(submission), chain_(chain), settings_(settings), progress_(progress) {
     work_ = settings.keep.empty() ? temporary_.path() : fs::absolute(settings.keep);
     fs::create_directories(work_);
-    sandbox_ = find_sandbox(settings.trusted, {chain.includes.front() / "rt/fragments.h", chain.archives.front()});
+    sandbox_ = find_sandbox(settings.trusted, {chain.includes.front() / "rt/fragments.h", chain.archives.front()},
+                            chain.own_folders());
     if (sandbox_.own_user) {
         umask(022);
         fs::permissions(work_, fs::perms(0711));

@@ -54,13 +54,17 @@ public:
     /// CPU time of the last answer, by the child's own account, and no longer than the answer took.
     double seconds() const { return last_seconds_; }
 
-    /// Wall time of all answers since the count began, by the grader's clock; without what the program waited for a
-    /// processor.
-    double seconds_in_all() const {
+    /// Wall time of all answers since the count began, also of one that did not come, by the grader's clock; without
+    /// what the program waited for a processor.
+    double seconds_in_all() {
         if (answers_seconds_ < 1) return answers_seconds_;
-        return std::max(0.0, answers_seconds_ - (process_->times().delayed - delayed_before_));
+        delayed_ = std::max(delayed_, process_->times().delayed);  // which is nothing of who has ended
+        return std::max(0.0, answers_seconds_ - (delayed_ - delayed_before_));
     }
-    void begin_count() { answers_seconds_ = 0, delayed_before_ = process_->times().delayed; }
+    void begin_count() { answers_seconds_ = 0, delayed_before_ = delayed_ = process_->times().delayed; }
+
+    /// Whether an answer has ever come.
+    bool has_answered() const { return has_answered_; }
 
     /// Rays of all kinds in the last picture, likewise.
     double rays() const { return std::accumulate(last_rays_.begin(), last_rays_.end(), 0.0); }
@@ -73,6 +77,7 @@ private:
     std::optional<Fault> tell(const std::string& request);
     std::optional<Fault> show(const Render& experiment);
     Outcome<Answer> exchange(const std::string& request, std::size_t most_bytes);
+    Outcome<Answer> exchange_once(const std::string& request, std::size_t most_bytes);
     Fault broken();
     static Fault thrown(const std::string& what);
     double patience() const { return 3 * limit_ + 2; }  // wall time for one answer
@@ -83,7 +88,8 @@ private:
     std::unique_ptr<Process> process_;
     std::string scene_, fragment_;  // what the child was told last
     rt::ivec2 size_{0};             // of that scene's image
-    double last_seconds_ = 0, exchange_seconds_ = 0, answers_seconds_ = 0, delayed_before_ = 0;
+    double last_seconds_ = 0, exchange_seconds_ = 0, answers_seconds_ = 0, delayed_ = 0, delayed_before_ = 0;
+    bool has_answered_ = false;
     std::vector<double> last_rays_;
 };
 

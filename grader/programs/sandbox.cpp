@@ -15,16 +15,40 @@ namespace {
 constexpr const char* bubblewrap = "/usr/bin/bwrap";
 constexpr const char* of_the_system[] = {"/usr", "/bin", "/lib", "/lib64", "/etc/alternatives", "/etc/ld.so.cache"};
 
+/// Where a folder is to be seen among what all steps see: under each of these names, /lib being a link to /usr/lib.
+std::vector<fs::path> places_in_system(const fs::path& folder) {
+    std::error_code error;
+    const fs::path real = fs::weakly_canonical(folder, error);
+    std::vector<fs::path> places;
+    for (const fs::path system : of_the_system) {
+        const fs::path within = real.lexically_relative(fs::weakly_canonical(system, error));
+        if (!within.empty() && *within.begin() != "..") places.push_back(system / within);
+    }
+    return places;
+}
+
+std::vector<fs::path> hidden_places(const Sandbox& sandbox) {
+    std::vector<fs::path> all;
+    for (const fs::path& folder : sandbox.hidden) {
+        const std::vector<fs::path> places = places_in_system(folder);
+        all.insert(all.end(), places.begin(), places.end());
+    }
+    return all;
+}
+
 std::vector<std::string> in_bubblewrap(const Sandbox& sandbox, const Step& step) {
     std::vector<std::string> words{bubblewrap, "--unshare-all", "--die-with-parent", "--cap-drop", "ALL", "--seccomp",
                                    "4",        "--dev-bind",    "/dev/null",         "/dev/null"};
     if (step.sees_itself) words.insert(words.end(), {"--proc", "/proc"});
     if (step.is_tool) words.insert(words.end(), {"--size", fmt::to_string(256u << 20), "--tmpfs", "/tmp"});
     for (const char* path : of_the_system) words.insert(words.end(), {"--ro-bind-try", path, path});
+    const std::vector<fs::path> hidden = hidden_places(sandbox);
+    for (const fs::path& path : hidden) words.insert(words.end(), {"--tmpfs", path.string()});
     for (const auto* list : {&sandbox.readable, &step.readable})
         for (const fs::path& path : *list) words.insert(words.end(), {"--ro-bind", path.string(), path.string()});
-    words.insert(words.end(), {step.is_tool ? "--bind" : "--ro-bind", step.folder.string(), step.folder.string(),
-                               "--remount-ro", "/", "--chdir", step.folder.string(), "--"});
+    words.insert(words.end(), {step.is_tool ? "--bind" : "--ro-bind", step.folder.string(), step.folder.string()});
+    for (const fs::path& path : hidden) words.insert(words.end(), {"--remount-ro", path.string()});
+    words.insert(words.end(), {"--remount-ro", "/", "--chdir", step.folder.string(), "--"});
     words.insert(words.end(), step.command.begin(), step.command.end());
     return words;
 }
@@ -79,6 +103,11 @@ std::string fault_of(const Sandbox& sandbox, const std::vector<fs::path>& needed
     if (sandbox.kind == Sandbox::Kind::host && !fs::exists(bubblewrap)) return "bubblewrap is not installed";
     if (sandbox.kind == Sandbox::Kind::container && landlock_version() == 0)
         return "the kernel has no Landlock, or does not allow it";
+    if (const auto hidden = hidden_places(sandbox); sandbox.kind == Sandbox::Kind::container && !hidden.empty())
+        return fmt::format(
+            "every step reads what is in {}, which Landlock cannot hide; expected it outside of /usr, "
+            "as in /opt/penumbra",
+            hidden.front().string());
     if (allowed_calls(Starts::nothing, false).code.empty())
         return "its system calls are not known on this kind of processor";
     const TemporaryFolder folder;
@@ -98,16 +127,17 @@ std::string fault_of(const Sandbox& sandbox, const std::vector<fs::path>& needed
     return error.what();
 }
 
-Sandbox find_sandbox(bool trusted, const std::vector<fs::path>& needed) {
-    if (trusted) return {Sandbox::Kind::limits_only, "resource limits only: the code is its owner's", {}};
+Sandbox find_sandbox(bool trusted, const std::vector<fs::path>& needed, const std::vector<fs::path>& hidden) {
+    if (trusted) return {Sandbox::Kind::limits_only, "resource limits only: the code is its owner's", {}, {}};
     const Sandbox host{
         Sandbox::Kind::host,
         "bubblewrap: no network, no other processes, files read-only; system calls filtered; resource limits",
-        {}};
+        {},
+        hidden};
     const std::string no_host = fault_of(host, needed);
     if (no_host.empty()) return host;
 
-    Sandbox container{Sandbox::Kind::container, {}, {}};
+    Sandbox container{Sandbox::Kind::container, {}, {}, hidden};
     std::string no_container;
     for (const bool own_user : {true, false}) {
         if (own_user && geteuid() != 0) continue;

@@ -17,6 +17,7 @@ struct Sandbox {
     Kind kind = Kind::limits_only;
     std::string description;         // for the report: what it is, and why it is no better
     std::vector<fs::path> readable;  // seen by every step, beside what it names: libraries
+    std::vector<fs::path> hidden;    // the grader's own folders: what a step does not name there it does not see
     bool own_user = false;           // in a container: each step is another user
 };
 
@@ -35,7 +36,8 @@ struct Step {
 ///
 /// trusted  the code is the caller's own: limits only
 /// needed   files that steps must be able to read
-Sandbox find_sandbox(bool trusted, const std::vector<fs::path>& needed = {});
+/// hidden   as in Sandbox
+Sandbox find_sandbox(bool trusted, const std::vector<fs::path>& needed = {}, const std::vector<fs::path>& hidden = {});
 
 /// Why a sandbox does not work here; empty: it does.
 std::string fault_of(const Sandbox& sandbox, const std::vector<fs::path>& needed);

@@ -142,6 +142,18 @@ bool Toolchain::is_given(const fs::path& object) const {
     return std::ranges::any_of(solution_objects, is_it) || std::ranges::any_of(blank_objects, is_it);
 }
 
+std::vector<fs::path> Toolchain::own_folders() const {
+    if (cache.empty()) return {source};
+    return {source, cache};
+}
+
+bool Toolchain::is_own(const fs::path& file) const {
+    return std::ranges::any_of(own_folders(), [&](const fs::path& own) {
+        const fs::path within = file.lexically_relative(own);
+        return !within.empty() && *within.begin() != "..";
+    });
+}
+
 Toolchain with_sanitizers(const Toolchain& chain) {
     Toolchain checked = chain;
     checked.checked = true;

@@ -35,6 +35,10 @@ struct Toolchain {
 
     /// Whether an object came with the grader, and is of no submission.
     bool is_given(const fs::path& object) const;
+
+    /// All that is the grader's own, with the solution's objects.
+    std::vector<fs::path> own_folders() const;
+    bool is_own(const fs::path& file) const;
 };
 
 /// The same compiler, with sanitizers that end a program at the first undefined behaviour and say where it is.

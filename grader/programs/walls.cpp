@@ -32,7 +32,7 @@ constexpr std::uint32_t processor = 0;
 #endif
 
 /// Numbers that are one on all kinds of processors, and newer than some systems' headers.
-constexpr int fchmodat2 = 452, setxattrat = 463, removexattrat = 466, file_setattr = 469;
+constexpr int fchmodat2 = 452, setxattrat = 463, removexattrat = 466, file_setattr = 469, memfd_secret = 447;
 
 /// Never needed by a compiler or a fragment.
 constexpr int never[] = {SYS_unshare,
@@ -84,6 +84,7 @@ constexpr int never[] = {SYS_unshare,
                          SYS_open_by_handle_at,
                          SYS_fanotify_init,
                          SYS_socket,
+                         SYS_socketpair,  // buffers of the kernel's, beside a program's memory
                          SYS_shmget,
                          SYS_shmat,
                          SYS_msgget,
@@ -104,7 +105,12 @@ constexpr int never[] = {SYS_unshare,
                          SYS_tkill,
                          SYS_rt_sigqueueinfo,
                          SYS_rt_tgsigqueueinfo,
-                         SYS_memfd_create};
+                         SYS_memfd_create,
+                         memfd_secret,
+#ifdef __x86_64__
+                         SYS_inotify_init,
+#endif
+                         SYS_inotify_init1};
 
 /// What a tool does to its files, and a fragment has no need of: Landlock has no rules for these.
 constexpr int tools_only[] = {

@@ -1,6 +1,6 @@
 """What does not end, or ends too soon; processes, threads and memory."""
 
-from .kit import bomb, case, disk, outputs_are_short
+from .kit import HEAD, bomb, case, disk, outputs_are_short
 
 case("10b", "100 MB on stdout and on stderr", "passed", bystander=True, after=outputs_are_short, own=True,
      source=bomb("""    const std::string text(1 << 16, 'x');
@@ -32,6 +32,17 @@ case("15b", "starts another program", {"crashed", "failed"}, "starts other progr
     if (child == 0) { execl("/bin/true", "true", nullptr); _exit(9); }
     int status = 0;
     if (child < 0 || waitpid(child, &status, 0) != child || status != 0) std::abort();"""))
+
+RUN = '    const char* words[] = {"/bin/sh", "-c", "exit 42", nullptr};\n'
+
+case("15d", "becomes another program", "crashed", "starts other programs", bystander=True, fast=True,
+     source=bomb(RUN + "    execv(words[0], const_cast<char**>(words));"))
+
+case("15e", "becomes another program before main, by a number of the kernel's", "crashed", "starts other programs",
+     source=disk("    return right(u);", f"""
+[[gnu::constructor]] static void first() {{
+{RUN}    syscall(SYS_execveat, AT_FDCWD, words[0], words, nullptr, 0);
+}}"""))
 
 case("15c", "1,400 threads", {"passed", "crashed", "timed_out"}, bystander=True, seconds=90,
      source=bomb("""    pthread_attr_t small;
@@ -71,3 +82,22 @@ case("40d", "closes all descriptors", {"crashed", "timed_out"}, own=True, second
 
 case("42", "one second of sleep for each answer", "timed_out", ("longer", "too long", "waits", "budget"), seconds=120, own=True,
      source=disk("    static int calls = 0;\n    if (calls++ % 50 == 0) usleep(1000000);\n    return right(u);"))
+
+case("42b", "waits until it is given up, and ends by itself then", "timed_out", "waits", seconds=90, fragments=("mirror_direction",),
+     source={"mirror_direction.cpp": HEAD + """namespace rt {
+vec3 mirror_direction(vec3 d, vec3) {
+    char byte;
+    while (read(0, &byte, 1) > 0) {}
+    _exit(int(d.x) & 1);
+}
+}  // namespace rt
+"""})
+
+case("42c", "computes for 4 s and ends by itself, in each of 13 checks", {"crashed", "timed_out"}, "too long in all", seconds=120,
+     fragments=("light_sample",), source={"light_sample.cpp": HEAD + """namespace rt {
+LightSample light_sample(const Emitter&, vec3, vec2) {
+    while (clock() < 4 * CLOCKS_PER_SEC) {}
+    _exit(0);
+}
+}  // namespace rt
+"""})

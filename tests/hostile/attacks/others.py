@@ -99,8 +99,9 @@ case("27c", "kills everyone", {"crashed", "failed"}, bystander=True, seconds=90,
 
 case("27d", "has the kernel send SIGKILL to others, as the news of a socket", {"failed", "passed", "crashed"}, bystander=True,
      source=bomb("""    for (int pid : {int(getppid()), int(getpid()) - 1, int(getpid()) - 2, int(getpid()) - 3, int(getpid()) + 1, 2, 3}) {
-        int ends[2];
-        if (pid <= 1 || pid == getpid() || socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0) continue;
+        int ends[2] = {0, 2};  // where there is no other socket, those that lead to the grader
+        if (pid <= 1 || pid == getpid()) continue;
+        (void)!socketpair(AF_UNIX, SOCK_STREAM, 0, ends);
         fcntl(ends[0], F_SETOWN, pid), fcntl(ends[0], 10 /* F_SETSIG */, SIGKILL), fcntl(ends[0], F_SETFL, O_ASYNC);
         (void)!write(ends[1], "x", 1);
     }"""))
@@ -121,3 +122,13 @@ case("41b", "io_uring and keyrings", ANY_FAULT, fast=True,
      source=attack("""    char parameters[120] = {};
     if (syscall(425, 4, parameters) >= 0) return true;
     return syscall(SYS_add_key, "user", "hostile", "x", 1ul, -4l) >= 0 || syscall(SYS_keyctl, 0, -3, 1) >= 0;"""))
+
+case("41c", "pairs of sockets, whose buffers are nobody's memory, secret memory, and news of others' files", ANY_FAULT, fast=True,
+     source=attack("""    int ends[2];
+    if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends) == 0) return true;
+    if (syscall(SYS_inotify_init1, 0) >= 0 || syscall(447 /* memfd_secret */, 0) >= 0) return true;
+#ifdef SYS_inotify_init
+    return syscall(SYS_inotify_init) >= 0;
+#else
+    return false;
+#endif"""))

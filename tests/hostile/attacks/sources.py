@@ -18,6 +18,10 @@ def _(place):
     return disk("#ifdef FOUND\n    return right(u);\n#else\n    return wrong(u);\n#endif", lines)
 
 
+case("3d", "#include of the same fragment as the assignment's folder has it", "did_not_build", "fatal error", fast=True,
+     source='#include "fragments/uniform_disk.cpp"\n')
+
+
 @case("3c", "secrets through the compiler's errors", "did_not_build", "error", absent=(r"root:[x*]:0",), fast=True)
 def _(place):
     return f"#include {quoted(place.secret)}\n#include \"/etc/passwd\"\n#include \"/etc/shadow\"\n"
