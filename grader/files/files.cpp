@@ -61,10 +61,22 @@ void write_text(const fs::path& path, std::string_view text) {
     if (close(file) != 0 || rename(draft.c_str(), path.c_str()) != 0) fail("cannot be written");
 }
 
-void require_folder_of(const std::string& file, const char* option) {
+void require_file(const std::string& file, const char* option) {
+    std::error_code error;
     const fs::path folder = fs::path(file).parent_path();
-    if (!folder.empty() && !fs::is_directory(folder))
-        throw rt::InputError(fmt::format("{} {}: there is no folder {}", option, file, folder.string()));
+    if (!folder.empty() && !fs::is_directory(folder, error))
+        throw rt::InputError(
+            fmt::format("{} {}: there is no folder {}; expected one that is there", option, file, folder.string()));
+    if (fs::is_directory(file, error))
+        throw rt::InputError(fmt::format("{} {}: is a folder; expected the name of a file", option, file));
+}
+
+void make_folder(const fs::path& folder, const char* option) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (!fs::is_directory(folder, error) || access(folder.c_str(), W_OK | X_OK) != 0)
+        throw rt::InputError(fmt::format("{} {}: nothing can be written there; expected a folder of one's own", option,
+                                         folder.string()));
 }
 
 void require_room(const fs::path& folder, std::uintmax_t bytes) {
