@@ -42,9 +42,9 @@ for seed in 99999999999999999999999 -1 abc 1.5 nan ""; do
 done
 expect 0 "seed 18446744073709551615" "$grade" solution moved --seed 18446744073709551615
 expect 2 "is a folder; expected the name of a file" "$grade" solution moved --json "$work"
-expect 2 "expected a folder of one's own" "$grade" solution moved --html "$work/a.json"
-expect 2 "expected a folder of one's own" "$grade" solution moved --keep "$work/a.json"
-expect 2 "expected a folder of one's own" "$grade" solution moved --html "$work/a.json/page"
+expect 2 "a file is in its place; expected a folder" "$grade" solution moved --html "$work/a.json"
+expect 2 "a file is in its place; expected a folder" "$grade" solution moved --keep "$work/a.json"
+expect 2 "a file is in its place; expected a folder" "$grade" solution moved --html "$work/a.json/page"
 mkfifo "$work/fifo.zip"
 expect 2 "is neither a file nor a folder" timeout 20 "$grade" "$work/fifo.zip"
 expect 2 "is no regular file; expected a scene" timeout 20 "$grade" picture /dev/zero
@@ -70,7 +70,7 @@ for inside in class class/out class/ada/deeper; do
     expect 2 "is within $work/class" "$grade" class "$work/class" -o "$work/$inside"
 done
 expect 2 "s.tar.gz: is a file; expected a folder" "$grade" class "$work/s.tar.gz" -o "$work/graded"
-expect 2 "expected a folder of one's own" "$grade" class "$work/class" -o "$work/a.json"
+expect 2 "a file is in its place; expected a folder" "$grade" class "$work/class" -o "$work/a.json"
 expect 2 "expected a whole number" "$grade" class "$work/class" -o "$work/graded" --seed 1x
 expect 0 "2 graded now" "$grade" class "$work/class" -o "$work/graded" --seed 5
 for text in "" " 12x" "garbage" "12 13"; do

@@ -72,11 +72,16 @@ void require_file(const std::string& file, const char* option) {
 }
 
 void make_folder(const fs::path& folder, const char* option) {
-    std::error_code error;
+    std::error_code error, ignored;
     fs::create_directories(folder, error);
-    if (!fs::is_directory(folder, error) || access(folder.c_str(), W_OK | X_OK) != 0)
-        throw rt::InputError(fmt::format("{} {}: nothing can be written there; expected a folder of one's own", option,
-                                         folder.string()));
+    if (fs::is_directory(folder, ignored)) {
+        if (access(folder.c_str(), W_OK | X_OK) == 0) return;
+        error.assign(errno, std::generic_category());
+    }
+    if (!error || error == std::errc::not_a_directory || error == std::errc::file_exists)
+        throw rt::InputError(fmt::format("{} {}: a file is in its place; expected a folder", option, folder.string()));
+    throw std::runtime_error(
+        fmt::format("{} {}: {}; expected a folder that one may write to", option, folder.string(), error.message()));
 }
 
 void require_room(const fs::path& folder, std::uintmax_t bytes) {

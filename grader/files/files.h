@@ -22,7 +22,8 @@ void write_text(const fs::path& path, std::string_view text);
 /// a folder itself. An empty name is none.
 void require_file(const std::string& file, const char* option);
 
-/// Makes a folder that an option names. Throws rt::InputError where that cannot be: a file is in its place.
+/// Makes a folder that an option names. Throws rt::InputError where a file is in its place, std::runtime_error where
+/// one may not write there.
 void make_folder(const fs::path& folder, const char* option);
 
 /// Throws std::runtime_error where the disk of a folder has less room than so many bytes.
