@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "catch.h"
 #include "files/files.h"
 #include "packed.h"
@@ -32,6 +34,28 @@ TEST_CASE("an archive with thousands of copies of a fragment is refused before t
         CHECK_THROWS_WITH(read_submission(folder.path() / "many", fragments_of_hand_in),
                           Catch::Matchers::ContainsSubstring("named like fragments"));
     }
+}
+
+TEST_CASE("pictures or a build folder beside fragments cost no points", "[submission]") {
+    const TemporaryFolder folder;
+    const fs::path file = folder.path() / "work";
+    std::vector<PackedFile> pictures, objects;
+    for (int i = 0; i < 9; ++i) pictures.push_back({fmt::format("pictures/{}.exr", i), std::string(30u << 20, ' ')});
+    for (int i = 0; i < 20'001; ++i) objects.push_back({fmt::format("object{}.o", i), ""});
+    for (const bool zip : {true, false})
+        for (const auto& [others, why] : {std::pair(&pictures, "work unpacks to more than 256 MiB"),
+                                          {&objects, "work holds more than 20000 files"}}) {
+            std::vector<PackedFile> all = *others;
+            pack(file, all, zip);
+            says(file, "holds no fragment; work ");
+            says(file, ", and the rest was not read; expected files such as fragments/moved.cpp alone");
+            all.insert(all.begin(), {"fragments/moved.cpp", "mine"});
+            pack(file, all, zip);
+            const Submission s = read_submission(file, fragments_of_hand_in);
+            CHECK(s.texts == std::map<std::string, std::string>{{"moved", "mine"}});
+            REQUIRE(s.notes.size() == 1);
+            CHECK(s.notes[0] == std::string(why) + "; what was read until then was taken; expected fragments/ alone");
+        }
 }
 
 TEST_CASE("archives in a folder are looked into", "[submission]") {

@@ -32,6 +32,62 @@ expect 2 "there is no folder" "$grade" solution --json "$work/none/a.json"
 expect 2 "none.toml" "$grade" solution moved --html "$work/page" --picture "$work/none.toml"
 expect 3 "the grader failed" "$grade" solution moved --toolchain "$work/none.toml"
 
+# what an option cannot be, and a file in place of a folder, are the caller's mistakes
+for number in nan inf -1 1e300 two; do
+    expect 2 "expected a number from 0 to" "$grade" solution moved --require "$number"
+done
+expect 2 "expected a number from 1 to 600" "$grade" solution moved --time-limit nan
+for seed in 99999999999999999999999 -1 abc 1.5 nan ""; do
+    expect 2 "expected a whole number from 0 to 18446744073709551615" "$grade" solution moved --seed "$seed"
+done
+expect 0 "seed 18446744073709551615" "$grade" solution moved --seed 18446744073709551615
+expect 2 "is a folder; expected the name of a file" "$grade" solution moved --json "$work"
+expect 2 "a file is in its place; expected a folder" "$grade" solution moved --html "$work/a.json"
+expect 2 "a file is in its place; expected a folder" "$grade" solution moved --keep "$work/a.json"
+expect 2 "a file is in its place; expected a folder" "$grade" solution moved --html "$work/a.json/page"
+mkfifo "$work/fifo.zip"
+expect 2 "is neither a file nor a folder" timeout 20 "$grade" "$work/fifo.zip"
+expect 2 "is no regular file; expected a scene" timeout 20 "$grade" picture /dev/zero
+# who reads no further is no trouble of the machine
+for _ in 1 2 3; do "$grade" describe 2>>"$work/unread" | head -1 >/dev/null; done
+expect 0 "" test ! -s "$work/unread"
+
+# colours for who wants them
+if command -v script >/dev/null; then
+    on_terminal() { TERM=xterm script -qec "$1 $grade solution moved --seed 5" /dev/null; }
+    expect 0 $'\033[32m' on_terminal ""
+    for without in NO_COLOR=1 TERM=dumb CLICOLOR=0; do
+        expect 1 "" grep -q $'\033\[3' <(on_terminal "env $without")
+    done
+    expect 1 "" grep -q $'\033' <(on_terminal "env TERM=dumb")
+fi
+
+# a class: what is no class, and what no call can go on with
+mkdir -p "$work/class/ada" "$work/class/bob"
+cp solution/moved.cpp "$work/class/ada/"
+cp starter/fragments/moved.cpp "$work/class/bob/"
+for inside in class class/out class/ada/deeper; do
+    expect 2 "is within $work/class" "$grade" class "$work/class" -o "$work/$inside"
+done
+expect 2 "s.tar.gz: is a file; expected a folder" "$grade" class "$work/s.tar.gz" -o "$work/graded"
+expect 2 "a file is in its place; expected a folder" "$grade" class "$work/class" -o "$work/a.json"
+expect 2 "expected a whole number" "$grade" class "$work/class" -o "$work/graded" --seed 1x
+expect 0 "2 graded now" "$grade" class "$work/class" -o "$work/graded" --seed 5
+for text in "" " 12x" "garbage" "12 13"; do
+    printf '%s' "$text" >"$work/graded/seed"
+    expect 2 "graded/seed: holds no seed" "$grade" class "$work/class" -o "$work/graded"
+done
+expect 0 "2 as before" "$grade" class "$work/class" -o "$work/graded" --seed 5
+cp -r "$work/graded" "$work/later"
+expect 0 "2 as before" "$grade" compare "$work/graded" "$work/later"
+expect 2 "none: not there; expected a record" "$grade" compare "$work/graded" "$work/none"
+expect 2 "there is no folder $work/none" "$grade" compare "$work/graded" "$work/later" --better "$work/none/x.csv"
+rm -r "$work/class/bob"
+expect 0 "1 as before" "$grade" class "$work/class" -o "$work/later"
+expect 1 "bob: gone, was 0" "$grade" compare "$work/graded" "$work/later"
+expect 0 "1 graded now" "$grade" class "$work/class" -o "$work/other" --seed 6
+expect 2 "was graded with another seed" "$grade" merge "$work/whole" "$work/graded" "$work/other"
+
 # where the paths of a wrong picture part: the first line that differs is the fragment's own
 mkdir "$work/dim"
 sed 's/squared \/ (cosine/2 * squared \/ (cosine/' solution/light_sample.cpp >"$work/dim/light_sample.cpp"
@@ -58,6 +114,9 @@ moved '(void)velocity; return point + vec3(time);' >"$work/broken/moved.cpp"
 expect 0 "the answer is the same whatever \`velocity\` is" "$grade" "$work/broken" moved --seed 5 --json "$work/c.json"
 expect 0 "./grade call moved " cat "$work/c.json"
 expect 0 "moved(vec3(" cat "$work/c.json"
+# on a page the call names whose fragment it is
+"$grade" "$work/broken" moved --seed 5 --html "$work/page" >/dev/null 2>&1
+expect 0 "--of $work/broken" cat "$work/page/index.html"
 
 # a sandbox is stated, and so is its absence
 expect 0 "the code is its owner's" "$grade" solution moved --trusted

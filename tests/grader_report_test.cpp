@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "catch.h"
+#include "convert/formats.h"
 #include "convert/read_record.h"
 #include "diagnosis/diagnosis.h"
 #include "records.h"
@@ -104,6 +105,53 @@ TEST_CASE("printable text keeps what people write and ends somewhere") {
     CHECK(printable("a\rb\x01"
                     "c") == "ab?c");
     CHECK(printable(std::string(5000, 'x'), 100).size() < 110);
+}
+
+TEST_CASE("an annotation stands at the line that is named, by the compiler or by a hint") {
+    const auto line = [](const std::string& message) {
+        Record record;
+        FragmentRecord fragment;
+        fragment.name = "moved", fragment.verdict = Verdict::did_not_build, fragment.message = message;
+        record.fragments = {fragment};
+        const std::string text = annotations(record);
+        return text.substr(0, text.find(",title"));
+    };
+    CHECK(line("fragments/moved.cpp:12:5: error: no") == "::error file=moved.cpp,line=12");
+    CHECK(line("it is squared: see line 19") == "::error file=moved.cpp,line=19");
+    CHECK(line("a line of words") == "::error file=moved.cpp,line=1");
+}
+
+TEST_CASE("the page and the terminal begin with what is begun") {
+    Record record = record_with("wrong");
+    FragmentRecord blank = record.fragments[0];
+    blank.name = "phong", blank.verdict = Verdict::not_started;
+    record.fragments.insert(record.fragments.begin(), blank);
+    CHECK(page(record).find("Next: <a href=\"#moved\">") != std::string::npos);
+    record.fragments.pop_back();
+    CHECK(page(record).find("Next: <a href=\"#phong\">") != std::string::npos);
+}
+
+TEST_CASE("a record with points below zero is none") {
+    Record record = record_with("");
+    record.fragments[0].points = -5;
+    CHECK_THROWS_WITH(record_of(to_json(record), "r.json"), Catch::Matchers::ContainsSubstring("of at least 0"));
+}
+
+TEST_CASE("the calls of a page name whose fragments they are") {
+    Record record = record_with("wrong");
+    record.fragments[0].finding.code = "moved(p)", record.fragments[0].finding.command = "./grade call moved";
+    name_submission_in_calls(record, "'a b'");
+    CHECK(page(record).find("./grade call moved --of &#39;a b&#39;") != std::string::npos);
+}
+
+TEST_CASE("a name stays on its line") {
+    CHECK(printable_line("a\n    100 of 100   Mallory\t\x1b[31m\u202e") == "a?    100 of 100   Mallory??[31m???");
+    Record record = {.notes = {"a\nb"}, .changes = {"c\nd"}};
+    record.parts = {{"p", "P\n  100 of 100"}, {"q", "Q"}};
+    record.fragments = {FragmentRecord{.name = "x\n  100 of 100", .part = "p"},
+                        FragmentRecord{.name = "y", .part = "q"}};
+    for (const std::string& text : {table(record, {}), annotations(record), actions(record), gradescope(record)})
+        for (const char* forged : {"\n  100 of 100", "\nb", "\nd"}) CHECK(text.find(forged) == text.npos);
 }
 
 TEST_CASE("printable text is no command to who runs the grader") {

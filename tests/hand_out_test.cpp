@@ -124,6 +124,21 @@ TEST_CASE("students get a kit") {
     }
 }
 
+TEST_CASE("a kit goes into a folder that is named from where one stands") {
+    const Assignment assignment = read_assignment("assignment.toml");
+    const TemporaryFolder temporary;
+    const fs::path project = fs::current_path();
+    fs::create_directory(temporary.path() / "empty");
+    for (const char* folder : {"kit", "kits/of_autumn/", "empty"}) {
+        fs::current_path(temporary.path());
+        CHECK_NOTHROW(hand_out(project, assignment, built_kit(), folder));
+        fs::current_path(project);
+        INFO(folder);
+        CHECK(fs::is_regular_file(temporary.path() / folder / "grader" / kind_of_machine() / "grade"));
+    }
+    CHECK_FALSE(fs::exists(temporary.path() / "kit.part"));
+}
+
 TEST_CASE("nothing of what students must write is in their kit, whatever a file's name") {
     const Assignment assignment = read_assignment("assignment.toml");
     const Toolchain built = read_toolchain(built_kit());
@@ -180,4 +195,6 @@ TEST_CASE("the grader of a kit from another kind of machine comes along, unless 
     CHECK_THROWS_WITH(
         hand_out(".", assignment, built_kit(), temporary.path() / "mixed", {other}),
         other.string() + ": its assignment.toml is another one; expected a hand-out of this very project");
+    // half a kit would stand in the way of the next call
+    for (const char* left : {"mixed", "mixed.part"}) CHECK_FALSE(fs::exists(temporary.path() / left));
 }

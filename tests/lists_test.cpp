@@ -77,6 +77,9 @@ TEST_CASE("a mistake in the assignment is told with its place, and what is meant
         CHECK_THAT(complaint(entry, std::string("{ name = \"integrate_uniform\", points = ") + points + " }"),
                    EndsWith("; expected a number from 0 to 1000"));
     CHECK_THAT(complaint(entry, "{ name = \"integrate_uniform\", point = 2 }"), EndsWith("expected 'points'?"));
+    CHECK_THAT(complaint(entry, "{ name = \"integrate_uniform\", points = 4, given = true }"),
+               EndsWith("is of a fragment that is handed out filled in; expected no points, or given = false"));
+    CHECK(complaint(entry, "{ name = \"integrate_uniform\", points = 0, given = true }").empty());
     CHECK_THAT(complaint(entry, "{ name = \"phong\", points = 2 }"),
                EndsWith(": a second fragment 'phong'; expected each name once"));
     CHECK_THAT(complaint("fragments = [", "fragment = ["), EndsWith("expected 'fragments'?"));

@@ -41,6 +41,17 @@ expect 0 "next: mend starter/fragments/phong.cpp, then ./grade phong" ./grade hi
 expect 1 "must be" ./grade call phong
 expect 1 "" grep -q "Since the last run" <(./grade phong)
 
+# all anew, and kept for the next
+expect 1 "" grep -q "as before" <(./grade --fresh phong)
+expect 0 "checks as before" ./grade phong
+# a file that is missing goes where the others are
+mv starter/fragments/moved.cpp "$work/moved.cpp"
+expect 0 "next: fill in starter/fragments/moved.cpp" ./grade moved
+mv "$work/moved.cpp" starter/fragments/
+# another map, which is right, is not what the solution gives
+sed 's/u\.x/u.t/g; s/u\.y/u.x/g; s/u\.t/u.y/g' "$solution/uniform_disk.cpp" >starter/fragments/uniform_disk.cpp
+expect 0 "another map is as good" ./grade call uniform_disk 'u = (0.3, 0.2)'
+
 # yours, the right one, the difference
 expect 0 "of the pixels differ" ./grade picture scenes/phong.toml --mine phong -o "$work/a.png" --size 60x40
 for file in a.png a_mine.exr a_right.exr a_difference.exr; do expect 0 "$file" ls "$work/$file"; done

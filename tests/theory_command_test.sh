@@ -15,9 +15,10 @@ theory=("$grade" --toolchain "$work/toolchain.toml" theory)
 mine=$work/starter/theory.toml
 
 expect 2 "starter/theory.toml:1:1: cannot be read" "${theory[@]}"
+expect 2 "--name: is empty; expected your name" "${theory[@]}" --name ""
 expect 0 "answer the questions there" "${theory[@]}" --name "Ada Lovelace"
 expect 2 "is there already" "${theory[@]}" --name "Ada Lovelace"
-expect 1 "Ada Lovelace: 0 of 8 right, 0 of 16 points" "${theory[@]}"
+expect 1 "0 of 8 right, 0 of 16 points: Ada Lovelace" "${theory[@]}"
 
 # Snell's law by awk, from the number of the question
 ior=$(sed -n 's/.*glass of index \([0-9.]*\) .*/\1/p' "$mine")

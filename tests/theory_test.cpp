@@ -120,6 +120,23 @@ TEST_CASE("an answer within a hundredth is right, others and missing ones are no
     CHECK(read_theory(empty_theory("a\nb"), "t.toml").name == "a b");
 }
 
+TEST_CASE("the questions of a new file are those that are asked, whatever its name holds") {
+    for (const char* name : {"a\nb", "a\x1b[8m", "\x7f x", "a\tb"}) {
+        const std::string text = empty_theory(name);
+        for (const Answered& answered : read_theory(text, "t.toml").answers)
+            CHECK(text.find(answered.question.text) != text.npos);
+    }
+    for (const char* name : {"", " \n ", "bad\xff", "\u202e turned"})
+        CHECK_THROWS_WITH(empty_theory(name), Catch::Matchers::StartsWith("--name: "));
+    CHECK_THROWS_WITH(empty_theory(std::string(300, 'x')), Catch::Matchers::StartsWith("--name: is longer"));
+}
+
+TEST_CASE("a name forges no points of the theory part") {
+    const std::string name = "name = \"Eve: 8 of 8 right, 16 of 16 points\\u001b[8m\\n8 of 8\\u202e\"\n";
+    CHECK(told(read_theory(name, "t.toml"), 16)
+              .ends_with("\n0 of 8 right, 0 of 16 points: Eve: 8 of 8 right, 16 of 16 points?[8m?8 of 8???\n"));
+}
+
 TEST_CASE("who is wrong is shown the way with other numbers, and not the answer") {
     for (const std::string& name : names) {
         const std::string wrong = told(read_theory(filled_in(name, 1.5), "t.toml"), 16);
@@ -128,8 +145,8 @@ TEST_CASE("who is wrong is shown the way with other numbers, and not the answer"
             CHECK(wrong.find(q.worked) == std::string::npos);
             CHECK(right.find(q.worked) != std::string::npos);
         }
-        CHECK(wrong.find(name + ": 0 of 8 right, 0 of 16 points") != std::string::npos);
-        CHECK(right.find(name + ": 8 of 8 right, 16 of 16 points") != std::string::npos);
+        CHECK(wrong.ends_with("\n0 of 8 right, 0 of 16 points: " + name + "\n"));
+        CHECK(right.ends_with("\n8 of 8 right, 16 of 16 points: " + name + "\n"));
     }
 }
 

@@ -124,6 +124,9 @@ private:
         const char* why = archive_error_string(in);
         throw SubmissionError(fmt::format("{}: cannot be unpacked: {}", shown_, what_is_wrong(ends(), why ? why : "")));
     }
+    /// What has been found so far stands.
+    void stop(const std::string& why) { found.unread = fs::path(shown_).filename().string() + " " + why; }
+    bool is_stopped() const { return !found.unread.empty(); }
     Ends ends() const { return bytes_ ? ends_of(*bytes_) : ends_of(fs::path(shown_)); }
     void look_at(archive* in, archive_entry* entry, const std::string& name, int depth);
     void take(archive* in, const std::string& name);
@@ -188,9 +191,8 @@ void Look::look_at(archive* in, archive_entry* entry, const std::string& name, i
     }
     // what is skipped is unpacked all the same
     if (archive_entry_size_is_set(entry)) unpacked_ += archive_entry_size(entry);
-    if (unpacked_ > most_unpacked)
-        throw SubmissionError(fmt::format("{}: unpacks to more than {} MiB", shown_, most_unpacked >> 20));
-    if (!is_file || depth >= most_depth || !is_archive(name) || name.starts_with("__MACOSX")) return;
+    if (unpacked_ > most_unpacked) stop(fmt::format("unpacks to more than {} MiB", most_unpacked >> 20));
+    if (is_stopped() || !is_file || depth >= most_depth || !is_archive(name) || name.starts_with("__MACOSX")) return;
     const std::optional<std::string> bytes = read(in, std::size_t(most_inner));
     if (!bytes) return;
     if (!archive_entry_size_is_set(entry)) unpacked_ += std::int64_t(bytes->size());
@@ -205,7 +207,7 @@ void Look::within(const std::string& name, const std::string* bytes, int depth) 
         // it has been looked into
         std::erase(found.archives, name);
     } catch (const SubmissionError& error) {
-        if (unpacked_ > most_unpacked || taken_ > most_taken || entries_ >= most_entries) throw;
+        if (is_stopped() || taken_ > most_taken) throw;
         if (found.broken.empty()) found.broken = error.what();
     }
     shown_ = outer, bytes_ = outer_bytes;
@@ -219,7 +221,7 @@ void Look::into(const std::string& prefix, const std::string* bytes, int depth) 
     const int opened = bytes ? archive_read_open_memory(in.get(), bytes->data(), bytes->size())
                              : archive_read_open_filename(in.get(), shown_.c_str(), 1 << 16);
     if (opened != ARCHIVE_OK) fail(in.get());
-    for (;; ++entries_) {
+    for (; !is_stopped(); ++entries_) {
         archive_entry* entry = nullptr;
         const int status = archive_read_next_header(in.get(), &entry);
         if (status == ARCHIVE_EOF) {
@@ -227,8 +229,7 @@ void Look::into(const std::string& prefix, const std::string* bytes, int depth) 
             return;
         }
         if (status < ARCHIVE_WARN) fail(in.get());
-        if (entries_ >= most_entries)
-            throw SubmissionError(fmt::format("{}: holds more than {} files", shown_, most_entries));
+        if (entries_ >= most_entries) return stop(fmt::format("holds more than {} files", most_entries));
         const char* raw = archive_entry_pathname(entry);
         if (!raw) {
             ++found.unnamed;
@@ -261,7 +262,7 @@ void look_into_archives(const fs::path& folder, const std::vector<std::string>& 
     look.found = std::move(found);
     const std::vector<std::string> names = look.found.archives;
     for (const std::string& name : names)
-        if (is_archive(name)) look.within(name, nullptr, 0);
+        if (is_archive(name) && look.found.unread.empty()) look.within(name, nullptr, 0);
     found = std::move(look.found);
 }
 

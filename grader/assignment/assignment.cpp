@@ -11,7 +11,7 @@ namespace grade {
 
 namespace {
 
-constexpr rt::Limits points{.low = 0, .high = 1000};
+constexpr rt::Limits points{.low = 0, .high = most_points};
 
 /// visibility  its part's
 Fragment read_fragment(const rt::Table& entry, const std::string& part, int visibility,
@@ -25,7 +25,8 @@ Fragment read_fragment(const rt::Table& entry, const std::string& part, int visi
                    nearest ? rt::in_quotes(*nearest) + "?" : "one that starter/rt/fragments.h declares");
     }
     fragment.points = entry.number("points", points, fragment.given ? std::optional(0.0) : std::nullopt);
-    if (fragment.given) fragment.points = 0;
+    if (fragment.given && fragment.points > 0)
+        entry.fail("points", "is of a fragment that is handed out filled in", "no points, or given = false");
     return fragment;
 }
 

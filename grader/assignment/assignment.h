@@ -13,6 +13,9 @@ namespace grade {
 /// too.
 constexpr std::array<std::string_view, 4> visibilities = {"visible", "after_due_date", "after_published", "hidden"};
 
+/// Of one fragment.
+constexpr double most_points = 1000;
+
 struct Part {
     std::string name, title;
 };

@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "assignment/strip.h"
+#include "authoring/names.h"
 #include "authoring/skeleton.h"
 #include "files/files.h"
 #include "rt/files/scene_reader.h"
@@ -16,16 +17,6 @@ namespace grade::authoring {
 namespace {
 
 const fs::path header_file = "starter/rt/fragments.h", list_file = "assignment.toml", handout_file = "handout.md";
-
-void require_name(const std::string& name) {
-    static const std::regex word("[a-z][a-z0-9_]*");
-    if (!std::regex_match(name, word))
-        throw rt::InputError(
-            fmt::format("{}: is no name; expected small letters, digits and _, as in hit_sphere", rt::in_quotes(name)));
-    if (name == "reflect" || name == "refract")
-        throw rt::InputError(
-            name + ": glm has a function of this name, which would be called in its place; expected another one");
-}
 
 void require_new(const fs::path& project, const fs::path& file) {
     if (fs::exists(project / file))
@@ -169,6 +160,7 @@ Files new_fragment(const fs::path& project, const Assignment& assignment, const 
     if (declaration_of(name, header) || std::ranges::count(assignment.names(), name) > 0)
         throw rt::InputError(fmt::format("{}: {} or {} has it already; expected a new name", name, header_file.string(),
                                          list_file.string()));
+    require_free_name(project, name);
 
     const Declaration declaration = declare(header, fragment);
     const std::string before = place_for(assignment, fragment);
@@ -219,16 +211,19 @@ Files new_check(const fs::path& project, const std::string& name, const std::str
     const auto after = [&](std::string_view words, std::size_t from) {
         return from == text.npos ? text.npos : text.find(words, from);
     };
+    constexpr std::string_view joined = "    return joined(";
     const std::size_t list = after("return {", function), in_lines = after("};\n}", list),
                       in_line = after("}; }\n", list);
     if (const std::size_t at = std::min(in_lines, in_line); at != text.npos)
         text.insert(at, ", " + call);
     else if (const std::size_t all = after("    return checks;\n}", function); all != text.npos)
         text.insert(all, "    checks.push_back(" + call + ");\n");
+    else if (const std::size_t sum = after(joined, function), end = after(");\n}", sum); end != text.npos)
+        text.insert(end, "), {" + call + "}").insert(sum + joined.size(), "joined(");
     else
         throw rt::InputError(
-            fmt::format("{}:1:1: its function returns neither a list nor `checks`; expected return {{...}}; "
-                        "to which {} can be added",
+            fmt::format("{}:1:1: its function returns neither a list nor `checks` nor joined(...); expected one of "
+                        "them, to which {} can be added",
                         file.string(), call));
     text.insert(function + 1, check_skeleton(project, *declaration, name, id_in(text)));
     return {{file, text}};
@@ -236,6 +231,10 @@ Files new_check(const fs::path& project, const std::string& name, const std::str
 
 Files new_variant(const fs::path& project, const NewVariant& variant) {
     require_name(variant.name);
+    // lines of the patch's head, which is read again
+    for (const auto& [option, words] : {std::pair("--what", &variant.what), {"--says", &variant.says}})
+        if (words->find('\n') != words->npos)
+            throw rt::InputError(fmt::format("{}: has several lines; expected one", option));
     const fs::path solution = "solution/" + variant.fragment + ".cpp", folder = "tests/variants";
     const std::string text = must_read(project / solution);
     const std::size_t at = variant.old_text.empty() ? text.npos : text.find(variant.old_text);

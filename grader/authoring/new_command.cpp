@@ -10,6 +10,7 @@
 #include "programs/toolchain.h"
 #include "rt/files/scene_reader.h"
 #include "studies/commands.h"
+#include "studies/numbers.h"
 #include "studies/studies.h"
 
 namespace grade::authoring {
@@ -31,7 +32,9 @@ CLI::App* add_fragment(CLI::App& app, NewFragment& fragment) {
     command->add_option("--declare", fragment.declaration, "another signature: 'DiskSample ring(Real inner, vec2 u)'")
         ->type_name("CODE");
     command->add_option("--part", fragment.part, "where it comes last; default: after OTHER, else the last part");
-    command->add_option("--points", fragment.points, "of 100 or so")->capture_default_str()->check(CLI::PositiveNumber);
+    command->add_option("--points", fragment.points, "of 100 or so")
+        ->capture_default_str()
+        ->check(in_range(0, most_points));
     return command;
 }
 

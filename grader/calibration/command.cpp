@@ -57,7 +57,7 @@ int run_calibrate(const CalibrateArguments& arguments, const Context& context) {
     const Summary summary = summarize(workshop, arguments.jobs, tell);
     line.clear();
     const fs::path out = arguments.out.empty() ? workshop.results() : fs::path(arguments.out);
-    fs::create_directories(out);
+    make_folder(out, "--out");
     const std::string text = calibration_report(summary, context.command, "calibration.svg");
     write_text(out / "calibration.md", text);
     handout_beside(out, workshop.chain().source);

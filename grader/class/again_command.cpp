@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -7,6 +6,7 @@
 #include <memory>
 
 #include "class/compare.h"
+#include "class/compare_classes.h"
 #include "class/results.h"
 #include "convert/read_record.h"
 #include "convert/tables.h"
@@ -15,6 +15,7 @@
 #include "files/interrupt.h"
 #include "judging/grading.h"
 #include "judging/provenance.h"
+#include "report/escape.h"
 #include "report/json.h"
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
@@ -56,13 +57,7 @@ Record grade_as(const Record& before, const AgainArguments& arguments, const Con
 
 void tell_differences(const Record& before, const Record& after) {
     if (before.sha256 != after.sha256) fmt::print("the submission has other texts\n");
-    for (const std::string& line : made_differently(before, after)) fmt::print("{}\n", line);
-}
-
-/// The row of the same student in another list; null: there is none.
-const Result* of_student(const std::vector<Result>& list, const Result& result) {
-    const auto found = std::ranges::find(list, result.student.key(), [](const Result& r) { return r.student.key(); });
-    return found == list.end() ? nullptr : &*found;
+    for (const std::string& line : made_differently(before, after)) fmt::print("{}\n", printable_line(line));
 }
 
 /// The better of both, by student: those of `after`, and of `before` whom it lacks.
@@ -79,36 +74,6 @@ std::vector<TableRow> better_of(const std::vector<Result>& before, const std::ve
     return rows;
 }
 
-std::string score_or_none(const std::optional<Record>& record) {
-    return record ? short_number(record->score()) : "none";
-}
-
-/// Whether any points differ.
-bool compare_classes(const std::vector<Result>& before, const std::vector<Result>& after) {
-    int rise = 0, fall = 0, same = 0;
-    for (const Result& b : after) {
-        const Result* a = of_student(before, b);
-        if (!a) {
-            fmt::print("{}: new, {}\n", b.student.name, score_or_none(b.record));
-            continue;
-        }
-        const double gained = (b.record ? b.record->score() : 0) - (a->record ? a->record->score() : 0);
-        const auto changes = a->record && b.record ? changes_between(*a->record, *b.record) : std::vector<Change>{};
-        rise += gained > 0, fall += gained < 0, same += gained == 0;
-        if (gained == 0 && changes.empty()) continue;
-        fmt::print("{}: {}, was {} ({:+g})\n{}", b.student.name, score_or_none(b.record), score_or_none(a->record),
-                   gained, lines_of(changes));
-    }
-    for (const Result& a : before)
-        if (!of_student(after, a)) fmt::print("{}: gone, was {}\n", a.student.name, score_or_none(a.record));
-    const auto graded = [](const Result& r) { return r.record.has_value(); };
-    const auto a = std::ranges::find_if(before, graded), b = std::ranges::find_if(after, graded);
-    if (a != before.end() && b != after.end())
-        for (const std::string& line : made_differently(*a->record, *b->record)) fmt::print("{}\n", line);
-    fmt::print("{} rise, {} fall, {} as before\n", rise, fall, same);
-    return rise + fall > 0;
-}
-
 /// With the record's seed, selection and limits, into a new record. Returns the exit code.
 int run_replay(const AgainArguments& arguments, const Context& context) {
     const Record before = read_record(arguments.record);
@@ -123,7 +88,7 @@ int run_replay(const AgainArguments& arguments, const Context& context) {
             fmt::format("{}: is there already; expected a new file: no record is overwritten", out.string()));
     const Record after = grade_as(before, arguments, context);
     write_text(out, to_json(after));
-    fmt::print("{}\n", table(after, {.color = bool(isatty(STDOUT_FILENO))}));
+    fmt::print("{}\n", table(after, {.color = has_colors()}));
     tell_differences(before, after);
     fmt::print("{}{}\n", lines_of(changes_between(before, after)), out.string());
     return 0;
@@ -163,10 +128,14 @@ struct CompareArguments {
     std::string before, after, better;
 };
 
-/// Whose points rise or fall between two records or two graded classes, and why. Returns the exit code: 0 where none
-/// do, else 1.
+/// What is another between two records or two graded classes, and why. Returns the exit code: 0 where nothing is, else
+/// 1.
 int run_compare(const CompareArguments& arguments) {
     std::error_code error;
+    for (const std::string& side : {arguments.before, arguments.after})
+        if (!fs::exists(side, error))
+            throw rt::InputError(side + ": not there; expected a record, or what grade class has written");
+    require_file(arguments.better, "--better");
     const bool classes = fs::is_directory(arguments.before, error);
     if (classes != fs::is_directory(arguments.after, error))
         throw rt::InputError(fmt::format("{} and {}: one is a record, one a class; expected two of a kind",
@@ -174,7 +143,9 @@ int run_compare(const CompareArguments& arguments) {
     if (classes) {
         const std::vector<Result> before = read_list(arguments.before), after = read_list(arguments.after);
         if (!arguments.better.empty()) write_text(arguments.better, csv_table(better_of(before, after)));
-        return compare_classes(before, after) ? 1 : 0;
+        const Comparison all = compare_classes(before, after);
+        fmt::print("{}", all.text);
+        return all.same ? 0 : 1;
     }
     if (!arguments.better.empty()) throw rt::InputError("--better is for two classes; expected their folders");
     const Record before = read_record(arguments.before), after = read_record(arguments.after);

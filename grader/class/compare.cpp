@@ -86,7 +86,7 @@ std::string lines_of(const std::vector<Change>& changes) {
     std::string text;
     for (const Change& change : changes)
         text += fmt::format("  {:>5} -> {:<5} {}: {}\n", short_number(change.before), short_number(change.after),
-                            change.fragment, change.why);
+                            printable_line(change.fragment), printable_line(change.why));
     return text;
 }
 

@@ -21,7 +21,7 @@ namespace {
 /// A name that any file system takes, and any address: the letters of all languages, digits, and little else.
 std::string safe_name(const std::string& name) {
     std::string safe;
-    for (const char c : printable(name, 100)) {
+    for (const char c : printable_line(name, 100)) {
         const auto byte = static_cast<unsigned char>(c);
         safe += std::isalnum(byte) || byte >= 0x80 || c == '-' || c == '.' ? c : '_';
     }
@@ -42,7 +42,7 @@ std::string named(const char* what, const std::vector<Result>& results, bool (*i
     std::string text;
     std::size_t count = 0;
     for (const Result& result : results)
-        if (is_so(result) && ++count <= most) text += (count > 1 ? ", " : "") + printable(result.path, 100);
+        if (is_so(result) && ++count <= most) text += (count > 1 ? ", " : "") + printable_line(result.path, 100);
     if (count > most) text += fmt::format(" and {} more", count - most);
     return text.empty() ? text : fmt::format("; {}: {}", what, text);
 }
@@ -73,7 +73,9 @@ void write_class(const fs::path& out, const std::vector<Result>& results, const 
     for (std::size_t i = 0; i < results.size(); ++i) {
         if (!results[i].record) continue;
         write_changed(out / (places[i] + ".json"), to_json(*results[i].record));
-        write_changed(out / (places[i] + ".html"), page(*results[i].record, ""));
+        Record shown = *results[i].record;
+        name_submission_in_calls(shown, "SUBMISSION");
+        write_changed(out / (places[i] + ".html"), page(shown, ""));
     }
     const std::vector<TableRow> rows = rows_of(results);
     write_changed(out / "class.csv", csv_table(rows));
@@ -91,7 +93,7 @@ std::string class_table(const std::vector<Result>& results) {
     double sum = 0, most = 0;
     int count = 0;
     for (const Result& result : results) {
-        std::string name = printable(result.student.name, 40);
+        std::string name = printable_line(result.student.name, 40);
         if (result.student.is_late) name += " (late)";
         if (result.record) {
             text += fmt::format("{:>7} of {:<5} {}\n", short_number(result.record->score()),
@@ -99,9 +101,10 @@ std::string class_table(const std::vector<Result>& results) {
             sum += result.record->score(), most = result.record->max_score(), ++count;
         } else {
             text += fmt::format("{:>16} {}{}\n", result.fault.empty() ? "not graded yet" : "no points", name,
-                                result.fault.empty() ? "" : ": " + printable(result.fault, 200));
+                                result.fault.empty() ? "" : ": " + printable_line(result.fault, 200));
         }
-        for (const std::string& note : result.notes) text += fmt::format("{:17}note: {}\n", "", printable(note, 300));
+        for (const std::string& note : result.notes)
+            text += fmt::format("{:17}note: {}\n", "", printable_line(note, 300));
     }
     text += fmt::format("{}, {} graded", counted(results.size()), count);
     if (count > 0) text += fmt::format("; mean {} of {}", short_number(sum / count), short_number(most));

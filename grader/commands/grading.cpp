@@ -1,13 +1,14 @@
 #include "commands/commands.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <future>
 #include <memory>
 
 #include "commands/last_run.h"
+#include "commands/run.h"
 #include "commands/watch.h"
 #include "commands/words.h"
 #include "files/files.h"
@@ -17,11 +18,13 @@
 #include "judging/provenance.h"
 #include "programs/cache.h"
 #include "programs/process.h"
+#include "report/escape.h"
 #include "report/folder.h"
 #include "report/json.h"
 #include "report/page.h"
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
+#include "studies/numbers.h"
 
 namespace grade {
 
@@ -59,11 +62,13 @@ public:
           chosen_(choose(arguments.words, chain_, assignment_)),
           command_(context.command),
           settings_(arguments.settings) {
-        require_folder_of(arguments.json, "--json");
+        require_file(arguments.json, "--json");
         cache_ = cache_folder(chain_);
         // what its user edits gets the page as well
         const bool whole = chosen_.own && chosen_.fragments.empty() && !arguments.watch;
         html_ = page_folder(arguments.html, whole, chain_);
+        if (!arguments.html.empty()) make_folder(html_, "--html");
+        if (!arguments.settings.build.keep.empty()) make_folder(arguments.settings.build.keep, "--keep");
         set_up();
         // their closed forms take a while: meanwhile the fragments are compiled
         checks_ = std::async(std::launch::async, all_checks, settings_.seed).share();
@@ -71,7 +76,7 @@ public:
     }
 
     const Chosen& chosen() const { return chosen_; }
-    Reader reader() const { return {bool(isatty(STDOUT_FILENO)), chosen_.own, folder_}; }
+    Reader reader() const { return {has_colors(), chosen_.own, folder_}; }
     const Assignment& assignment() const { return assignment_; }
 
     Record grade() {
@@ -114,9 +119,7 @@ public:
     /// What to do next, last of all that is said.
     void tell_next(const Record& record) const {
         if (!chosen_.own || !cache_) return;
-        const std::string within =
-            fs::path(record.fragments.empty() ? "" : record.fragments.front().file).parent_path();
-        const std::string folder = folder_ + (within.empty() ? "" : within + "/");
+        const std::string folder = folder_ + place_of_fragments(record);
         std::vector<std::string> names = assignment_.names();
         const std::set<std::string> asked = assignment_.asked();
         std::erase_if(names, [&](const std::string& name) { return !asked.contains(name); });
@@ -135,12 +138,26 @@ public:
                 record.own_picture_scene = own_scene_.filename().string();
                 record.own_picture_fault = error.what();
             }
+        if (!chosen_.own) name_submission_in_calls(record, as_typed(chosen_.submission));
         grade::write_page(html_, "index.html", page(record, handout_beside(html_, chain_.source)));
         line.clear();
+        if (!record.own_picture_fault.empty())
+            fmt::print("no picture of your own: {}\n", printable_line(record.own_picture_fault));
         fmt::print("page: {}\n", (html_ / "index.html").string());
     }
 
 private:
+    /// Where the files of fragments are, within the submission, also where the first of them is missing.
+    std::string place_of_fragments(const Record& record) const {
+        const auto there = std::ranges::find_if(record.fragments,
+                                                [](const FragmentRecord& fragment) { return !fragment.file.empty(); });
+        std::error_code error;
+        if (there == record.fragments.end())
+            return fs::is_directory(fs::path(chosen_.submission) / "fragments", error) ? "fragments/" : "";
+        const std::string within = fs::path(there->file).parent_path().string();
+        return within.empty() ? "" : within + "/";
+    }
+
     void set_up() {
         if (chosen_.own) folder_ = from_here(chosen_.submission);
         settings_.only = chosen_.fragments;
@@ -149,8 +166,8 @@ private:
         settings_.pictures = !html_.empty() || chosen_.own;
         // a kit grades the code of its own user
         settings_.build.trusted |= chain_.is_kit && chosen_.own;
-        if (chosen_.own && cache_ && !arguments_.fresh && settings_.build.keep.empty())
-            settings_.build.kept = Kept(*cache_ / "kept", chain_);
+        if (chosen_.own && cache_ && settings_.build.keep.empty())
+            settings_.build.kept = Kept(*cache_ / "kept", chain_, !arguments_.fresh);
         const fs::path gallery = chain_.source / "scenes/gallery/everything.toml";
         if (!arguments_.own_scene.empty())
             rt::read_scene(arguments_.own_scene);  // says what is wrong with it, before all the work
@@ -207,18 +224,20 @@ Command grade_command(CLI::App& app) {
     app.add_option("--seed", arguments->seed,
                    "of all parameters and random numbers; default: 1 for the starter, else a fresh one")
         ->type_name("N")
-        ->check(CLI::NonNegativeNumber);
+        ->check(is_seed());
     app.add_option("--json", arguments->json, "write the record of the grading")->type_name("FILE");
     app.add_option("--html", arguments->html,
                    "write a page with all pictures into this folder; a whole starter always gets one")
         ->type_name("DIR");
-    app.add_option("--require", arguments->required, "exit with 1 below so many points")->type_name("POINTS");
+    app.add_option("--require", arguments->required, "exit with 1 below so many points")
+        ->type_name("POINTS")
+        ->check(in_range(0, 1e6));
     app.add_option("--jobs", arguments->settings.build.jobs,
                    "how many programs run at a time; default: one for each core")
         ->check(CLI::Range(1, 1024));
     app.add_option("--time-limit", arguments->settings.time_limit, "CPU seconds for one answer of a fragment")
         ->capture_default_str()
-        ->check(CLI::Range(1.0, 600.0));
+        ->check(in_range(1, 600));
     app.add_option("--keep", arguments->settings.build.keep, "leave objects and programs in this folder")
         ->type_name("DIR");
     app.add_option("--picture", arguments->own_scene, "the scene of the submission's own picture on the page")

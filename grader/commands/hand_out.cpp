@@ -12,6 +12,7 @@
 #include "hand_out/gradescope.h"
 #include "judging/grading.h"
 #include "rt/files/scene_reader.h"
+#include "studies/numbers.h"
 
 namespace grade {
 
@@ -26,7 +27,7 @@ struct HandOutArguments {
 
 /// Makes a kit. Returns the exit code.
 int run_hand_out(const HandOutArguments& arguments, const Context& context) {
-    require_folder_of(arguments.gradescope, "--gradescope");
+    require_file(arguments.gradescope, "--gradescope");
     const Toolchain chain = read_toolchain(context.toolchain);
     if (chain.is_kit)
         throw rt::InputError(
@@ -60,6 +61,7 @@ Command hand_out_command(CLI::App& app) {
             ->type_name("ZIP");
     command->add_option("--seed", arguments->seed, "of all gradings there; default: a fresh one")
         ->type_name("N")
+        ->check(is_seed())
         ->needs(zip);
     command->add_flag("--installed", arguments->installed, "what cmake --install puts below /usr")->group("");
     return {command, [arguments](const Context& context) { return run_hand_out(*arguments, context); }};

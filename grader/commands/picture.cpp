@@ -18,6 +18,7 @@
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
 #include "rt/files/toml_table.h"
+#include "studies/numbers.h"
 
 namespace grade {
 
@@ -113,6 +114,9 @@ std::string place_of_fault(const PictureArguments& arguments, const ComparedSett
 void require_scene(const std::string& scene, std::vector<std::string> words, const fs::path& scenes) {
     std::error_code error;
     if (fs::exists(scene, error)) {
+        // a device may have no end
+        if (!fs::is_regular_file(scene, error))
+            throw rt::InputError(scene + ": is no regular file; expected a scene, as scenes/checkerboard.toml");
         rt::read_scene(scene);
         return;
     }
@@ -136,7 +140,7 @@ int run_picture(const PictureArguments& arguments, const Context& context) {
     const Rows calls = is_warp ? calls_of_warp(arguments.scene, arguments.with, chain) : Rows();
     if (!is_warp) require_scene(arguments.scene, names, chain.source / "scenes");
     const fs::path out = arguments.out.empty() ? default_out(arguments.scene) : fs::path(arguments.out);
-    require_folder_of(out.string(), "--out");
+    require_file(out.string(), "--out");
     if (out.extension() != ".png")
         throw rt::InputError(out.string() + ": unknown kind of image; expected --out NAME.png");
 
@@ -216,11 +220,13 @@ Command picture_command(CLI::App& app) {
         ->delimiter('x')
         ->expected(2)
         ->check(CLI::Range(1, 8192));
-    picture->add_option("--seed", arguments->settings.seed, "of both pictures")->capture_default_str();
+    picture->add_option("--seed", arguments->settings.seed, "of both pictures")
+        ->capture_default_str()
+        ->check(is_seed());
     picture
         ->add_option("--time-limit", arguments->settings.time_limit,
                      "CPU seconds for one picture; default: 5, and of a scene 10 times what the right one takes")
-        ->check(CLI::Range(1.0, 600.0));
+        ->check(in_range(1, 600));
     picture->add_flag("--trusted", arguments->trusted, "the code is your own: limits, but no sandbox");
     return {picture, [arguments](const Context& context) { return run_picture(*arguments, context); }};
 }

@@ -17,6 +17,7 @@ namespace {
 
 struct TheoryArguments {
     std::string submission, name;
+    const CLI::Option* new_file = nullptr;  // --name
 };
 
 int write_new(const std::string& file, const std::string& name) {
@@ -37,7 +38,7 @@ int run_theory(const TheoryArguments& arguments, const Context& context) {
         throw rt::InputError("this course has no theory part: its assignment.toml has no [theory] with points");
     const fs::path folder = arguments.submission.empty() ? chain.source / "starter" : fs::path(arguments.submission);
     const std::string file = (folder / "theory.toml").string();
-    if (!arguments.name.empty()) return write_new(file, arguments.name);
+    if (arguments.new_file->count() > 0) return write_new(file, arguments.name);
     const std::optional<std::string> text = read_text(file);
     if (!text)
         throw rt::InputError(file +
@@ -53,8 +54,9 @@ Command theory_command(CLI::App& app) {
     const auto arguments = std::make_shared<TheoryArguments>();
     CLI::App* theory = app.add_subcommand("theory", "check the answers of theory.toml, in the folder of a submission");
     theory->add_option("SUBMISSION", arguments->submission, "a folder; default: starter");
-    theory->add_option("--name", arguments->name, "write a new theory.toml, with the questions for this name")
-        ->type_name("NAME");
+    arguments->new_file =
+        theory->add_option("--name", arguments->name, "write a new theory.toml, with the questions for this name")
+            ->type_name("NAME");
     return {theory, [arguments](const Context& context) { return run_theory(*arguments, context); }};
 }
 

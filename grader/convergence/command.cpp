@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -18,6 +17,7 @@
 #include "report/terminal.h"
 #include "rt/files/scene_reader.h"
 #include "studies/commands.h"
+#include "studies/numbers.h"
 #include "studies/studies.h"
 
 namespace grade::convergence {
@@ -106,7 +106,7 @@ void add_programs(Bench& bench, Programs& programs, const Assignment& assignment
 ///
 /// project  whose handout the page leads to
 void write_report(const ConvergenceRecord& record, const fs::path& out, const fs::path& project) {
-    fs::create_directories(out);
+    make_folder(out, "--out");
     for (const SceneRecord& scene : record.scenes)
         for (const Against against : {Against::seconds, Against::rays})
             if (!scene.curves.empty()) write_text(out / plot_file(scene, against), log_log(error_plot(scene, against)));
@@ -122,8 +122,9 @@ int run_converge(const ConvergeArguments& arguments, const Context& context) {
     const Toolchain chain = read_toolchain(context.toolchain);
     const Assignment assignment = assignment_of(chain);
     check_amounts(arguments.amounts);
-    require_folder_of(arguments.json, "--json");
-    require_folder_of(arguments.csv, "--csv");
+    require_file(arguments.json, "--json");
+    require_file(arguments.csv, "--csv");
+    if (!arguments.out.empty()) make_folder(arguments.out, "--out");
     const auto scenes = scenes_of(arguments.words, chain.source);
     const Submission submission = read_submission(submission_of(arguments.words, chain.source), assignment.names());
 
@@ -161,7 +162,7 @@ int run_converge(const ConvergeArguments& arguments, const Context& context) {
     const bool own = std::ranges::all_of(arguments.words, [](const std::string& w) { return w.ends_with(".toml"); });
     const fs::path out = page_folder(arguments.out, own, chain);
     if (!out.empty()) write_report(record, out, chain.source);
-    fmt::print("{}", table(record, isatty(STDOUT_FILENO)));
+    fmt::print("{}", table(record, has_colors()));
     if (!out.empty()) fmt::print("page: {}\n", (out / "converge.html").string());
     const bool broken = std::ranges::any_of(record.scenes, [](const SceneRecord& s) { return !s.fault.empty(); });
     return arguments.require && (broken || record.is_biased()) ? 1 : 0;
@@ -193,10 +194,10 @@ Command converge_command(CLI::App& app) {
         ->check(CLI::Range(0, 4096));
     converge->add_option("--budget", amounts.budget, "CPU seconds for all pictures; the last levels are left out first")
         ->capture_default_str()
-        ->check(CLI::Range(0.1, 1e9));
+        ->check(in_range(0.1, 1e9));
     converge->add_option("--time-limit", amounts.time_limit, "CPU seconds for one picture")
         ->capture_default_str()
-        ->check(CLI::Range(1.0, 600.0));
+        ->check(in_range(1, 600));
     converge->add_option("--json", arguments->json, "write the record")->type_name("FILE");
     converge->add_option("--csv", arguments->csv, "write one line for each level")->type_name("FILE");
     converge->add_option("--out", arguments->out, "write a page with plots into this folder; starter gets one")

@@ -39,16 +39,17 @@ std::string command_text(const std::string& text, bool is_property) {
     return safe;
 }
 
-/// The line of the first error in "phong.cpp:12:5: error: ..."; else the first one.
+/// The line of the first error in "phong.cpp:12:5: error: ...", or that of a hint, "see line 12"; else the first one.
 int line_of(const FragmentRecord& fragment, const std::string& words) {
-    const std::string start = fragment.name + ".cpp:";
-    const std::size_t at = words.find(start);
-    int line = 0;
-    if (at != words.npos)
-        for (std::size_t i = at + start.size();
-             i < words.size() && words[i] >= '0' && words[i] <= '9' && line < 100'000; ++i)
-            line = 10 * line + (words[i] - '0');
-    return std::max(line, 1);
+    for (const std::string& start : {fragment.name + ".cpp:", std::string("line ")})
+        for (std::size_t at = 0; (at = words.find(start, at)) != words.npos;) {
+            at += start.size();
+            int line = 0;
+            for (std::size_t i = at; i < words.size() && words[i] >= '0' && words[i] <= '9' && line < 100'000; ++i)
+                line = 10 * line + (words[i] - '0');
+            if (line > 0) return line;
+        }
+    return 1;
 }
 
 /// As the repository has it, where the submission was a folder of it.
@@ -65,9 +66,10 @@ std::string annotation(const Record& record, const FragmentRecord& fragment) {
     const std::string words = words_on(fragment);
     const bool is_blank = fragment.verdict == Verdict::not_started;
     return fmt::format("::{} file={},line={},title={}::{}\n", is_blank ? "notice" : "error",
-                       command_text(printable(file_in_repository(record, fragment)), true), line_of(fragment, words),
-                       command_text(fmt::format("{}: {} of {} points", fragment.name, short_number(fragment.points),
-                                                short_number(fragment.max_points)),
+                       command_text(printable_line(file_in_repository(record, fragment)), true),
+                       line_of(fragment, words),
+                       command_text(fmt::format("{}: {} of {} points", printable_line(fragment.name),
+                                                short_number(fragment.points), short_number(fragment.max_points)),
                                     true),
                        command_text(words, false));
 }
@@ -98,11 +100,12 @@ std::string actions(const Record& record) {
         if (fragment.visibility != "visible") continue;
         const Diagnosis diagnosis = fragment.verdict == Verdict::passed ? Diagnosis{} : diagnose(fragment);
         const std::string row =
-            fmt::format("| `{}` | {} | {} of {} | {} |\n", fragment.name, in_words(fragment.verdict),
+            fmt::format("| `{}` | {} | {} of {} | {} |\n", printable_line(fragment.name), in_words(fragment.verdict),
                         short_number(fragment.points), short_number(fragment.max_points), cell(diagnosis.words));
         if (text.size() + row.size() + end.size() + 100 > most_summary)
-            text += fmt::format("| `{}` | {} | {} of {} | |\n", fragment.name, in_words(fragment.verdict),
-                                short_number(fragment.points), short_number(fragment.max_points));
+            text +=
+                fmt::format("| `{}` | {} | {} of {} | |\n", printable_line(fragment.name), in_words(fragment.verdict),
+                            short_number(fragment.points), short_number(fragment.max_points));
         else
             text += row;
     }

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -28,13 +27,14 @@ struct ConvertArguments {
 
 /// Throws rt::InputError for a record that is none or not complete.
 int run_convert(const ConvertArguments& arguments) {
+    require_file(arguments.out, "--out");
     const Record record = read_record(arguments.record);
     if (!record.is_complete())
         throw rt::InputError(fmt::format(
             "{}: this grading is not complete, it still runs or was stopped; expected one that ran to its end",
             arguments.record));
     const auto format = std::ranges::find(formats, arguments.format, &Format::name);
-    const std::string text = format->name == "terminal" && arguments.out.empty() && isatty(STDOUT_FILENO)
+    const std::string text = format->name == "terminal" && arguments.out.empty() && has_colors()
                                  ? table(record, {.color = true})
                                  : format->write(record);
     if (arguments.out.empty())

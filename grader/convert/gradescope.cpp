@@ -39,7 +39,7 @@ Json test_of(const Record& record, const FragmentRecord& fragment) {
 
 std::string summary(const Record& record) {
     std::string text = fmt::format("{}, seed {}\n", score_in_words(record), record.seed);
-    for (const std::string& note : record.notes) text += "Note: " + printable(note) + "\n";
+    for (const std::string& note : record.notes) text += "Note: " + printable_line(note) + "\n";
     if (std::ranges::any_of(record.fragments, [](const FragmentRecord& f) { return f.visibility != "visible"; }))
         text += "Some results are not shown yet; Gradescope shows no total as long as that is so.\n";
     return text;

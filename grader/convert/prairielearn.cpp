@@ -16,7 +16,7 @@ std::string prairielearn(const Record& record) {
     json["score"] = record.max_score() > 0 ? std::clamp(record.score() / record.max_score(), 0.0, 1.0) : 0.0;
     json["message"] = score_in_words(record);
     std::string notes;
-    for (const std::string& note : record.notes) notes += "Note: " + printable(note) + "\n";
+    for (const std::string& note : record.notes) notes += "Note: " + printable_line(note) + "\n";
     json["output"] = notes + fmt::format("seed {}; {}\n", record.seed, record.sandbox);
     json["tests"] = Json::array();
     for (const FragmentRecord& fragment : record.fragments)

@@ -36,6 +36,12 @@ struct Node {
     double number(const char* key) const { return at(key, &Json::is_number, "a number"); }
     bool flag(const char* key) const { return at(key, &Json::is_boolean, "true or false"); }
 
+    double amount(const char* key) const {
+        const double x = number(key);
+        if (!(x >= 0)) fail(key, "a number of at least 0");
+        return x;
+    }
+
     int count(const char* key) const {
         const double x = number(key);
         if (!(x >= 0 && x <= 1e9)) fail(key, "a count");
@@ -102,7 +108,7 @@ Trouble trouble_of(const Node& node) {
 CheckRecord check_of(const Node& node, const std::string& fragment) {
     CheckRecord c;
     c.name = node.text("name"), c.fragment = fragment;
-    c.points = node.number("points"), c.max_points = node.number("max_points");
+    c.points = node.amount("points"), c.max_points = node.amount("max_points");
     c.verdict = node.verdict(), c.message = node.text_or_none("message");
     c.trouble = trouble_of(node);
     c.cpu_seconds = node.number("cpu_seconds");
@@ -116,7 +122,7 @@ CheckRecord check_of(const Node& node, const std::string& fragment) {
 FragmentRecord fragment_of(const Node& node) {
     FragmentRecord f;
     f.name = node.text("name"), f.part = node.text("part");
-    f.points = node.number("points"), f.max_points = node.number("max_points");
+    f.points = node.amount("points"), f.max_points = node.amount("max_points");
     if (node.json.contains("visibility")) f.visibility = node.text("visibility");
     f.verdict = node.verdict(), f.finished = node.flag("finished");
     f.trouble = trouble_of(node);

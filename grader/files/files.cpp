@@ -61,10 +61,27 @@ void write_text(const fs::path& path, std::string_view text) {
     if (close(file) != 0 || rename(draft.c_str(), path.c_str()) != 0) fail("cannot be written");
 }
 
-void require_folder_of(const std::string& file, const char* option) {
+void require_file(const std::string& file, const char* option) {
+    std::error_code error;
     const fs::path folder = fs::path(file).parent_path();
-    if (!folder.empty() && !fs::is_directory(folder))
-        throw rt::InputError(fmt::format("{} {}: there is no folder {}", option, file, folder.string()));
+    if (!folder.empty() && !fs::is_directory(folder, error))
+        throw rt::InputError(
+            fmt::format("{} {}: there is no folder {}; expected one that is there", option, file, folder.string()));
+    if (fs::is_directory(file, error))
+        throw rt::InputError(fmt::format("{} {}: is a folder; expected the name of a file", option, file));
+}
+
+void make_folder(const fs::path& folder, const char* option) {
+    std::error_code error, ignored;
+    fs::create_directories(folder, error);
+    if (fs::is_directory(folder, ignored)) {
+        if (access(folder.c_str(), W_OK | X_OK) == 0) return;
+        error.assign(errno, std::generic_category());
+    }
+    if (!error || error == std::errc::not_a_directory || error == std::errc::file_exists)
+        throw rt::InputError(fmt::format("{} {}: a file is in its place; expected a folder", option, folder.string()));
+    throw std::runtime_error(
+        fmt::format("{} {}: {}; expected a folder that one may write to", option, folder.string(), error.message()));
 }
 
 void require_room(const fs::path& folder, std::uintmax_t bytes) {

@@ -18,8 +18,13 @@ std::optional<std::string> read_text(const fs::path& path, std::uint64_t most = 
 /// the path and the cause.
 void write_text(const fs::path& path, std::string_view text);
 
-/// Throws rt::InputError for a file whose folder is not there.
-void require_folder_of(const std::string& file, const char* option);
+/// Throws rt::InputError for a file that an option names and that cannot be written: its folder is not there, or it is
+/// a folder itself. An empty name is none.
+void require_file(const std::string& file, const char* option);
+
+/// Makes a folder that an option names. Throws rt::InputError where a file is in its place, std::runtime_error where
+/// one may not write there.
+void make_folder(const fs::path& folder, const char* option);
 
 /// Throws std::runtime_error where the disk of a folder has less room than so many bytes.
 void require_room(const fs::path& folder, std::uintmax_t bytes);

@@ -181,9 +181,10 @@ std::string kind_of_machine() {
     return lower(fmt::format("{}-{}", names.machine, names.sysname));
 }
 
-void hand_out(const fs::path& project, const Assignment& assignment, const fs::path& built_toolchain,
-              const fs::path& folder, const std::vector<fs::path>& others, For whom) {
-    require_empty(project, folder);
+namespace {
+
+void write_kit(const fs::path& project, const Assignment& assignment, const fs::path& built_toolchain,
+               const fs::path& folder, const std::vector<fs::path>& others, For whom) {
     const Toolchain built = read_toolchain(built_toolchain);
     const fs::path program =
         built.archives.front().parent_path() / (whom == For::students ? "grade_kit" : "grade_installed");
@@ -211,6 +212,33 @@ void hand_out(const fs::path& project, const Assignment& assignment, const fs::p
     fs::remove_all(folder / "grader/include/glm/gtx");  // GLM's experimental part, half a megabyte
     write_machine(built, program, folder / "grader" / kind_of_machine(), whom);
     for (const fs::path& kit : others) add_machines(kit, folder);
+}
+
+/// Where the kit grows, beside its place. The tools that write it run in another folder.
+fs::path draft_of(const fs::path& place) {
+    fs::path draft = place;
+    draft += ".part";
+    if (fs::exists(draft))
+        throw rt::InputError(
+            fmt::format("{}: is there, of a call that was stopped; expected nothing: remove it", draft.string()));
+    return draft;
+}
+
+}  // namespace
+
+void hand_out(const fs::path& project, const Assignment& assignment, const fs::path& built_toolchain,
+              const fs::path& folder, const std::vector<fs::path>& others, For whom) {
+    require_empty(project, folder);
+    fs::path place = fs::weakly_canonical(fs::absolute(folder));
+    if (!place.has_filename()) place = place.parent_path();
+    const fs::path draft = draft_of(place);
+    try {
+        write_kit(project, assignment, built_toolchain, draft, others, whom);
+        fs::rename(draft, place);
+    } catch (...) {
+        remove_tree(draft);
+        throw;
+    }
 }
 
 }  // namespace grade

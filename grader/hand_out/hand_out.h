@@ -13,7 +13,7 @@ enum class For { students, everybody };
 /// Writes what students get into a new folder, a kit: starter/ in source with fresh blanks, scenes, the handout
 /// (and the page that the build makes of it, where there is one), GLM's headers, and in grader/MACHINE/ the grader,
 /// built: program, framework, reference fragments as objects without names
-/// or debug information, and the libraries that a plain system lacks, with their licences.
+/// or debug information, and the libraries that a plain system lacks, with their licences. All of it or nothing.
 ///
 /// Throws rt::InputError where the folder is not empty, or another hand-out is of another assignment;
 /// std::runtime_error where a part is not built or cannot be written; rt::InputError where the solution has no proper

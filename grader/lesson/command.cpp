@@ -59,7 +59,7 @@ int run_lesson(const LessonArguments& arguments, const Context& context) {
                   chain.source / "scenes", time_limit);
 
     const fs::path out = page_folder(arguments.out, arguments.submission.empty(), chain);
-    if (!out.empty()) fs::create_directories(out);
+    if (!out.empty()) make_folder(out, "--out");
     std::string sections;
     for (const LessonIntegrand& integrand : lesson_integrands()) {
         std::vector<LessonCurve> curves;
@@ -80,7 +80,10 @@ int run_lesson(const LessonArguments& arguments, const Context& context) {
         write_text(file, log_log(lesson_plot(integrand, curves)));
         fmt::print("  {}\n", file.string());
     }
-    if (sections.empty()) return 0;
+    if (sections.empty()) {
+        if (!out.empty()) fmt::print("no page: none of {} runs\n", fmt::join(fragments, ", "));
+        return 0;
+    }
     const std::string read = read_link("Integrals in one dimension", handout_beside(out, chain.source)) + ".";
     write_page(out, "lesson.html",
                plain_page("Integrals: how the error falls with the number of points", submission.name, read,

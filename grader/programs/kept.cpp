@@ -121,7 +121,8 @@ void forget(const fs::path& folder, const std::string& name) {
 
 }  // namespace
 
-Kept::Kept(const fs::path& folder, const Toolchain& chain) : folder_(folder), framework_(stamp_of_framework(chain)) {
+Kept::Kept(const fs::path& folder, const Toolchain& chain, bool finds)
+    : folder_(folder), finds_(finds), framework_(stamp_of_framework(chain)) {
     fs::create_directories(folder);
 }
 
@@ -130,13 +131,13 @@ fs::path Kept::path(const std::string& name, const std::string& made_from) const
 }
 
 std::optional<fs::path> Kept::object(const std::string& fragment, const std::string& text) const {
-    if (folder_.empty()) return std::nullopt;
+    if (!finds_) return std::nullopt;
     const fs::path object = path(fragment + ".o", text);
     return fs::exists(object) ? std::optional(object) : std::nullopt;
 }
 
 std::string Kept::warnings(const std::string& fragment, const std::string& text) const {
-    return folder_.empty() ? "" : read_text(path(fragment + ".warnings", text)).value_or("");
+    return !finds_ ? "" : read_text(path(fragment + ".warnings", text)).value_or("");
 }
 
 void Kept::keep_object(const std::string& fragment, const std::string& text, const fs::path& object,
@@ -156,7 +157,7 @@ void Kept::write(const std::string& name, const std::string& made_from, const nl
 template <class Value>
 std::optional<Value> Kept::read(const std::string& name, const std::string& made_from,
                                 Value (*from)(const nlohmann::ordered_json&)) const {
-    return folder_.empty() ? std::nullopt : read_kept(path(name, made_from), from);
+    return !finds_ ? std::nullopt : read_kept(path(name, made_from), from);
 }
 
 std::optional<CheckRecord> Kept::check(const std::string& key, const std::string& made_from) const {

@@ -19,7 +19,9 @@ public:
     Kept() = default;
 
     /// Throws std::runtime_error where the folder cannot be made.
-    Kept(const fs::path& folder, const Toolchain& chain);
+    ///
+    /// finds  whether what is there is found; else it is only kept for the next
+    Kept(const fs::path& folder, const Toolchain& chain, bool finds = true);
 
     /// The object that was compiled from this text, what the compiler said, and where it goes for the next grading.
     std::optional<fs::path> object(const std::string& fragment, const std::string& text) const;
@@ -49,6 +51,7 @@ private:
     fs::path path(const std::string& name, const std::string& made_from) const;
 
     fs::path folder_;  // empty: nothing is kept
+    bool finds_ = false;
     Stamp framework_;
 };
 

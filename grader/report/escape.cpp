@@ -53,6 +53,13 @@ std::string printable(std::string_view text, std::size_t most) {
     return clean;
 }
 
+std::string printable_line(std::string_view text, std::size_t most) {
+    std::string clean = printable(text, most);
+    std::ranges::replace_if(
+        clean, [](char c) { return c == '\n' || c == '\t'; }, '?');
+    return clean;
+}
+
 std::string html(std::string_view text) {
     constexpr std::string_view special = "&<>\"'";
     constexpr std::string_view entities[] = {"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"};

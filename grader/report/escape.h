@@ -9,6 +9,9 @@ namespace grade {
 /// UTF-8, at most that many bytes.
 std::string printable(std::string_view text, std::size_t most = 2000);
 
+/// The same of a name or a path, which stays on its line: also no line ends and no tabs.
+std::string printable_line(std::string_view text, std::size_t most = 2000);
+
 /// Text as it may stand in a page or in a quoted attribute; made printable first.
 std::string html(std::string_view text);
 

@@ -118,12 +118,15 @@ std::string overview(const Record& record, const std::string& handout) {
     return text + "</section>\n";
 }
 
-/// What to do first: the first fragment, in the order of the handout, that does not pass.
+/// What to do first: the first fragment, in the order of the handout, that is begun and does not pass; else one that is
+/// not begun.
 std::string next_step(const Record& record) {
-    for (const FragmentRecord& fragment : record.fragments)
-        if (fragment.verdict != Verdict::passed)
+    for (const bool is_blank : {false, true})
+        for (const FragmentRecord& fragment : record.fragments) {
+            if (fragment.verdict == Verdict::passed || is_blank != (fragment.verdict == Verdict::not_started)) continue;
             return fmt::format("<p>Next: <a href=\"#{0}\">{0}</a>, {1}: {2}</p>", html(fragment.name),
                                in_words(fragment.verdict), html_with_code(in_a_line(fragment)));
+        }
     return "<p>All of it passes.</p>";
 }
 
@@ -177,6 +180,11 @@ std::map<std::string, std::string> picture_parts(const Record& record) {
             if (std::string text = pictures(check); !text.empty())
                 parts[fragment.name + "/" + check.name] = std::move(text);
     return parts;
+}
+
+void name_submission_in_calls(Record& record, const std::string& submission) {
+    for (FragmentRecord& fragment : record.fragments)
+        if (std::string& command = fragment.finding.command; !command.empty()) command += " --of " + submission;
 }
 
 std::string page(const Record& record, const std::string& handout) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <iterator>
 #include <map>
 #include <sstream>
@@ -82,7 +83,7 @@ std::string with_folder(std::string words, const FragmentRecord& fragment, const
 
 std::string what_to_open(const FragmentRecord& fragment, const Reader& reader) {
     if (fragment.verdict == Verdict::passed || is_told_by_itself(fragment.verdict)) return {};
-    return printable(with_folder(fragment.file, fragment, reader));
+    return printable_line(with_folder(fragment.file, fragment, reader));
 }
 
 /// A line with the points in a column, and more in another.
@@ -93,13 +94,13 @@ std::string line_of(const std::string& first, double points, double most, const 
 
 std::string line_of(const FragmentRecord& fragment, const std::string& more, bool color) {
     const std::string verdict = fmt::format("{:<14}", in_words(fragment.verdict));
-    const std::string first = fmt::format("  {:<24}{} ", fragment.name,
+    const std::string first = fmt::format("  {:<24}{} ", printable_line(fragment.name),
                                           color ? color_of_verdict(fragment.verdict) + verdict + no_color : verdict);
     return line_of(first, fragment.points, fragment.max_points, more) + "\n";
 }
 
 std::string sum_line(const std::string& what, const Record& of, const std::string& more, bool color) {
-    const std::string line = line_of(fmt::format("{:<41}", what), of.score(), of.max_score(), more);
+    const std::string line = line_of(fmt::format("{:<41}", printable_line(what)), of.score(), of.max_score(), more);
     return (color ? bold + line + no_color : line) + "\n";
 }
 
@@ -133,7 +134,7 @@ std::string fragment_rows(const Record& record, const Reader& reader) {
         rows += line_of(fragment, in_a_word ? words : what_to_open(fragment, reader), reader.color);
         if (!in_a_word) rows += wrapped(in_parts(words, line_width - below_row.size()), std::string(below_row), 10);
         if (reader.own && !fragment.finding.command.empty())  // in one piece, for a shell
-            rows += fmt::format("{}again: {}\n", below_row, printable(fragment.finding.command));
+            rows += fmt::format("{}again: {}\n", below_row, printable_line(fragment.finding.command));
         if (const std::string where = where_to_read(fragment.verdict, diagnosis); !where.empty())
             rows += fmt::format("{}read: {}\n", below_row, where);
         rows += wrapped(printable(with_folder(fragment.warnings, fragment, reader)), std::string(below_row), 8);
@@ -156,9 +157,9 @@ std::string table(const Record& record, const Reader& reader) {
     if (record.fragments.size() > 1) text += sum_line("Total", record, verdicts_in_words(record), reader.color);
     if (reader.own && std::ranges::any_of(record.fragments, [](const auto& f) { return !f.finding.command.empty(); }))
         text += "Fields that a call does not name have the defaults of starter/rt/parts.h and ray.h.\n";
-    for (const std::string& note : record.notes) text += "note: " + printable(note) + "\n";
+    for (const std::string& note : record.notes) text += "note: " + printable_line(note) + "\n";
     if (!record.changes.empty()) text += "Since the last run:\n";
-    for (const std::string& change : record.changes) text += "  " + change + "\n";
+    for (const std::string& change : record.changes) text += "  " + printable_line(change) + "\n";
     // of a few it says nothing
     if (const auto ratio = record.efficiency_ratio(); ratio && record.selection.empty())
         text += fmt::format("Efficiency of right pictures, 1/(MSE x CPU time): {:.2g} times the solution's (median)\n",
@@ -166,7 +167,23 @@ std::string table(const Record& record, const Reader& reader) {
     return text;
 }
 
-ProgressLine::ProgressLine(bool long_work) : on_(isatty(STDERR_FILENO)), long_work_(long_work) {}
+namespace {
+
+std::string_view environment(const char* name) {
+    const char* value = std::getenv(name);
+    return value ? value : "";
+}
+
+/// One whose cursor moves.
+bool is_terminal(int file) { return isatty(file) && environment("TERM") != "dumb"; }
+
+}  // namespace
+
+bool has_colors() {
+    return is_terminal(STDOUT_FILENO) && environment("NO_COLOR").empty() && environment("CLICOLOR") != "0";
+}
+
+ProgressLine::ProgressLine(bool long_work) : on_(is_terminal(STDERR_FILENO)), long_work_(long_work) {}
 
 void ProgressLine::show(int done, int all, const std::string& doing) {
     const Clock::time_point now = Clock::now();
@@ -182,7 +199,7 @@ void ProgressLine::show(int done, int all, const std::string& doing) {
         return;
     }
     fmt::print(stderr, "\r\033[K{:.0f} %{}  {}", all > 0 ? std::min(100.0, 100.0 * done / all) : 0, left,
-               printable(doing, 60));
+               printable_line(doing, 60));
     std::fflush(stderr);
     shown_ = true;
 }

@@ -27,6 +27,9 @@ std::string fragment_rows(const Record& record, const Reader& reader);
 /// "17 passed, 3 failed, 12 not started"
 std::string verdicts_in_words(const Record& record);
 
+/// Whether what goes to stdout may have colours: it is a terminal that has them, and its user wants them.
+bool has_colors();
+
 /// One line about how far a grading is, rewritten in place. Where stderr is no terminal it says nothing, or, of long
 /// work, a line after the first step and then one every ten seconds.
 class ProgressLine {

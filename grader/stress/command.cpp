@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -14,6 +13,7 @@
 #include "stress/report.h"
 #include "stress/run.h"
 #include "studies/commands.h"
+#include "studies/numbers.h"
 #include "studies/studies.h"
 
 namespace grade::stress {
@@ -37,7 +37,8 @@ void check(const StressArguments& arguments) {
     if (std::ranges::any_of(all_families(), [&](const Family& f) { return is_named(f, arguments.submission); }))
         throw rt::InputError(
             fmt::format("{0}: no submission; expected a folder or an archive, or --only {0}", arguments.submission));
-    require_folder_of(arguments.json, "--json");
+    require_file(arguments.json, "--json");
+    if (!arguments.html.empty()) make_folder(arguments.html, "--html");
 }
 
 void print_list() {
@@ -67,7 +68,7 @@ int run_stress(const StressArguments& arguments, const Context& context) {
     const fs::path html = page_folder(arguments.html, arguments.submission.empty() && settings.only.empty(), chain);
     if (!html.empty())
         write_page(html, "stress.html", page(record, assignment.title, handout_beside(html, chain.source)));
-    fmt::print("{}{}\n", table(record, isatty(STDOUT_FILENO)), record.sandbox);
+    fmt::print("{}{}\n", table(record, has_colors()), record.sandbox);
     if (!html.empty()) fmt::print("page: {}\n", (html / "stress.html").string());
     return arguments.require && record.scored() < record.most_scored() ? 1 : 0;
 }
@@ -91,12 +92,12 @@ Command stress_command(CLI::App& app) {
         ->check(CLI::Range(1, 1024));
     stress->add_option("--time-limit", arguments->settings.time_limit, "CPU seconds for one answer")
         ->capture_default_str()
-        ->check(CLI::Range(1.0, 600.0));
+        ->check(in_range(1, 600));
     stress->add_flag("--long", arguments->many,
                      "also the big counts: 1e8 rays against closed meshes, 2e8 that leave surfaces");
     stress->add_option("--rays", arguments->rays, "of --long against meshes; twice as many leave surfaces")
         ->type_name("N")
-        ->check(CLI::Range(1.0, 1e12));
+        ->check(in_range(1, 1e12));
     stress->add_flag("--trusted", arguments->settings.build.trusted, "the code is your own: limits, but no sandbox");
     stress->add_flag("--list", arguments->list, "print the families and leave");
     stress->add_flag("--require", arguments->require, "exit with 1 unless all ordinary scenes are right");

@@ -18,6 +18,7 @@ struct Found {
     std::set<std::string> doubled;      // paths that are there twice, with different texts: the later one is taken
     std::vector<std::string> archives;  // within the submission, that have not been looked into
     std::string broken;                 // what is wrong with the first of them; empty: nothing was found to be
+    std::string unread;                 // why the rest of the archives was not read: they are too large; empty: it was
     std::string cut;                    // an archive whose end is missing, and of which the rest was read
     int unnamed = 0;                    // files whose names cannot be read
     int outside = 0;                    // files whose names lead out of the archive: "../phong.cpp", "/phong.cpp"

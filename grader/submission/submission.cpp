@@ -126,6 +126,8 @@ void note_copies(const std::vector<Place>& places, const Found& found, Submissio
     for (const std::string& path : found.archives)
         if (submission.folder.starts_with(path + "/"))
             submission.notes.push_back(path + " was read in part: it is cut off or broken");
+    if (!found.unread.empty())
+        submission.notes.push_back(found.unread + "; what was read until then was taken; expected fragments/ alone");
     if (!found.cut.empty())
         submission.notes.push_back(found.cut + ": it is cut off, its end is missing; what could be read was taken");
     if (found.outside > 0)
@@ -152,6 +154,9 @@ std::string around(const std::string& folder) {
 std::string no_fragment(const fs::path& path, const Found& found, const std::vector<std::string>& fragments) {
     const std::string expected =
         fmt::format("expected files such as fragments/{}.cpp", fragments.empty() ? "NAME" : fragments.front());
+    if (!found.unread.empty())
+        return fmt::format("{}: holds no fragment; {}, and the rest was not read; {} alone", path.string(),
+                           found.unread, expected);
     if (!found.cut.empty())
         return fmt::format(
             "{}: holds no fragment; {} is cut off, its end is missing; expected all of it, uploaded again",
@@ -187,6 +192,9 @@ Submission read_submission(const fs::path& path, const std::vector<std::string>&
     if (!fs::exists(status))
         throw SubmissionError(fmt::format("{}: not there; expected a folder, a .zip or a .tar.gz", path.string()));
     const bool in_archive = !fs::is_directory(status);
+    if (in_archive && !fs::is_regular_file(status))
+        throw SubmissionError(
+            fmt::format("{}: is neither a file nor a folder; expected a folder, a .zip or a .tar.gz", path.string()));
     const Found found =
         in_archive ? look_into_archive(path, fragments, framework) : look_into_folder(path, fragments, framework);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "report/escape.h"
 #include "rt/files/scene_reader.h"
 #include "rt/files/toml_table.h"
 
@@ -25,12 +26,29 @@ Question other_than(const Question& question, std::size_t place) {
 
 std::string in_unit(const Question& question) { return question.unit.empty() ? "" : " [" + question.unit + "]"; }
 
-/// As a string of TOML. What is no letter, such as the end of a line, becomes a space.
+bool is_blank(const std::string& name) {
+    return std::ranges::all_of(name, [](unsigned char c) { return c <= ' '; });
+}
+
+/// The name as the file will have it, by which its questions are drawn. What is no letter, such as the end of a line,
+/// becomes a space.
+std::string plain_name(std::string name) {
+    std::ranges::replace_if(
+        name, [](unsigned char c) { return c < ' ' || c == 127; }, ' ');
+    if (is_blank(name)) throw rt::InputError("--name: is empty; expected your name");
+    constexpr std::size_t most = 200;
+    if (name.size() > most) throw rt::InputError(fmt::format("--name: is longer than {} bytes; expected a name", most));
+    if (printable_line(name) != name)
+        throw rt::InputError("--name: holds bytes that are no letters; expected a name in UTF-8");
+    return name;
+}
+
+/// As a string of TOML.
 std::string quoted(const std::string& text) {
     std::string escaped;
     for (const char c : text) {
         if (c == '"' || c == '\\') escaped += '\\';
-        escaped += static_cast<unsigned char>(c) < ' ' || c == 127 ? ' ' : c;
+        escaped += c;
     }
     return '"' + escaped + '"';
 }
@@ -58,7 +76,8 @@ std::string told(const Answered& answered, std::size_t place) {
 
 int Theory::right() const { return int(std::ranges::count(answers, true, &Answered::right)); }
 
-std::string empty_theory(const std::string& name) {
+std::string empty_theory(const std::string& typed) {
+    const std::string name = plain_name(typed);
     std::string text =
         "# Answers to the theory part. Take the # away before a key and write a number behind its =, with three "
         "digits.\n"
@@ -83,8 +102,7 @@ rt::Table parsed(const std::string& text, const std::string& path) try {
 Theory read_theory(const std::string& text, const std::string& path) {
     const rt::Table file = parsed(text, path);
     Theory theory{file.text("name"), {}};
-    if (std::ranges::all_of(theory.name, [](unsigned char c) { return c <= ' '; }))
-        file.fail("name", "is empty", "your name");
+    if (is_blank(theory.name)) file.fail("name", "is empty", "your name");
     std::vector<std::string> keys = {"name"};
     for (Question& question : questions_of(theory.name)) {
         keys.push_back(question.key);
@@ -112,8 +130,10 @@ std::string told(const Theory& theory, double points) {
         text += fmt::format("{}. {}: {}{}\n    {}", k + 1, answered.question.key, answered.question.text,
                             in_unit(answered.question), told(answered, k));
     }
-    return text + fmt::format("\n{}: {} of {} right, {:.3g} of {:g} points\n", theory.name, theory.right(),
-                              theory.answers.size(), points * theory.right() / double(theory.answers.size()), points);
+    // before the name, which is the student's choice
+    return text + fmt::format("\n{} of {} right, {:.3g} of {:g} points: {}\n", theory.right(), theory.answers.size(),
+                              points * theory.right() / double(theory.answers.size()), points,
+                              printable_line(theory.name, 200));
 }
 
 }  // namespace grade

@@ -22,8 +22,9 @@ struct Theory {
     int right() const;
 };
 
-/// A file for this name: the questions as comments, the answers to be filled in.
-std::string empty_theory(const std::string& name);
+/// A file for this name: the questions as comments, the answers to be filled in. Throws rt::InputError for what is no
+/// name.
+std::string empty_theory(const std::string& typed);
 
 /// Throws rt::InputError, with line and column.
 Theory read_theory(const std::string& text, const std::string& path);

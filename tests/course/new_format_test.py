@@ -12,8 +12,22 @@ sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
 from helpers import ROOT, SOLUTION, end, expect, run, skip  # noqa: E402
 
 BUILD = pathlib.Path(sys.argv[1]).absolute()
-PARTS = ("assignment.toml", "handout.md", ".clang-format", "solution", "starter/fragments", "starter/rt/fragments.h", "grader/checks",
+PARTS = ("assignment.toml", "handout.md", ".clang-format", "solution", "starter/fragments", "starter/rt", "grader/checks",
          "grader/authoring/templates")
+
+
+def check_refusals(new, tree):
+    """What no command could read or compile afterwards is not written."""
+    before = {path: path.read_bytes() for path in tree.rglob("*") if path.is_file()}
+    for name, why in {"double": "word of C++", "class": "word of C++", "main": "word of C++", "picture": "./grade picture means",
+                      "theory": "./grade theory means", "compare": "./grade compare means", "solution": "means something else",
+                      "cross": ".h has this name already", "unit": ".h has this name already", "reflect": "glm has a function"}.items():
+        said = run([*new, "fragment", name, "--declare", f"DiskSample {name}(vec2 u)"], 2)
+        expect(f"{name}: " in said and why in said and "expected another name" in said, f"a name that is taken: {said}")
+    for points in ("1001", "nan", "-3", "inf", "1e9", "two"):
+        said = run([*new, "fragment", "of_points", "--like", "phong", "--points", points], 2)
+        expect("expected a number from 0 to 1000" in said and len(said) < 200, f"points that are none: {said}")
+    expect(before == {path: path.read_bytes() for path in tree.rglob("*") if path.is_file()}, "files have changed all the same")
 
 
 def main():
@@ -31,10 +45,11 @@ def main():
             mine = "new_" + "x" * (number % 8) + str(number)
             run([*new, "fragment", mine, "--like", name])
             run([*new, "check", "far_away", "--of", mine])
-            run([*new, "check", "far_away", "--of", name], (0, 2))  # 2: no list, to which it could be added
+            run([*new, "check", "far_away", "--of", name])
         run([*new, "fragment", "of_types", "--declare", "Color of_types(const Material& material, vec3 n, Real cosine)"])
         said = run([*new, "fragment", "x" * 110, "--like", "phong"], 2)
         expect("expected at most 120" in said, f"a declaration that is too long: {said}")
+        check_refusals(new, tree)
         sources = sorted(path for path in tree.rglob("*.cpp"))
         expect(len(sources) > 3 * 64, f"{len(sources)} sources")
         run(["clang-format", "--dry-run", "--Werror", *sources])
