@@ -137,7 +137,8 @@ private:
     /// Where nothing else is wrong, where nan begins says more than what it looks like.
     bool tell_only_nan() {
         constexpr double simple = 1.2;  // a change as `safe_sqrt(x)` for `sqrt(x)`
-        const bool is_told = !finding_.how.empty() || (relation_ && relation_->by_repair && relation_->cost <= simple);
+        const bool is_told =
+            !finding_.how.empty() || (relation_ && relation_->by_repair && relation_->cost_of_repair <= simple);
         if (not_numbers_ == 0 || not_numbers_ < wrong_ || is_told || !editable_) return false;
         const std::string first = first_not_a_number(all_, *editable_);
         if (!first.empty()) finding_.how = "nan begins with " + first, finding_.of_nan = true, relation_.reset();

@@ -35,7 +35,7 @@ void add_repair(std::optional<Relation>& relation, const Calls& calls, const std
         relation->line_of_repair = line;
         if (!is_all && is_cause) return;
         if (repair->is_of_literal && !relation->is_change()) return;  // "cut off at 1": another number is no better
-        relation->by_repair = is_all;
+        relation->by_repair = is_all, relation->cost_of_repair = repair->cost;
         constexpr double simple = 1.9;  // a change of arguments that a student may have made
         const bool is_told = relation->by_textbook || relation->cost < simple;
         // The student's own words, but for a mistake that has a name, or that is clearly simpler in others; what a
@@ -53,7 +53,7 @@ void add_repair(std::optional<Relation>& relation, const Calls& calls, const std
         const bool is_enough = is_all && repair->is_simple && !repair->is_of_two;
         const std::string known = !unused.numbers.empty() ? unused.numbers : is_enough ? "" : unused.others;
         relation = Relation{known.empty() ? repair->words : known + "; " + repair->words};
-        relation->line_of_repair = line, relation->cost = repair->cost;
+        relation->line_of_repair = line, relation->cost_of_repair = repair->cost;
         relation->by_repair = is_all, relation->share = repair->share, relation->of_two = repair->is_of_two;
         relation->explains = is_all ? Relation::Explains::all : Relation::Explains::some;
     }
