@@ -69,8 +69,10 @@ std::string find_fault(const Programs& programs, const Programs::Linked& plain, 
         const std::uint64_t own = replicate_seed(seed, *check, Stream::submission, 0);
         Runner runner(*program, programs.sandbox(), meshes, checked_seconds, true);
         const auto outcome = observe(runner, *check, own);
-        if (const Fault* fault = std::get_if<Fault>(&outcome))
+        if (const Fault* fault = std::get_if<Fault>(&outcome)) {
             if (const std::string words = fault_in_words(fault->excerpt, fragment.name); !words.empty()) return words;
+            continue;  // it gives no answers to compare
+        }
         const auto* probe = std::get_if<Probe>(&check->experiment);
         if (!probe) continue;
         Generator generator(own);

@@ -39,7 +39,7 @@ LightSample light_sample(const Emitter& light, vec3 p, vec2 u) {
     }
     vec3 to_light = q - p;
     double distance = length(to_light);
-    vec3 d = to_light / distance;
+    vec3 d = distance > 0 ? to_light / distance : n;
     double cosine = dot(n, -d);
     if (cosine <= 0) return {d, distance, 0};
     return {d, distance, distance * distance / (cosine * area)};
