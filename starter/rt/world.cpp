@@ -172,7 +172,8 @@ World make_world(const Scene& scene, const Sampling& sampling) {
     layout.add_kind(scene, world.discs);
     if (world.plan.one_lamp) world.lamp_tree = LampTree(world.emitters);
     if (world.plan.bvh) world.bvh = build_bvh(world.surfaces.size(), [&](std::size_t id) { return layout.box_of(id); });
-    if (world.plan.bvh && world.plan.triangles && !world.plan.time)
+    constexpr std::size_t most = 1 << 16;  // nodes: of a million triangles, corners take memory and win next to nothing
+    if (world.plan.bvh && world.plan.triangles && !world.plan.time && world.bvh.nodes.size() <= most)
         add_corners(world.bvh, [&](std::size_t id) {
             const std::size_t k = id - std::size_t(world.first_triangle);
             return k < world.triangles.size() ? &world.triangles[k] : nullptr;

@@ -141,7 +141,7 @@ once, or eight triangles of a leaf (tree/shears.h), most of those whose boxes a 
 The fragment `hit_triangle`, watertight, in double precision, with six divisions, is asked about these. Where triangles
 are as small as pixels, rays part early and each goes its own way. Rays that bounce do so from the start: each looks at
 eight boxes at a time, a step of about as many instructions as Embree's. In a tree of more nodes than `most_nodes` (tree/beam.h) no
-rays go together: they part so early that it took longer. Nodes and triangles are in pages of 2 MiB where the system has
+rays go together: they part so early that it took longer; nor are corners kept for its leaves. Nodes and triangles are in pages of 2 MiB where the system has
 them (tree/large_pages.h).
 """
 

@@ -171,6 +171,7 @@ inline void look_into_leaves(const Bvh& bvh, const Journeys& journeys, const She
     for (int k = 0; k < visits.count; ++k) {
         const int i = visits.lane[k];
         const Bvh::Node& leaf = bvh.nodes[visits.node[k]];
+        if (k + 4 < visits.count && !bvh.corners.empty()) fetch(bvh.corners[bvh.nodes[visits.node[k + 4]].corners]);
         unsigned met = visits.met[k];
         if (!bvh.corners.empty()) met &= may_hit(bvh.corners[leaf.corners], shears, i);
         const bool waits = add_pairs(leaf, i, met, meetings) != 0, goes_on = journeys.depth[i] > 0;
@@ -197,7 +198,6 @@ void search_each(const World& world, const Real* far, Journeys& journeys, Meetin
         for (int k = 0; k < n; ++k) {
             const int i = paths.going[k];
             const bool leaf = step(bvh.nodes.data(), journeys, i, visits), goes_on = journeys.depth[i] > 0;
-            if (leaf && sheared) fetch(bvh.corners[bvh.nodes[visits.node[visits.count - 1]].corners]);
             fetch(bvh.nodes[std::uint32_t(journeys.stack[i][journeys.depth[i]])]);  // while other rays make their steps
             paths.going[paths.go] = i;
             paths.go += goes_on & !leaf;
