@@ -136,13 +136,13 @@ A whole process that reads 1,000,000 triangles with smooth normals, builds the t
 pixels with 16 samples: {memory:.0f} MiB at most, {cpu:.1f} CPU seconds.
 
 A ratio below 1 falls short of the goal; for camera and shadow rays, one below 1.5. Rays that run side by side share
-the way down the tree. Those that surely pass a triangle by are left out in single precision, sixteen rays of a beam at
-once, or eight triangles of a leaf (tree/shears.h), most of those whose boxes a ray meets.
-The fragment `hit_triangle`, watertight, in double precision, with six divisions, is asked about these. Where triangles
-are as small as pixels, rays part early and each goes its own way. Rays that bounce do so from the start: each looks at
-eight boxes at a time, a step of about as many instructions as Embree's. In a tree of more nodes than `most_nodes` (tree/beam.h) no
-rays go together: they part so early that it took longer; nor are corners kept for its leaves. Nodes and triangles are in pages of 2 MiB where the system has
-them (tree/large_pages.h).
+the way down the tree. Those that surely pass a triangle by are left out in single precision, sixteen rays of a beam
+at once, or eight triangles of a leaf (tree/shears.h), most of those whose boxes a ray meets. The fragment
+`hit_triangle`, watertight, in double precision, with six divisions, is asked about these. Where triangles are as
+small as pixels, rays part early and each goes its own way. Rays that bounce do so from the start: each looks at eight
+boxes at a time, a step of about as many instructions as Embree's. In a tree of more nodes than `most_nodes`
+(tree/beam.h) no rays go together: they part so early that it took longer; nor are corners kept for its leaves. Nodes
+and triangles are in pages of 2 MiB where the system has them (tree/large_pages.h).
 """
 
 
