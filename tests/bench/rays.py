@@ -124,7 +124,7 @@ sides get the same rays, ours in batches of 64 and in double precision, Embree's
 Embree's two columns are its tree of medium quality and its best.
 
 {table(["triangles", "rays", "", "ours", "Embree", "Embree, best tree", "ratio (least to greatest round)"], rays)}
-{table(["triangles", "nodes", "tree [MB]", "building it [CPU s]", "Embree's", "Embree's best"], trees)}
+{table(["triangles", "nodes", "nodes [MB]", "building it [CPU s]", "Embree's", "Embree's best"], trees)}
 With fragments that are linked, not included, through {middle:,} triangles: {slower}.
 
 From {sizes[0]:,} to {sizes[-1]:,} triangles the logarithm doubles, and the time of a ray grows by
