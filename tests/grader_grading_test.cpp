@@ -53,7 +53,7 @@ const Mistake mistakes[] = {
     {"forks with vfork", mirror("vfork(); return d;", "#include <unistd.h>\n"), Verdict::crashed,
      "starts other programs"},
     {"returns NaN", mirror("return d * std::sqrt(-1.0 - dot(d, d));", "#include <cmath>\n"), Verdict::not_finite,
-     "nan begins with `sqrt(-1.0 - dot(d, d))` in line 7"},
+     "nan begins with `sqrt(-1.0 - dot(d, d))` in line 7, the root of a negative number"},
     {"keeps state", mirror("static double k = 1; k *= 1.5; return k * d;"), Verdict::failed,
      "again with the same arguments"}};
 

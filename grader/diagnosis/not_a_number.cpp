@@ -36,6 +36,13 @@ std::string parts_in_words(const textbook::Node& node, const std::vector<textboo
     return all;
 }
 
+/// Why a function of a number that is none of these has no value.
+std::string outside_in_words(const std::string& call) {
+    if (call.starts_with("sqrt(")) return ", the root of a negative number";
+    if (call.starts_with("log(")) return ", the logarithm of a negative number";
+    return call.starts_with("acos(") || call.starts_with("asin(") ? ", of a number beyond -1 to 1" : "";
+}
+
 }  // namespace
 
 std::string first_not_a_number(const Calls& calls, const Editable& source) {
@@ -53,7 +60,8 @@ std::string first_not_a_number(const Calls& calls, const Editable& source) {
     if (most_often == seen.end() || 2 * most_often->size() <= rows.size()) return {};
     const textbook::Node& node = source.nodes[std::size_t(most_often - seen.begin())];
     const std::string parts = parts_in_words(node, source.nodes, *most_often);
-    return fmt::format("`{}` in line {}{}", printable(node.text), node.line, parts.empty() ? "" : ", where " + parts);
+    return fmt::format("`{}` in line {}{}", printable(node.text), node.line,
+                       parts.empty() ? outside_in_words(node.text) : ", where " + parts);
 }
 
 }  // namespace grade
