@@ -88,7 +88,7 @@ void add_gradescope_names(const fs::path& folder, std::vector<Entry>& entries) {
     read_names(text.value_or(""), entries);
     for (Entry& entry : entries)
         if (entry.student.system == "Gradescope" && entry.student.name == entry.path)
-            entry.notes.push_back(
+            entry.notes.emplace_back(
                 "submission_metadata.yml has no name for it; expected the file whole, as Gradescope exported it");
 }
 
