@@ -10,10 +10,10 @@ namespace rt {
 constexpr int pairs_at_once = 8;
 
 /// Which rays meet the boxes of which items, lane << 32 | item, and the distances to be found. They are tested when
-/// there are `enough`, and a step adds at most a full node for each ray; it writes a few places beyond.
+/// there are `enough`, and a leaf adds at most all of its items for each ray.
 struct alignas(64) Meetings {
     static constexpr int enough = 4 * pairs_at_once, most = enough + lanes * Bvh::width;
-    std::uint64_t pair[most + Bvh::width];
+    std::uint64_t pair[most];
     Real distance[most];
     int count = 0;
 
