@@ -1,5 +1,5 @@
-#include "diagnosis/edits_in_words.h"
-#include "diagnosis/renamed.h"
+#include "diagnosis/source/edits_in_words.h"
+#include "diagnosis/source/renamed.h"
 #include "student_source.h"
 #include "textbook/functions.h"
 #include "textbook/operators.h"

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "catch.h"
-#include "diagnosis/not_a_number.h"
+#include "diagnosis/source/not_a_number.h"
 #include "explained.h"
 #include "textbook/edits.h"
 

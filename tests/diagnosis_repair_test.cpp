@@ -1,8 +1,8 @@
 
 
-#include "diagnosis/calls_made.h"
-#include "diagnosis/integrals.h"
-#include "diagnosis/repair.h"
+#include "diagnosis/calls/calls_made.h"
+#include "diagnosis/samples/integrals.h"
+#include "diagnosis/source/repair.h"
 #include "explained.h"
 #include "textbook/edits.h"
 #include "textbook/in_double.h"

@@ -1,4 +1,4 @@
-#include "diagnosis/asked.h"
+#include "diagnosis/forms/asked.h"
 #include "explained.h"
 #include "textbook/form.h"
 #include "textbook/wrap.h"

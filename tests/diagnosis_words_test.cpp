@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
+#include "diagnosis/changes/relation.h"
 #include "diagnosis/diagnosis.h"
 #include "diagnosis/loops.h"
-#include "diagnosis/relation.h"
 #include "diagnosis/sanitizer.h"
 #include "explained.h"
 

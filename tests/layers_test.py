@@ -6,8 +6,9 @@ import pathlib
 import re
 import sys
 
-layers = ["files", "assignment", "statistics", "protocol", "checks/kit", "checks", "arithmetic", "submission", "record", "textbook", "diagnosis", "programs",
-          "judging", "report", "hand_out", "studies", "convert", "class", "stress", "lesson", "convergence", "calibration", "authoring", "theory", "commands", ""]
+layers = ["files", "assignment", "statistics", "protocol", "checks/kit", "checks", "arithmetic", "submission", "record", "textbook",
+          *(f"diagnosis/{part}" for part in "calls where changes forms rules samples source".split()), "diagnosis", "programs", "judging",
+          "report", "hand_out", "studies", "convert", "class", "stress", "lesson", "convergence", "calibration", "authoring", "theory", "commands", ""]
 # What is compiled for others: the child's program knows the protocol only; archives.cpp and its stand-in in a kit are submission's.
 beside = {"child": {"protocol", "arithmetic", "textbook"}, "archives": {"submission", "files"}, "kit": {"submission", "files"}}
 made_by_the_build = {"checks/fragment_checks.h": "checks/kit", "child/each_fragment.h": "child"}

@@ -104,7 +104,7 @@ void require_known_types(const Declaration& fragment) {
         if (!draws().contains(type) && !is_structure(type))
             throw rt::InputError(fmt::format(
                 "{}: no fragment has had the type {} yet; expected {}, {}, or a new one, with a line of its own in "
-                "grader/protocol/rows.h and in grader/diagnosis/signature.cpp",
+                "grader/protocol/rows.h and in grader/diagnosis/calls/signature.cpp",
                 fragment.line, type, fmt::join(drawn, ", "), fmt::join(structures(), ", ")));
 }
 

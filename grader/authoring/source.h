@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/arguments.h"
+#include "diagnosis/calls/arguments.h"
 
 /// The texts of an assignment's tree, as an instructor edits them.
 namespace grade::authoring {

@@ -9,7 +9,7 @@
 
 #include "commands/last_run.h"
 #include "commands/words.h"
-#include "diagnosis/calls.h"
+#include "diagnosis/calls/calls.h"
 #include "judging/breakdown.h"
 #include "programs/cache.h"
 #include "programs/in_view.h"

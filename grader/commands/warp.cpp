@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "diagnosis/arguments.h"
+#include "diagnosis/calls/arguments.h"
 #include "files/files.h"
 #include "judging/breakdown.h"
 #include "programs/runner.h"

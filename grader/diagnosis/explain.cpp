@@ -5,19 +5,19 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "diagnosis/asked.h"
-#include "diagnosis/bounds.h"
-#include "diagnosis/calls_made.h"
+#include "diagnosis/calls/calls_made.h"
+#include "diagnosis/changes/small_offsets.h"
+#include "diagnosis/forms/asked.h"
+#include "diagnosis/forms/where_in_textbook.h"
 #include "diagnosis/how.h"
-#include "diagnosis/not_a_number.h"
-#include "diagnosis/own_numbers.h"
-#include "diagnosis/precision.h"
-#include "diagnosis/right_otherwise.h"
-#include "diagnosis/simplest.h"
-#include "diagnosis/small_offsets.h"
-#include "diagnosis/spread.h"
+#include "diagnosis/rules/bounds.h"
+#include "diagnosis/rules/precision.h"
+#include "diagnosis/samples/own_numbers.h"
+#include "diagnosis/samples/right_otherwise.h"
+#include "diagnosis/samples/spread.h"
+#include "diagnosis/source/not_a_number.h"
 #include "diagnosis/surest.h"
-#include "diagnosis/where_in_textbook.h"
+#include "diagnosis/where/simplest.h"
 
 namespace grade {
 

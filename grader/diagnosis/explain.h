@@ -1,8 +1,8 @@
 #pragma once
 
-#include "diagnosis/calls.h"
-#include "diagnosis/precision.h"
-#include "diagnosis/repair.h"
+#include "diagnosis/calls/calls.h"
+#include "diagnosis/rules/precision.h"
+#include "diagnosis/source/repair.h"
 #include "record/record.h"
 
 namespace grade {

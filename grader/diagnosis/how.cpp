@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "diagnosis/by_textbook.h"
-#include "diagnosis/own_numbers.h"
-#include "diagnosis/rule.h"
-#include "diagnosis/shares.h"
-#include "diagnosis/spread.h"
+#include "diagnosis/forms/by_textbook.h"
+#include "diagnosis/rules/rule.h"
+#include "diagnosis/rules/shares.h"
+#include "diagnosis/samples/own_numbers.h"
+#include "diagnosis/samples/spread.h"
 #include "diagnosis/surest.h"
 
 namespace grade {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "diagnosis/calls.h"
-#include "diagnosis/relation.h"
+#include "diagnosis/calls/calls.h"
+#include "diagnosis/changes/relation.h"
 
 namespace grade {
 

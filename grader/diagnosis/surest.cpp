@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "diagnosis/answer_forms.h"
-#include "diagnosis/by_textbook.h"
-#include "diagnosis/calls_made.h"
+#include "diagnosis/calls/calls_made.h"
+#include "diagnosis/changes/answer_forms.h"
+#include "diagnosis/forms/by_textbook.h"
 
 namespace grade {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "diagnosis/relation.h"
+#include "diagnosis/changes/relation.h"
 
 namespace grade {
 

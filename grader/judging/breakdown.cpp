@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "diagnosis/arguments.h"
+#include "diagnosis/calls/arguments.h"
 #include "diagnosis/loops.h"
 #include "diagnosis/sanitizer.h"
 #include "files/files.h"
