@@ -165,28 +165,29 @@ int run_picture(const PictureArguments& arguments, const Context& context) {
     if (!arguments.size.empty()) settings.size = {arguments.size[0], arguments.size[1]};
     const Compared both = draw_compared(programs, mine, arguments.scene, settings);
     line.clear();
-    if (!both.right_fault.empty()) throw std::runtime_error("the solution's picture: " + both.right_fault);
+    if (!both.right.fault.empty()) throw std::runtime_error("the solution's picture: " + both.right.fault);
 
+    const rt::Image &yours = both.mine.image, &right = both.right.image;
     const std::string stem = fs::path(out).replace_extension().string();
-    rt::write_exr(stem + "_right.exr", both.right);
-    if (!both.mine_fault.empty()) {
-        rt::write_png(out.string(), both.right, both.exposure);
-        fmt::print("no picture of yours: {}\n{}\n{}: the right one alone\n", both.mine_fault,
+    rt::write_exr(stem + "_right.exr", right);
+    if (!both.mine.fault.empty()) {
+        rt::write_png(out.string(), right, both.exposure);
+        fmt::print("no picture of yours: {}\n{}\n{}: the right one alone\n", both.mine.fault,
                    place_of_fault(arguments, settings, programs, chain), out.string());
         return 1;
     }
-    rt::write_exr(stem + "_mine.exr", both.mine);
-    rt::write_exr(stem + "_difference.exr", minus(both.mine, both.right));
-    const Difference map = difference(both.mine, both.right);
+    rt::write_exr(stem + "_mine.exr", yours);
+    rt::write_exr(stem + "_difference.exr", minus(yours, right));
+    const Difference map = difference(yours, right);
     const auto shown = [&](const rt::Image& image) { return scaled(image, both.exposure); };
-    rt::write_png(out.string(), side_by_side({shown(both.mine), shown(both.right), map.image}));
+    rt::write_png(out.string(), side_by_side({shown(yours), shown(right), map.image}));
     fmt::print(
         "{}: yours, the right one, the difference (blue: yours is darker; orange: brighter; full colour at "
         "±{:.2g})\n{}\n",
-        out.string(), map.full, in_words(both.mine, both.right));
-    if (both.right_seconds > 0)
-        fmt::print("CPU time: yours {:.3g} s, the right one {:.3g} s\n", both.mine_seconds, both.right_seconds);
-    return std::ranges::all_of(both.mine.pixels, is_number) ? 0 : 1;
+        out.string(), map.full, in_words(yours, right));
+    if (both.mine.seconds > 0 && both.right.seconds > 0)
+        fmt::print("CPU time: yours {:.3g} s, the right one {:.3g} s\n", both.mine.seconds, both.right.seconds);
+    return std::ranges::all_of(yours.pixels, is_number) ? 0 : 1;
 }
 
 }  // namespace

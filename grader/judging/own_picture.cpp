@@ -40,30 +40,30 @@ Compared draw_compared(Programs& programs, const fs::path& mine, const fs::path&
     const fs::path meshes = fs::absolute(scene).parent_path();
     const double limit =
         settings.time_limit > 0 ? settings.time_limit : limit_of(programs, meshes, experiment, settings.seed);
+    const std::string from =
+        fmt::format("{} {} {} {}x{} {} {}\n{}", meshes.string(), settings.seed, experiment.samples, settings.size.x,
+                    settings.size.y, experiment.sampler, settings.time_limit, experiment.scene);
+    const Kept& kept = programs.kept();
     Compared result;
     result.exposure = rt::parse_scene(experiment.scene, scene.string()).exposure;
-    const auto draw = [&](const char* name, const fs::path& program, rt::Image& image, std::string& fault,
-                          double& seconds) {
-        Runner runner(programs.copy_for(name, program), programs.sandbox(), meshes, limit);
+    const auto draw = [&](const std::string& name, const std::string& made_from, const auto& program) {
+        if (auto before = kept.drawn(name, made_from)) return std::move(*before);
+        Runner runner(programs.copy_for(name, program()), programs.sandbox(), meshes, limit);
         auto outcome = runner.render(experiment, settings.seed, false);
-        seconds = runner.seconds();
+        Drawn drawn{{}, "", runner.seconds()};
         if (const Fault* bad = std::get_if<Fault>(&outcome))
-            fault = bad->message;
+            drawn.fault = bad->message;
         else
-            image = std::move(std::get<rt::Image>(outcome));
+            drawn.image = std::move(std::get<rt::Image>(outcome));
+        kept.keep_drawn(name, made_from, drawn);
+        return drawn;
     };
-    // the right one is the same each time
-    const std::string from = fmt::format("{} {} {} {}x{} {}\n{}", meshes.string(), settings.seed, experiment.samples,
-                                         settings.size.x, settings.size.y, experiment.sampler, experiment.scene);
-    const auto before = programs.kept().picture("right_picture", from);
-    if (before) result.right = *before;
-    in_parallel(before ? 1 : 2, 2, [&](int i) {
+    in_parallel(2, 2, [&](int i) {
         if (i == 0)
-            draw("mine", mine, result.mine, result.mine_fault, result.mine_seconds);
+            result.mine = draw("own_picture", from + read_text(mine).value_or(""), [&] { return mine; });
         else
-            draw("right", programs.with({}).program, result.right, result.right_fault, result.right_seconds);
+            result.right = draw("right_picture", from, [&] { return programs.with({}).program; });
     });
-    if (!before && result.right_fault.empty()) programs.kept().keep_picture("right_picture", from, result.right);
     return result;
 }
 
@@ -100,9 +100,9 @@ void add_own_picture(Record& record, Programs& programs, const fs::path& scene, 
     Compared compared = draw_compared(programs, mine, scene, {samples, size, seed, 3 * time_limit});
     record.own_picture_scene = scene.filename().string();
     record.own_picture_exposure = compared.exposure;
-    record.own_picture_fault = compared.mine_fault;
-    record.own_picture = std::move(compared.mine);
-    record.own_picture_right = std::move(compared.right);
+    record.own_picture_fault = compared.mine.fault;
+    record.own_picture = std::move(compared.mine.image);
+    record.own_picture_right = std::move(compared.right.image);
 }
 
 }  // namespace grade

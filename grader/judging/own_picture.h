@@ -8,10 +8,8 @@ namespace grade {
 
 /// A scene as some fragments of a submission draw it and as the solution's do, with the same random numbers.
 struct Compared {
-    rt::Image mine, right;
-    std::string mine_fault, right_fault;         // why there is no picture; empty: there is one
-    double mine_seconds = 0, right_seconds = 0;  // CPU time of rendering alone
-    double exposure = 1;                         // of the scene
+    Drawn mine, right;
+    double exposure = 1;  // of the scene
 };
 
 struct ComparedSettings {

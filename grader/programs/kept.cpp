@@ -70,6 +70,8 @@ void each_field(Some<Finding> auto& f, auto&& field) {
         field("says_which", f.says_which), field("by_textbook", f.by_textbook), field("of_nan", f.of_nan);
 }
 
+void each_field(Some<Drawn> auto& d, auto&& field) { field("image", d.image), field("fault", d.fault); }
+
 template <class Type>
 KeptJson json_of(const Type& x) {
     if constexpr (requires { each_field(x, [](const char*, const auto&) {}); }) {
@@ -176,12 +178,12 @@ void Kept::keep_finding(const std::string& key, const std::string& made_from, co
     write(key, made_from, json_of(f));
 }
 
-std::optional<rt::Image> Kept::picture(const std::string& name, const std::string& made_from) const {
-    return read<rt::Image>(name, made_from, image_of);
+std::optional<Drawn> Kept::drawn(const std::string& name, const std::string& made_from) const {
+    return read<Drawn>(name, made_from, of_json);
 }
 
-void Kept::keep_picture(const std::string& name, const std::string& made_from, const rt::Image& picture) const {
-    write(name, made_from, kept_image(picture));
+void Kept::keep_drawn(const std::string& name, const std::string& made_from, const Drawn& drawn) const {
+    write(name, made_from, json_of(drawn));
 }
 
 }  // namespace grade

@@ -11,6 +11,13 @@
 
 namespace grade {
 
+/// A picture that a program was asked for.
+struct Drawn {
+    rt::Image image;
+    std::string fault;   // why there is none; empty: there is one
+    double seconds = 0;  // CPU time of rendering alone; 0: it was drawn before
+};
+
 /// What one grading of the same folder leaves for the next: the objects of fragments, and the records of checks. Each
 /// is found again under a hash of all that it was made from, and of the grader itself.
 class Kept {
@@ -37,8 +44,8 @@ public:
     void keep_finding(const std::string& key, const std::string& made_from, const Finding& finding) const;
 
     /// A picture; made_from: all that it depends on beside the framework.
-    std::optional<rt::Image> picture(const std::string& name, const std::string& made_from) const;
-    void keep_picture(const std::string& name, const std::string& made_from, const rt::Image& picture) const;
+    std::optional<Drawn> drawn(const std::string& name, const std::string& made_from) const;
+    void keep_drawn(const std::string& name, const std::string& made_from, const Drawn& drawn) const;
 
     /// Only verdicts that do not depend on how busy the machine is.
     void keep_check(const std::string& key, const std::string& made_from, const CheckRecord& record) const;
