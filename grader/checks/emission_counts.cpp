@@ -29,7 +29,8 @@ std::vector<Suspect<rt::emission_counts>> other_formulas() {
                                                             both ? "&&" : "||", sampled ? "" : "!");
                     const bool is_operator = both && !equal && !sampled && event == Event::diffuse;
                     all.push_back(
-                        {formula + (is_operator               ? "; expected `previous != diffuse || !sampled`"
+                        {formula + (is_operator ? "; expected `previous != diffuse || !sampled`, which is `!(previous "
+                                                  "== diffuse && sampled)`"
                                     : event != Event::diffuse ? ": it is the diffuse surface that sends shadow rays"
                                                               : ": is a condition the wrong way round?"),
                          f});

@@ -168,6 +168,11 @@ Expression ExpressionReader::postfix() {
         if (is(".") || is("->")) {
             const std::string sign = now().text, name = tokens_[++at_].text;
             ++at_;
+            if (name == "length" && is("(") && tokens_[at_ + 1].text == ")") {
+                at_ += 2;
+                length_of(all, sign);
+                continue;
+            }
             all.text += sign + name, all.inner += sign + name;
             if (take("(")) call(all, name, "");
         } else if (take("[")) {
@@ -183,6 +188,15 @@ Expression ExpressionReader::postfix() {
         }
         finish(all);
     }
+}
+
+/// Of a vector, it is often meant to be another function's value.
+void ExpressionReader::length_of(Expression& of, const std::string& sign) {
+    const std::string vector = sign == "->" ? "*" + of.text : of.text;
+    of.text += sign + "length()";
+    const int node = add(of.text, {}, {"length(" + vector + ")"});
+    of.inner = fmt::format("textbook::length_of({}, {}{})", node, sign == "->" ? "*" : "", of.inner);
+    watch(of, node);
 }
 
 Expression ExpressionReader::primary() {

@@ -160,6 +160,7 @@ protected:
     std::string template_arguments();
 
     Expression postfix();
+    void length_of(Expression& of, const std::string& sign);
 
     /// Puts its arguments behind a function's name.
     void call(Expression& function, const std::string& name, const std::string& qualified);

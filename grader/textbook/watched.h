@@ -46,6 +46,15 @@ decltype(auto) element(const List& list, Index i) {
         return list[i];
 }
 
+/// What `x.length()` is: of a vector the number of its components or, where that is chosen, its length.
+template <class Object>
+auto length_of(int node, const Object& x) {
+    if constexpr (requires { Object::length(), glm::length(x); })
+        return chosen(node) == 1 ? double(glm::length(x)) : double(Object::length());
+    else
+        return x.length();
+}
+
 /// Whole numbers are not divided by 0.
 struct Quotient {
     template <class A, class B>

@@ -20,19 +20,26 @@ bool is_number(std::string_view text) {
 /// "cos" of "cos(x)"
 std::string called(std::string_view call) { return std::string(call.substr(0, call.find('('))); }
 
+/// As C++ has a number of the same type: "0.0" for 0 in the place of "0.5".
+std::string of_type(const std::string& written, double x) {
+    const std::string words = number_in_words(x);
+    const bool is_whole = words.find_first_not_of("0123456789-") == words.npos;
+    return is_whole && written.find_first_of(".e") != written.npos ? words + ".0" : words;
+}
+
 /// Of a mistake in a literal, the number that takes its place.
 std::string other_number(const textbook::Node& node, const Mistake& mistake) {
     const double x = std::strtod(node.text.c_str(), nullptr);
     const std::size_t f = mistake.made.function;
     switch (mistake.made.made) {
         case Made::number:
-            return number_in_words(scalar_functions[f].value(x));
+            return of_type(node.text, scalar_functions[f].value(x));
         case Made::tolerance:
-            return number_in_words(tolerance_functions[f].value(x));
+            return of_type(node.text, tolerance_functions[f].value(x));
         case Made::share:
-            return number_in_words(share_functions[f].value(x));
+            return of_type(node.text, share_functions[f].value(x));
         case Made::limit:
-            return number_in_words(limit_functions[f].value(x));
+            return of_type(node.text, limit_functions[f].value(x));
         default:
             return filled(mistake.pattern, node.name);
     }

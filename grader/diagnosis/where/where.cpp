@@ -86,6 +86,18 @@ std::string wrong_answers(const Calls& calls) {
     return words;
 }
 
+namespace {
+
+/// "where", of which calls: what holds in all wrong ones may hold in some right ones as well.
+const char* how_far(const WrongCalls& region, const Calls& calls) {
+    if (region.is_exact) return "where ";
+    for (const std::size_t k : calls.wrong())
+        if (!region.holds(calls.rows[k], calls.layouts[k], calls.right[k])) return "nearly all of them where ";
+    return "all of them where ";
+}
+
+}  // namespace
+
 WrongCalls where_wrong(const Calls& calls, bool of_answers) {
     WrongCalls region = rule_of(calls, of_answers);
     if (!region.is_exact && of_answers)
@@ -93,7 +105,7 @@ WrongCalls where_wrong(const Calls& calls, bool of_answers) {
     if (const std::string words = region.is_exact ? "" : table_of(calls); !words.empty())
         region = {words, [](const Row&, const Layout&, const Row&) { return true; }, true};
     if (region.is_of_axis) region.words += ": a cross product with that axis is 0 there";
-    if (!region.words.empty()) region.words = (region.is_exact ? "where " : "nearly all of them where ") + region.words;
+    if (!region.words.empty()) region.words = how_far(region, calls) + region.words;
     return region;
 }
 
