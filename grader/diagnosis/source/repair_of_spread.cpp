@@ -21,21 +21,11 @@ public:
         constexpr double dearest = 1.35;
         std::erase_if(changes,
                       [&](const Mistake& m) { return m.cost > dearest && (m.pattern != "{1}" || is_literal(m.made)); });
-        const Integrals& rough = levels_.front();
-        const std::vector<Rows> as_it_is = answers(std::vector{Edit{}}, rough.rows());
-        const std::size_t at_once = most_at_once / rough.rows().size() + 1;
-        for (std::size_t from = 0; from < changes.size() && !as_it_is.empty() && asked_ < most_rows; from += at_once) {
-            std::vector<Edit> edits;
-            for (std::size_t i = from; i < std::min(changes.size(), from + at_once); ++i)
-                edits.push_back({&changes[i]});
-            const std::vector<Rows> all = answers(edits, rough.rows());
-            for (std::size_t i = 0; i < all.size(); ++i)
-                if (all[i] != as_it_is.front() && rough.are_right(all[i]) && holds(edits[i]))
-                    return Repair{.words = in_words(all_, edits[i]) + ", the samples are spread as they must be",
-                                  .line = line_of(all_, edits[i]),
-                                  .cost = edits[i].cost()};
-        }
-        return std::nullopt;
+        const std::optional<Edit> best = simplest(changes);
+        if (!best) return std::nullopt;
+        return Repair{.words = in_words(all_, *best) + ", the samples are spread as they must be",
+                      .line = line_of(all_, *best),
+                      .cost = best->cost()};
     }
 
 private:
@@ -61,14 +51,55 @@ private:
         return all;
     }
 
+    /// Of those that cost the same, the one that moves the fewest samples: where each may lie is not wrong if densities
+    /// alone are.
+    std::optional<Edit> simplest(const std::vector<Mistake>& changes) {
+        const Integrals& rough = levels_.front();
+        const std::vector<Rows> as_it_is = answers(std::vector{Edit{}}, rough.rows());
+        const std::size_t at_once = most_at_once / rough.rows().size() + 1;
+        std::optional<Edit> best;
+        std::size_t fewest = 0;
+        for (std::size_t from = 0; from < changes.size() && !as_it_is.empty() && asked_ < most_rows; from += at_once) {
+            std::vector<Edit> edits;
+            for (std::size_t i = from; i < std::min(changes.size(), from + at_once); ++i)
+                edits.push_back({&changes[i]});
+            const std::vector<Rows> all = answers(edits, rough.rows());
+            for (std::size_t i = 0; i < all.size(); ++i) {
+                if (best && edits[i].cost() > best->cost()) return best;
+                if (all[i] == as_it_is.front() || !rough.are_right(all[i]) || !holds(edits[i])) continue;
+                const std::size_t moved = moved_by(all[i], as_it_is.front());
+                if (!best || moved < fewest) best = edits[i], fewest = moved;
+            }
+        }
+        return best;
+    }
+
+    /// Samples that lie elsewhere.
+    std::size_t moved_by(const Rows& answers, const Rows& before) const {
+        std::size_t count = 0;
+        for (std::size_t k = 0; k < answers.size(); ++k)
+            count += std::ranges::any_of(calls_.result.parts, [&](const Field& part) {
+                return is_place(part) && !is_equal(part, answers[k], before[k]);
+            });
+        return count;
+    }
+
     bool are_right(const Edit& edit, const Integrals& integrals) {
         const std::vector<Rows> all = answers({edit}, integrals.rows());
         return !all.empty() && integrals.are_right(all[0]);
     }
 
     bool holds(const Edit& edit) {
-        return std::all_of(levels_.begin() + 1, levels_.end(),
-                           [&](const Integrals& one) { return are_right(edit, one); });
+        return !is_nan_in_calls(edit) && std::all_of(levels_.begin() + 1, levels_.end(),
+                                                     [&](const Integrals& one) { return are_right(edit, one); });
+    }
+
+    /// What integrals never ask: the ends of random numbers.
+    bool is_nan_in_calls(const Edit& edit) {
+        const std::vector<Rows> all = answers({edit}, calls_.rows);
+        std::size_t k = 0;
+        return all.empty() ||
+               std::ranges::any_of(all[0], [&](const Row& answer) { return is_nan(answer, calls_.right[k++]); });
     }
 
     std::vector<Integrals> levels_;  // the roughest first
