@@ -2,6 +2,7 @@
 
 #include "diagnosis/calls/calls_made.h"
 #include "diagnosis/samples/integrals.h"
+#include "diagnosis/source/borrowed.h"
 #include "diagnosis/source/repair.h"
 #include "explained.h"
 #include "textbook/edits.h"
@@ -122,6 +123,26 @@ TEST_CASE("samples that are no directions are not spread as they must be, whatev
     };
     CHECK(integrals->are_right(of_height([](double r) { return std::sqrt(1 - r * r); })));
     CHECK_FALSE(integrals->are_right(of_height([](double r) { return r; })));  // its moments are
+}
+
+TEST_CASE("what a textbook has, in words of arguments and of the answer") {
+    const Ask right = answers("phong_lobe");
+    const Rows rows = calls([](Generator& random) { return row(between(random, 1, 9), square(random)); });
+    const Calls all = compared(declared("phong_lobe"), rows, right, right);
+    const Borrowed borrowed(all);
+    const Row values = borrowed.values(all.rows[0], all.layouts[0]);
+    std::size_t at = 0;
+    bool has_power = false;
+    for (const auto& expression : borrowed.all()) {
+        const double power = std::pow(all.right[0][2], all.rows[0][0]);  // of the direction's z
+        if (expression.words == "pow(direction.z, exponent)") has_power = std::abs(values[at] - power) < 1e-9;
+        // the whole answer would be no hint
+        CHECK(std::abs(values[at] - all.right[0][3]) > 1e-9);
+        at += expression.is_vector ? 3 : 1;
+    }
+    CHECK(has_power);
+    CHECK(at == values.size());
+    CHECK(Borrowed(Calls{}).all().empty());
 }
 
 TEST_CASE("a program that gives no answers, or too few, is no repair") {

@@ -31,6 +31,21 @@ TEST_CASE("a student's source: what it holds, and in which line") {
     CHECK_THAT(more.text, ContainsSubstring("for (const Real w : {1.0, 2.0})"));
 }
 
+TEST_CASE("a student's source: a vector's length() may be meant to be its length") {
+    const auto source = textbook::editable(function("    return u.length() + x;\n"));
+    CHECK(node(source, "u.length()").alternatives == std::vector<std::string>{"length(u)"});
+    CHECK_THAT(source.text, ContainsSubstring("textbook::length_of("));
+    const rt::vec2 u(3, 4);
+    const auto length_with = [&](int alternative) {
+        const textbook::Mistake mistake{{0}, alternative};
+        textbook::watch.begin(0, 1, {}, &mistake, nullptr);
+        return textbook::length_of(0, u);
+    };
+    CHECK(length_with(0) == 2);
+    CHECK(length_with(1) == 5);
+    CHECK(textbook::length_of(0, std::string("four")) == 4);  // what is no vector stays as it is
+}
+
 TEST_CASE("a student's source: variables that get other values are not what they were") {
     const auto source =
         textbook::editable(function("    Real k = 2 * x, m = k + 1;\n    k *= u.x;\n    vec2 v = u;\n    v[0] = k;\n"

@@ -39,14 +39,13 @@ bool EditedCalls::answers_as_before(const Rows& answers) const {
 
 bool EditedCalls::see() {
     arguments_ = calls_.layouts.front(), told_ = calls_.told;
-    bool any_varies = false;
     for (std::size_t i = 0; i < arguments_.parts.size(); ++i) {
         const std::string& name = arguments_.parts[i].name;
         const bool varies = source_.varying.contains(name.substr(0, name.find('.')));
-        any_varies = any_varies || varies;
+        arguments_vary_ = arguments_vary_ || varies;
         if (varies) told_[i] = false;
     }
-    if (!any_varies) quantities_ = as_code(quantities_of(arguments_, told_));
+    if (!arguments_vary_) quantities_ = as_code(quantities_of(arguments_, told_));
     for (std::size_t i = 0; i < quantities_.size(); ++i) {
         arguments_.parts.push_back({quantities_[i].words, Kind::number, calls_.rows.front().size() + i});
         told_.push_back(quantities_[i].kind != Quantity::Kind::number);
@@ -91,8 +90,9 @@ std::vector<Rows> EditedCalls::answers(const std::vector<Edit>& edits, const Row
 textbook::EditedCall EditedCalls::call(const Calls& of, std::size_t k, bool only_kinds) const {
     textbook::EditedCall all{source_.nodes.size(), only_kinds, {}, of.rows[k]};
     // lists may be longer in other calls: then the quantities stand elsewhere
-    if (all.arguments.size() == calls_.rows.front().size())
-        for (const Quantity& quantity : quantities_) all.more.push_back(quantity.value(of.rows[k], of.layouts[k], {}));
+    if (all.arguments.size() != calls_.rows.front().size()) return all;
+    for (const Quantity& quantity : quantities_) all.more.push_back(quantity.value(of.rows[k], of.layouts[k], {}));
+    for (const double x : borrowed_.values(of.rows[k], of.layouts[k])) all.more.push_back(x);
     return all;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "diagnosis/calls/quantities.h"
+#include "diagnosis/source/borrowed.h"
 #include "diagnosis/source/edits_in_words.h"
 #include "diagnosis/source/repair.h"
 
@@ -31,7 +32,9 @@ protected:
     std::vector<std::size_t> wrong_, right_, others_;  // calls: some of either kind, and the rest of both
     Layout arguments_;                                 // and the quantities behind them
     std::vector<bool> told_;
+    bool arguments_vary_ = false;  // some get other values: what was passed is not what is there
     std::vector<Quantity> quantities_;
+    Borrowed borrowed_;
     Expressions all_;
     std::size_t asked_ = 0;
 

@@ -24,11 +24,18 @@ public:
     std::optional<Repair> run(bool only_one) {
         if (wrong_.size() < enough_wrong || !see()) return std::nullopt;
         const std::vector<Mistake> changes = mistakes_in(all_, arguments_, told_);
-        std::vector<Edit> one;
-        for (const Mistake& change : changes) one.push_back({&change});
-        if (auto repair = of_all(one)) return repair;
-        if (auto repair = of_all(renamed(all_, changes)); repair || only_one) return repair;
-        if (auto repair = of_all(two(changes))) return repair;
+        std::vector<Edit> one = alone(changes);
+        auto repair = of_all(one);
+        if (!repair) repair = of_all(renamed(all_, changes));
+        constexpr double odd = 1.6;
+        if (!repair || repair->cost > odd) {
+            const std::vector<Mistake> borrowing = with_borrowed();
+            auto other = of_all(alone(borrowing));
+            if (other) other->is_borrowed = true;
+            if (other && (!repair || other->cost < repair->cost)) repair = other;
+        }
+        if (repair || only_one) return repair;
+        if ((repair = of_all(two(changes)))) return repair;
         // samples that lie elsewhere may be as good: most of them say nothing
         const bool sampled =
             std::ranges::any_of(calls_.signature.arguments, [](const auto& argument) { return argument.name == "u"; });
@@ -36,6 +43,12 @@ public:
     }
 
 private:
+    static std::vector<Edit> alone(const std::vector<Mistake>& changes) {
+        std::vector<Edit> all;
+        for (const Mistake& change : changes) all.push_back({&change});
+        return all;
+    }
+
     Effect effect_on_further(const Edit& edit) {
         if (!further_) further_ = source_.further ? source_.further() : Calls{};
         Rows rows;
@@ -95,6 +108,7 @@ private:
                       best.cost() <= simple,
                       best.second != nullptr && !best.in_one_expression,
                       is_literal(best.first->made) && best.first->pattern != "{1}",
+                      false,
                       best.cost()};
     }
 
@@ -132,6 +146,26 @@ private:
         return Repair{fmt::format("{}, {:.0f} % of the wrong answers are right", in_words(all_, some[best]),
                                   std::floor(100 * share + 1e-9)),
                       line_of(all_, some[best]), share};
+    }
+
+    /// What a textbook has in the place of each expression.
+    std::vector<Mistake> with_borrowed() {
+        constexpr double least_cost = 1.3, of_letter = 0.01;
+        if (!arguments_vary_) borrowed_ = Borrowed(calls_);
+        std::vector<Mistake> all;
+        std::size_t at = calls_.rows.front().size() + quantities_.size();
+        for (const Borrowed::Expression& other : borrowed_.all()) {
+            for (std::size_t i = 0; i < all_.seen.size(); ++i) {
+                const bool is_vector = all_.seen[i] == textbook::Value::Kind::vector;
+                if (other.is_vector ? !is_vector : all_.seen[i] != textbook::Value::Kind::number) continue;
+                Mistake one{"{1}", "", least_cost + of_letter * double(other.words.size()), {}, other.words};
+                one.made.nodes = {int(i)}, one.made.other_at = at;
+                one.made.made = is_vector ? textbook::Made::vector_with : textbook::Made::number_with;
+                if (source_.nodes[i].function.empty()) all.push_back(std::move(one));
+            }
+            at += other.is_vector ? 3 : 1;
+        }
+        return all;
     }
 
     /// Pairs of simple ones at different places.

@@ -23,6 +23,7 @@ struct Repair {
     bool is_simple = false;  // of one expression, and simpler than two mistakes that explain as much
     bool is_of_two = false;
     bool is_of_literal = false;  // a number in the place of another
+    bool is_borrowed = false;    // a textbook's expression in the place of one
     double cost = 0;
 };
 

@@ -41,7 +41,7 @@ void add_repair(std::optional<Relation>& relation, const Calls& calls, const std
         // The student's own words, but for a mistake that has a name, or that is clearly simpler in others; what a
         // textbook has may not stand in the file.
         const double clearly = relation->by_arguments ? 0.25 : 0.5;
-        const bool is_own = line > 0 && repair->cost <= relation->cost + clearly;
+        const bool is_own = line > 0 && (repair->is_borrowed || repair->cost <= relation->cost + clearly);
         if (relation->is_change() && relation->kind == Relation::Kind::change && is_own)
             relation->said = repair->words, relation->usually.clear(), relation->kind = Relation::Kind::sentence;
         else if (relation->is_change() && is_told)
