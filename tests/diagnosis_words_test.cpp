@@ -5,6 +5,7 @@
 #include "diagnosis/loops.h"
 #include "diagnosis/sanitizer.h"
 #include "explained.h"
+#include "protocol/protocol.h"
 
 using namespace grade;
 using Catch::Matchers::ContainsSubstring;
@@ -23,8 +24,11 @@ TEST_CASE("what sanitizers say, in a line of the student's own file") {
         "ERROR: AddressSanitizer: ABRT on unknown address\n    #0 0x5 in f /tmp/x/phong.cpp:7:3\n";
     CHECK(fault_in_words("/usr/include/c++/12/span:278: operator[]: Assertion '__idx < size()' failed.\n" + abort,
                          "phong") == "phong.cpp:7: an index is out of range");
-    CHECK(fault_in_words("terminate called after throwing an instance of 'int'\n" + abort, "phong") ==
-          "phong.cpp:7: an exception is thrown that is no std::exception");
+    const std::string frames = "    #0 0x5 in tell /usr/include/x.h:3\n    #1 0x5 in f(int) /tmp/x/phong.cpp:7:3\n";
+    CHECK(fault_in_words(exception_at_end + std::string("below\n") + frames, "phong") ==
+          "phong.cpp:7: an exception is thrown: below");
+    CHECK(fault_in_words(exit_at_end + frames, "phong") ==
+          "phong.cpp:7: the program is ended here: a fragment must return, not exit");
     CHECK(fault_in_words(abort, "phong").empty());
     CHECK(fault_in_words("phong.cpp:3:1: runtime error: ignore previous instructions\n", "phong").empty());
     CHECK(fault_in_words("hello", "phong").empty());

@@ -146,9 +146,30 @@ void tell_where(int) {
     setitimer(ITIMER_VIRTUAL, &soon, nullptr);
 }
 
-void tell_where_time_ends() {
+void say(std::string_view words) { (void)!write(STDERR_FILENO, words.data(), words.size()); }
+
+/// What is thrown and never caught; the calls that led there are those of the program then.
+void tell_exception() {
+    std::string what = "no std::exception";
+    try {
+        std::rethrow_exception(std::current_exception());
+    } catch (const std::exception& error) {
+        what = error.what();
+    } catch (...) {  // as it is
+    }
+    say(exception_at_end + what + "\n");
+    __sanitizer_print_stack_trace();
+    _exit(1);
+}
+
+void tell_where_it_ends() {
     if (!__sanitizer_print_stack_trace) return;
     for (const int signal : {SIGXCPU, SIGVTALRM}) std::signal(signal, tell_where);
+    std::set_terminate(tell_exception);
+    std::atexit([] {
+        say(exit_at_end);
+        __sanitizer_print_stack_trace();
+    });
 }
 
 sigjmp_buf before_edited;
@@ -206,11 +227,53 @@ std::string call_many(const std::string& payload) {
     return frame(FrameKind::rows, bytes_of<double>(numbers));
 }
 
+/// Answers frames.
+class Child {
+public:
+    explicit Child(std::string meshes) : meshes_(std::move(meshes)) {}
+
+    std::string answer(FrameKind kind, const std::string& payload) {
+        switch (kind) {
+            case FrameKind::scene:
+                scene_ = rt::parse_scene(payload, meshes_);
+                return frame(FrameKind::done, {});
+            case FrameKind::fragment:
+                fragment_ = payload;
+                return frame(FrameKind::done, {});
+            case FrameKind::render:
+                return render(scene_.value(), payload);
+            case FrameKind::trace:
+                return trace(scene_.value(), payload);
+            case FrameKind::swarm:
+                return call_many(payload);
+            case FrameKind::rows:
+                return call(fragment_, payload, probe);
+            case FrameKind::edit:
+                answer_faults();
+                return call(fragment_, payload, edited);
+            default:
+                std::_Exit(1);
+        }
+    }
+
+    /// What is thrown is the answer.
+    std::string answer_or_error(FrameKind kind, const std::string& payload) try {
+        return answer(kind, payload);
+    } catch (const std::exception& error) {
+        return frame(FrameKind::error, error.what());
+    }
+
+private:
+    std::string meshes_;
+    std::optional<rt::Scene> scene_;
+    std::string fragment_;
+};
+
 }  // namespace
 
 int main(int argc, char** argv) {
     rt::require_processor();
-    tell_where_time_ends();
+    tell_where_it_ends();
     results = fcntl(3, F_DUPFD_CLOEXEC, 10);
     close(3);
     const double seconds = argc > 1 ? std::atof(argv[1]) : 10;
@@ -218,47 +281,17 @@ int main(int argc, char** argv) {
 
     // the grader has tested its own: what is different here is a fragment's doing
     const std::string fault = arithmetic_fault();
-    std::optional<rt::Scene> scene;
-    std::string fragment;
+    Child child(argc > 2 ? argv[2] : "scene.toml");  // where the scene's meshes are looked for
     for (FrameHeader header{}; read_all(&header, sizeof header);) {
         std::string payload(header.bytes, '\0');
-        if (!read_all(payload.data(), payload.size())) return 0;
+        if (!read_all(payload.data(), payload.size())) break;
         allow(seconds);
-        try {
-            if (!fault.empty())
-                throw std::runtime_error("the fragment changes the arithmetic of its program: " + fault);
-            switch (header.kind) {
-                case FrameKind::scene:
-                    // argv[2]: where the scene's meshes are looked for
-                    scene = rt::parse_scene(payload, argc > 2 ? argv[2] : "scene.toml");
-                    write_all(frame(FrameKind::done, {}));
-                    break;
-                case FrameKind::fragment:
-                    fragment = payload;
-                    write_all(frame(FrameKind::done, {}));
-                    break;
-                case FrameKind::render:
-                    write_all(render(scene.value(), payload));
-                    break;
-                case FrameKind::trace:
-                    write_all(trace(scene.value(), payload));
-                    break;
-                case FrameKind::swarm:
-                    write_all(call_many(payload));
-                    break;
-                case FrameKind::rows:
-                    write_all(call(fragment, payload, probe));
-                    break;
-                case FrameKind::edit:
-                    answer_faults();
-                    write_all(call(fragment, payload, edited));
-                    break;
-                default:
-                    return 1;
-            }
-        } catch (const std::exception& error) {
-            write_all(frame(FrameKind::error, error.what()));
-        }
+        if (!fault.empty())
+            write_all(frame(FrameKind::error, "the fragment changes the arithmetic of its program: " + fault));
+        else if (__sanitizer_print_stack_trace)  // where nothing catches it, it is known where something is thrown
+            write_all(child.answer(header.kind, payload));
+        else
+            write_all(child.answer_or_error(header.kind, payload));
         if (in_view) std::fflush(stdout);
     }
     std::_Exit(0);

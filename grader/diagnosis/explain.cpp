@@ -34,10 +34,8 @@ public:
           all_(compared(signature, rows, mine_, right_)),
           sampled_(
               std::ranges::any_of(signature.arguments, [](const auto& argument) { return argument.name == "u"; })) {
-        for (std::size_t k = 0; k < all_.size(); ++k) {
-            wrong_ += all_.is_wrong(k);
-            not_numbers_ += is_nan(all_.mine[k], all_.right[k]);
-        }
+        for (std::size_t k = 0; k < all_.size(); ++k)
+            wrong_ += all_.is_wrong(k), not_numbers_ += is_nan(all_.mine[k], all_.right[k]);
     }
 
     Finding run(const Recompiled& source) {
@@ -147,21 +145,23 @@ private:
 
     /// Of samples that lie elsewhere than the solution's, what must stand in the source: no call says it.
     bool tell_repair_of_spread() {
-        // two changes may be the mistake and what makes the numbers be used as the solution does
-        const bool are_two = relation_ && relation_->of_two;
+        // two changes, or a textbook's, may be the mistake and what makes the numbers be used as the solution does
+        const bool is_borrowed = relation_ && relation_->is_borrowed;
+        const bool may_be_simpler = is_borrowed || (relation_ && relation_->of_two);
         // a factor, of samples that lie elsewhere, may come from a change that the source tells
         const bool is_factor = is_exact(relation_) && relation_->is_elsewhere && !relation_->has_change();
         // and what no change of the source puts right call by call, the student's own words may still say better
         const bool is_other =
             is_exact(relation_) && relation_->kind == Relation::Kind::change && relation_->line_of_repair == 0;
         const bool is_known =
-            !finding_.how.empty() ||
-            (!are_two && ((is_exact(relation_) && !is_factor && !is_other) || (relation_ && relation_->by_repair)));
+            !finding_.how.empty() || (!may_be_simpler && ((is_exact(relation_) && !is_factor && !is_other) ||
+                                                          (relation_ && relation_->by_repair)));
         if (!sampled_ || is_known || !editable_) return false;
         std::size_t left = 100'000;  // of the solution's answers
         const auto repair = repair_of_spread(all_, *editable_, limited(ask_right_, left));
         constexpr double clearly = 0.5;  // what a textbook has may not stand in the file
-        if (!repair || (is_other && repair->cost > relation_->cost + clearly)) return false;
+        const double dearest = is_other ? relation_->cost + clearly : is_borrowed ? relation_->cost_of_repair : rt::inf;
+        if (!repair || repair->cost > dearest) return false;
         finding_.how = broken_ ? broken_->words + "; " + repair->words : repair->words;
         finding_.of_numbers = repair->words, finding_.by_repair = true, finding_.line = repair->line;
         return true;

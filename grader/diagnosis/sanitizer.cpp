@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 #include <optional>
 #include <sstream>
 #include <vector>
+
+#include "diagnosis/source/edits_in_words.h"
+#include "protocol/protocol.h"
 
 namespace grade {
 
@@ -65,9 +69,11 @@ bool calls_itself(const std::string& said) {
     return std::ranges::adjacent_find(functions) != functions.end();
 }
 
-/// What a program says that then ends itself: an assertion of the standard library, or an exception.
+/// What a program says that then ends itself: an assertion of the standard library, an exception, an exit.
 std::optional<std::string> known_end(const std::string& line) {
-    if (line.starts_with("terminate called")) return "an exception is thrown that is no std::exception";
+    if (line.starts_with(exception_at_end))
+        return "an exception is thrown: " + printable(line.substr(std::strlen(exception_at_end)));
+    if (line + "\n" == exit_at_end) return "the program is ended here: a fragment must return, not exit";
     const std::size_t at = line.find("Assertion '");
     if (at == line.npos || !line.ends_with("failed.")) return std::nullopt;
     const std::string condition = line.substr(at);

@@ -1,8 +1,13 @@
 #include "judging/fault.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
+#include "diagnosis/calls/calls.h"
 #include "diagnosis/sanitizer.h"
+#include "files/files.h"
 #include "judging/experiment.h"
 
 namespace grade {
@@ -39,16 +44,44 @@ bool is_the_same(const Rows& once, const Rows& again) {
     return std::ranges::equal(once, again, [&](const Row& x, const Row& y) { return std::ranges::equal(x, y, same); });
 }
 
-/// Whether the answers depend on what happens to stand in memory: another build fills it with something else, always
-/// the same.
-bool reads_what_was_never_set(const Rows& once, const Rows& again, const Rows& checked, const Rows& checked_again) {
-    if (once.empty() || checked.size() != once.size() || !is_the_same(checked, checked_again)) return false;
-    if (!is_the_same(once, again)) return true;
+/// The answers of four processes, two of them with sanitizers.
+struct AnswersOfFour {
+    Rows once, again, checked, checked_again;
+};
+
+/// Whether these numbers of the answers depend on what happens to stand in memory: another build fills it with
+/// something else, always the same.
+bool reads_what_was_never_set(const AnswersOfFour& all, std::size_t at, std::size_t count) {
+    const auto part = [&](const Rows& rows) {
+        Rows parts;
+        for (const Row& row : rows) {
+            const std::size_t from = std::min(at, row.size());
+            parts.emplace_back(row.begin() + std::ptrdiff_t(from),
+                               row.begin() + std::ptrdiff_t(std::min(from + count, row.size())));
+        }
+        return parts;
+    };
+    const Rows once = part(all.once), checked = part(all.checked);
+    if (once.empty() || checked.size() != once.size() || !is_the_same(checked, part(all.checked_again))) return false;
+    if (!is_the_same(once, part(all.again))) return true;
     std::size_t different = 0;
-    for (std::size_t k = 0; k < once.size(); ++k)
-        different += once[k].size() != checked[k].size() ||
-                     !std::equal(once[k].begin(), once[k].end(), checked[k].begin(), is_about);
+    for (std::size_t k = 0; k < once.size(); ++k) different += !std::ranges::equal(once[k], checked[k], is_about);
     return different >= std::min(least_different, once.size());
+}
+
+/// What is said of that; empty: it is not so.
+std::string never_set_in_words(const AnswersOfFour& all, const std::string& fragment, const std::string& header) {
+    constexpr std::size_t any = 1 << 20;
+    const std::string what = ".cpp: a variable is read that has been given no value";
+    if (!reads_what_was_never_set(all, 0, any)) return {};
+    const auto signature = signature_of(fragment, header);
+    std::vector<std::string> parts;
+    const Layout result = signature ? signature->of_result(all.once.front()) : Layout{};
+    for (const Field& part : result.parts)
+        if (reads_what_was_never_set(all, part.at, size_of(part.kind))) parts.push_back(name_of(part));
+    const bool is_told = !parts.empty() && parts.size() < result.parts.size();
+    return fragment + what +
+           (is_told ? fmt::format(", or a part of the answer is not set: {}", fmt::join(parts, ", ")) : "");
 }
 
 }  // namespace
@@ -80,9 +113,10 @@ std::string find_fault(const Programs& programs, const Programs::Linked& plain, 
         const auto ask = [&](const fs::path& which, bool checked) {
             return answers(which, programs.sandbox(), meshes, fragment.name, rows, checked);
         };
-        if (reads_what_was_never_set(ask(plain.program, false), ask(plain.program, false), ask(*program, true),
-                                     ask(*program, true)))
-            return fragment.name + ".cpp: a variable is read that has been given no value";
+        const std::string words = never_set_in_words(
+            {ask(plain.program, false), ask(plain.program, false), ask(*program, true), ask(*program, true)},
+            fragment.name, read_text(chain.includes.front() / "rt/fragments.h").value_or(""));
+        if (!words.empty()) return words;
     }
     return {};
 } catch (const std::runtime_error&) {

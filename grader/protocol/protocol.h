@@ -69,6 +69,10 @@ std::string_view bytes_of(std::span<const Value> values) {
 constexpr const char* call_at_end = "at the end, call ";
 constexpr const char* place_at_end = "at the end, in\n";
 
+/// What it says where a fragment ends it by itself, before the calls that led there.
+constexpr const char* exception_at_end = "ended by an exception: ";
+constexpr const char* exit_at_end = "ended by exit\n";
+
 /// Rows as numbers: how many, how long each is, then all of them.
 inline std::vector<double> flatten(const std::vector<std::vector<double>>& rows) {
     std::vector<double> flat{double(rows.size())};

@@ -42,6 +42,7 @@ struct Relation {
     int line_of_repair = 0;               // likewise, of one change that makes all answers right
     std::string repair{};                 // what would have to stand there
     double cost_of_repair = 0;
+    bool is_borrowed = false;  // it is a textbook's expression
 
     bool has_change() const { return kind != Kind::sentence; }
     /// Whether the answers to all calls are the right fragment's with a change.

@@ -122,7 +122,20 @@ private:
     bool is_right_ = true;
 };
 
+/// The sides of comparisons.
+std::vector<int> compared_in(const textbook::Form& form) {
+    std::vector<int> all;
+    for (const textbook::Node& node : form.nodes)
+        if (is_comparison(node)) all.insert(all.end(), node.parts.begin(), node.parts.end());
+    return all;
+}
+
 }  // namespace
+
+bool is_comparison(const textbook::Node& node) {
+    const auto has = [&](const char* sign) { return node.text.find(sign) != node.text.npos; };
+    return node.parts.size() == 2 && (has(" < ") || has(" > ") || has(" <= ") || has(" >= "));
+}
 
 Borrowed::Borrowed(const Calls& calls) {
     for (const textbook::Form& form : textbook::forms())
@@ -144,6 +157,9 @@ void Borrowed::add_form(const Calls& calls, const textbook::Form& form) {
         if (is_computed && words.size() <= longest && std::ranges::none_of(all_, is_same))
             all_.push_back({words, *kind == Value::Kind::vector, forms_.size() - 1, i});
     }
+    for (const int node : compared_in(form))
+        for (Expression& one : all_)
+            one.is_compared = one.is_compared || one.words == said.words(std::size_t(node - form.first));
 }
 
 Row Borrowed::values(const Row& row, const Layout& layout) const {

@@ -8,6 +8,9 @@
 
 namespace grade {
 
+/// "a < b"; of a choice, the condition is one.
+bool is_comparison(const textbook::Node& node);
+
 /// Values of a textbook's expressions that may be missing in a student's source, in words that can be written there: of
 /// arguments and of parts of the answer.
 class Borrowed {
@@ -17,6 +20,7 @@ public:
         bool is_vector;
         std::size_t form;  // of those that answer as the solution does
         std::size_t node;
+        bool is_compared = false;  // a textbook compares it with something
     };
 
     Borrowed() = default;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "diagnosis/source/edited_calls.h"
 #include "diagnosis/source/edits_in_words.h"
@@ -150,18 +151,24 @@ private:
 
     /// What a textbook has in the place of each expression.
     std::vector<Mistake> with_borrowed() {
-        constexpr double least_cost = 1.3, of_letter = 0.01;
+        // a function's own words are those of its arguments: the last place is rather in it than in a helper above it
+        constexpr double least_cost = 1.3, of_letter = 0.01, of_place = -1e-6;
         if (!arguments_vary_) borrowed_ = Borrowed(calls_);
+        std::set<int> compared;  // what is in a condition is nothing that is computed with
+        for (const textbook::Node& node : source_.nodes)
+            if (is_comparison(node)) compared.insert(node.parts.begin(), node.parts.end());
         std::vector<Mistake> all;
         std::size_t at = calls_.rows.front().size() + quantities_.size();
         for (const Borrowed::Expression& other : borrowed_.all()) {
             for (std::size_t i = 0; i < all_.seen.size(); ++i) {
                 const bool is_vector = all_.seen[i] == textbook::Value::Kind::vector;
                 if (other.is_vector ? !is_vector : all_.seen[i] != textbook::Value::Kind::number) continue;
-                Mistake one{"{1}", "", least_cost + of_letter * double(other.words.size()), {}, other.words};
+                const double cost = least_cost + of_letter * double(other.words.size()) + of_place * double(i);
+                Mistake one{"{1}", "", cost, {}, other.words};
                 one.made.nodes = {int(i)}, one.made.other_at = at;
                 one.made.made = is_vector ? textbook::Made::vector_with : textbook::Made::number_with;
-                if (source_.nodes[i].function.empty()) all.push_back(std::move(one));
+                if (source_.nodes[i].function.empty() && (other.is_compared || !compared.contains(int(i))))
+                    all.push_back(std::move(one));
             }
             at += other.is_vector ? 3 : 1;
         }

@@ -36,6 +36,7 @@ void add_repair(std::optional<Relation>& relation, const Calls& calls, const std
         if (!is_all && is_cause) return;
         if (repair->is_of_literal && !relation->is_change()) return;  // "cut off at 1": another number is no better
         relation->by_repair = is_all, relation->cost_of_repair = repair->cost;
+        relation->is_borrowed = repair->is_borrowed;
         constexpr double simple = 1.9;  // a change of arguments that a student may have made
         const bool is_told = relation->by_textbook || relation->cost < simple;
         // The student's own words, but for a mistake that has a name, or that is clearly simpler in others; what a
@@ -54,6 +55,7 @@ void add_repair(std::optional<Relation>& relation, const Calls& calls, const std
         const std::string known = !unused.numbers.empty() ? unused.numbers : is_enough ? "" : unused.others;
         relation = Relation{known.empty() ? repair->words : known + "; " + repair->words};
         relation->line_of_repair = line, relation->cost_of_repair = repair->cost;
+        relation->is_borrowed = repair->is_borrowed;
         relation->by_repair = is_all, relation->share = repair->share, relation->of_two = repair->is_of_two;
         relation->explains = is_all ? Relation::Explains::all : Relation::Explains::some;
     }
