@@ -3,7 +3,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 
@@ -39,10 +38,69 @@ struct alignas(32) FloatBox {
 
 /// Items first to last - 1 of the list, which are to become one child.
 struct Range {
-    std::uint32_t first, last;
-    FloatBox box;
+    std::uint32_t first = 0, last = 0;
+    FloatBox box{}, middles{};  // the second, of twice the centres
     std::uint32_t count() const { return last - first; }
 };
+
+/// The children of one node.
+class Children {
+public:
+    Range* begin() { return all_; }
+    Range* end() { return all_ + count_; }
+    std::size_t size() const { return count_; }
+    Range& operator[](std::size_t c) { return all_[c]; }
+    void push_back(const Range& range) { all_[count_++] = range; }
+
+private:
+    Range all_[Bvh::width];
+    std::size_t count_ = 0;
+};
+
+/// What a list holds by where the items' centres are along each axis.
+struct Bins {
+    FloatBox box[3][bins];
+    std::uint32_t count[3][bins] = {};
+    std::uint32_t occupied[3] = {};  // bit by bit
+
+    void include(int axis, int bin, const FloatBox& item) {
+        box[axis][bin].include(item), ++count[axis][bin], occupied[axis] |= 1u << bin;
+    }
+};
+
+/// A plane between bins, and what is on either side of it.
+struct Plane {
+    int axis = 0, bin = 0;  // the first bin beyond; 0: there is none
+    FloatBox left, right;
+};
+
+/// The cheapest one: fewest items times area of their box.
+Plane cheapest(const Bins& all) {
+    Plane best;
+    float least = std::numeric_limits<float>::infinity();
+    for (int a = 0; a < 3; ++a) {
+        float right[bins];  // of the bins from this one on
+        FloatBox sum;
+        std::uint32_t n = 0;
+        for (std::uint32_t left = all.occupied[a]; left != 0; left &= ~(1u << (std::bit_width(left) - 1))) {
+            const int b = int(std::bit_width(left)) - 1;
+            sum.include(all.box[a][b]);
+            right[b] = float(n += all.count[a][b]) * sum.half_area();
+        }
+        sum = {}, n = 0;
+        for (std::uint32_t left = all.occupied[a]; (left & (left - 1)) != 0;) {
+            const int b = std::countr_zero(left);
+            sum.include(all.box[a][b]), n += all.count[a][b], left &= left - 1;
+            const float cost = float(n) * sum.half_area() + right[std::countr_zero(left)];
+            if (cost < least) least = cost, best.axis = a, best.bin = b + 1;
+        }
+    }
+    for (std::uint32_t left = best.bin > 0 ? all.occupied[best.axis] : 0; left != 0; left &= left - 1) {
+        const int b = std::countr_zero(left);
+        (b < best.bin ? best.left : best.right).include(all.box[best.axis][b]);
+    }
+    return best;
+}
 
 /// A subtree that waits for its thread: where it hangs, and what is in it.
 struct Piece {
@@ -57,69 +115,58 @@ struct Builder {
     LargeVector<FloatBox> items;
     std::vector<Piece> pieces;
 
-    FloatBox box_of(std::uint32_t first, std::uint32_t last) const {
-        FloatBox box;
-        for (std::uint32_t i = first; i < last; ++i) box.include(items[i]);
-        return box;
+    Range list(std::uint32_t first, std::uint32_t last) const {
+        Range all{first, last, {}};
+        for (std::uint32_t i = first; i < last; ++i) all.box.include(items[i]), all.middles.include(items[i].middle());
+        return all;
     }
 
-    /// Splits a list in two, at the cheapest of the planes between bins: fewest items times area of their box.
+    /// Splits a list in two, at the cheapest of the planes between bins.
     std::pair<Range, Range> split(const Range& range, int depth) {
-        FloatBox middles;  // of twice the centres
-        for (std::uint32_t i = range.first; i < range.last; ++i) middles.include(items[i].middle());
         float low[3], per_unit[3];
         for (int a = 0; a < 3; ++a) {
-            low[a] = middles.v[a];
-            const float extent = middles.extent(a);
+            low[a] = range.middles.v[a];
+            const float extent = range.middles.extent(a);
             per_unit[a] = extent > 0 ? 0.999f * bins / extent : 0;
             if (!(per_unit[a] < 1e30f)) per_unit[a] = 0;
         }
         const auto bin_of = [&](const FloatBox& item, int a) {
             return int((item.twice_center(a) - low[a]) * per_unit[a]);
         };
-
-        std::array<std::array<FloatBox, bins>, 3> box;
-        std::uint32_t count[3][bins] = {};
-        for (std::uint32_t i = range.first; i < range.last; ++i)
-            for (int a = 0; a < 3; ++a) {
-                const int b = bin_of(items[i], a);
-                box[std::size_t(a)][std::size_t(b)].include(items[i]);
-                ++count[a][b];
-            }
-        float best = std::numeric_limits<float>::infinity();
-        int axis = 0, bin = 0;
-        for (int a = 0; a < 3; ++a) {
-            float right[bins];
-            FloatBox sum;
-            std::uint32_t n = 0;
-            for (int b = bins - 1; b > 0; --b) {
-                sum.include(box[std::size_t(a)][std::size_t(b)]);
-                right[b] = float(n += count[a][b]) * sum.half_area();
-            }
-            sum = {}, n = 0;
-            for (int b = 1; b < bins; ++b) {
-                sum.include(box[std::size_t(a)][std::size_t(b) - 1]);
-                n += count[a][b - 1];
-                const float cost = float(n) * sum.half_area() + right[b];
-                if (n > 0 && n < range.count() && cost < best) best = cost, axis = a, bin = b;
-            }
+        if (depth < halved_below) {
+            Bins all;
+            for (std::uint32_t i = range.first; i < range.last; ++i)
+                for (int a = 0; a < 3; ++a) all.include(a, bin_of(items[i], a), items[i]);
+            if (const Plane plane = cheapest(all); plane.bin > 0)
+                return split(range, plane, [&](const FloatBox& item) { return bin_of(item, plane.axis) < plane.bin; });
         }
-        std::uint32_t middle = range.first + range.count() / 2;  // all centres in one place, or too deep
-        if (bin > 0 && depth < halved_below)
-            middle = std::uint32_t(std::partition(items.begin() + range.first, items.begin() + range.last,
-                                                  [&](const FloatBox& item) { return bin_of(item, axis) < bin; }) -
-                                   items.begin());
-        return {{range.first, middle, box_of(range.first, middle)}, {middle, range.last, box_of(middle, range.last)}};
+        const std::uint32_t middle = range.first + range.count() / 2;  // all centres in one place, or too deep
+        return {list(range.first, middle), list(middle, range.last)};
+    }
+
+    /// The items that are on the left come first.
+    template <class IsLeft>
+    std::pair<Range, Range> split(const Range& range, const Plane& plane, IsLeft is_left) {
+        Range left{range.first, range.first, plane.left}, right{range.last, range.last, plane.right};
+        const auto add_left = [&] { left.middles.include(items[left.last++].middle()); };
+        const auto add_right = [&] { right.middles.include(items[--right.first].middle()); };
+        for (;;) {
+            while (left.last < right.first && is_left(items[left.last])) add_left();
+            while (left.last < right.first && !is_left(items[right.first - 1])) add_right();
+            if (left.last == right.first) return {left, right};
+            std::swap(items[left.last], items[right.first - 1]);
+            add_left(), add_right();
+        }
     }
 
     /// The children of a node: items, or lists of which the largest is split until there are eight.
-    std::vector<Range> children_of(const Range& range, int depth) {
-        std::vector<Range> children{range};
+    Children children_of(const Range& range, int depth) {
+        Children children;
         if (range.count() <= Bvh::width) {
-            children.clear();
             for (std::uint32_t i = range.first; i < range.last; ++i) children.push_back({i, i + 1, items[i]});
             return children;
         }
+        children.push_back(range);
         const auto size = [&](const Range& r) {
             return std::pair(depth < halved_below ? r.box.half_area() : 0, r.count());
         };
@@ -136,7 +183,7 @@ struct Builder {
     }
 
     /// Puts the children in order along the axis along which they are the most apart. Returns the axis.
-    static int sort(std::vector<Range>& children) {
+    static int sort(Children& children) {
         FloatBox middles;
         for (const Range& c : children) middles.include(c.box.middle());
         int axis = 0;
@@ -156,7 +203,7 @@ struct Builder {
         const std::size_t self = nodes.size();
         nodes.emplace_back();
         nodes[self].leaf = range.count() <= Bvh::width ? ~0u : 0u;
-        std::vector<Range> children = children_of(range, depth);
+        Children children = children_of(range, depth);
         nodes[self].axis = std::uint32_t(sort(children));
         for (std::size_t c = 0; c < Bvh::width; ++c) {
             const FloatBox box = c < children.size() ? children[c].box : FloatBox{};
@@ -221,7 +268,7 @@ Bvh build_bvh(std::size_t n, const std::function<Box(std::size_t)>& box) {
         }
         item.v[3] = std::bit_cast<float>(std::uint32_t(i));
     });
-    builder.build({0, std::uint32_t(n), builder.box_of(0, std::uint32_t(n))}, 0, true, bvh.nodes);
+    builder.build(builder.list(0, std::uint32_t(n)), 0, true, bvh.nodes);
     builder.build_pieces(bvh.nodes);
     return bvh;
 }
