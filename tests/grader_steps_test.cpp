@@ -1,9 +1,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <csignal>
+#include <ctime>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "catch.h"
 #include "files/files.h"
@@ -34,6 +37,23 @@ int count_of(const std::string& word) {
 }
 
 }  // namespace
+
+TEST_CASE("what a process has computed and waited for, in all of its threads") {
+    const double own = own_delay();
+    const Times before = times_of(getpid());
+    // of a thread that may have to wait, and of this one
+    std::jthread([] {
+        for (const std::clock_t start = std::clock(); std::clock() - start < CLOCKS_PER_SEC / 5;) {}
+    }).join();
+    std::atomic<bool> is_done = false;
+    const std::jthread waits([&] { is_done.wait(false); });
+    const Times now = times_of(getpid());
+    is_done = true, is_done.notify_all();
+    CHECK(now.computed - before.computed >= 0.15);
+    CHECK(now.delayed >= own_delay() - 1e-3);
+    CHECK(own_delay() >= own);
+    CHECK(times_of(0).computed == 0);  // there is no such process
+}
 
 TEST_CASE("a step sees its own folder, and neither another nor a secret, nor the environment", "[steps]") {
     for (const Sandbox& sandbox : sandboxes()) {

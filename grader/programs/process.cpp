@@ -18,7 +18,6 @@
 #include <cmath>
 #include <csignal>
 #include <cstring>
-#include <fstream>
 #include <stdexcept>
 #include <utility>
 
@@ -88,25 +87,6 @@ int milliseconds_until(Clock::time_point deadline) {
     return int(std::clamp<long long>(left, 0, 1 << 30));
 }
 
-/// Of a process and of all that come from it and still run.
-Process::Times times_of(int pid) {
-    const std::string place = fmt::format("/proc/{}/", pid);
-    std::ifstream stat(place + "stat"), schedule(place + "schedstat"),
-        children(place + fmt::format("task/{}/children", pid));
-    std::string text;
-    std::getline(stat, text, ')');  // the program's name is its own
-    double ticks = 0, computed = 0, delayed = 0;
-    for (int field = 3; stat >> text; ++field)
-        if (field >= 14 && field <= 17) ticks += std::strtod(text.c_str(), nullptr);
-    schedule >> computed >> delayed;
-    Process::Times times{ticks / double(sysconf(_SC_CLK_TCK)), delayed * 1e-9};
-    for (int child; children >> child;) {
-        const Process::Times more = times_of(child);
-        times.computed += more.computed, times.delayed += more.delayed;
-    }
-    return times;
-}
-
 }  // namespace
 
 Process::Process(const std::vector<std::string>& arguments, const Limits& limits, const std::string& folder,
@@ -168,7 +148,7 @@ void Process::kill_all() const {
     kill(pid_, SIGKILL);
 }
 
-Process::Times Process::times() const {
+Times Process::times() const {
     const Times now = times_of(pid_);
     return {now.computed, std::max(now.delayed, delayed_)};
 }

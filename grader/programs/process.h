@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "programs/times.h"
 #include "programs/walls.h"
 
 /// Programs run under limits, their output bounded. The grader never opens a file that one of them wrote.
@@ -54,10 +55,6 @@ public:
 
     /// Receives exactly that many bytes from its descriptor 3. None: it ended or the deadline passed.
     std::optional<std::string> receive(std::size_t bytes, Clock::time_point deadline);
-
-    struct Times {
-        double computed = 0, delayed = 0;  // CPU time; what it waited for a processor, which is the machine's doing [s]
-    };
 
     /// Until now, of the program and of all that it started and that still run.
     Times times() const;

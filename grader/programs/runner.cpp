@@ -101,6 +101,19 @@ Fault Runner::thrown(const std::string& what) {
     return {Verdict::crashed, "threw an exception: " + line, {}};
 }
 
+void Runner::begin_count() {
+    answers_seconds_ = 0, own_delay_before_ = own_delay();
+    spent_before_ = spent_ = process_->times();
+}
+
+double Runner::seconds_in_all() {
+    if (answers_seconds_ < 1) return answers_seconds_;
+    const Times now = process_->times();  // which are nothing of who has ended
+    spent_ = {std::max(spent_.computed, now.computed), std::max(spent_.delayed, now.delayed)};
+    const double waited = spent_.delayed - spent_before_.delayed + own_delay() - own_delay_before_;
+    return std::max(spent_.computed - spent_before_.computed, answers_seconds_ - waited);
+}
+
 Outcome<Runner::Answer> Runner::exchange(const std::string& request, std::size_t most_bytes) {
     const auto start = Clock::now();
     auto outcome = exchange_once(request, most_bytes);

@@ -54,14 +54,10 @@ public:
     /// CPU time of the last answer, by the child's own account, and no longer than the answer took.
     double seconds() const { return last_seconds_; }
 
-    /// Wall time of all answers since the count began, also of one that did not come, by the grader's clock; without
-    /// what the program waited for a processor.
-    double seconds_in_all() {
-        if (answers_seconds_ < 1) return answers_seconds_;
-        delayed_ = std::max(delayed_, process_->times().delayed);  // which is nothing of who has ended
-        return std::max(0.0, answers_seconds_ - (delayed_ - delayed_before_));
-    }
-    void begin_count() { answers_seconds_ = 0, delayed_before_ = delayed_ = process_->times().delayed; }
+    /// What all answers have taken since the count began, also one that did not come: their CPU time or, where that is
+    /// more, the time by the clock without what the program, and the grader here, waited for a processor.
+    double seconds_in_all();
+    void begin_count();
 
     /// Whether an answer has ever come.
     bool has_answered() const { return has_answered_; }
@@ -88,7 +84,9 @@ private:
     std::unique_ptr<Process> process_;
     std::string scene_, fragment_;  // what the child was told last
     rt::ivec2 size_{0};             // of that scene's image
-    double last_seconds_ = 0, exchange_seconds_ = 0, answers_seconds_ = 0, delayed_ = 0, delayed_before_ = 0;
+    double last_seconds_ = 0, exchange_seconds_ = 0, answers_seconds_ = 0;
+    Times spent_{}, spent_before_{};  // at the last look; as the count began
+    double own_delay_before_ = 0;
     bool has_answered_ = false;
     std::vector<double> last_rays_;
 };
