@@ -149,7 +149,7 @@ std::optional<Relation> relation_of_parts(const Calls& calls, const Ask& ask_rig
             found->kind = Relation::Kind::sentence;
         if (all) {
             found->said = all->words() + "; " + found->words(), found->calls.clear();
-            found->kind = Relation::Kind::sentence;
+            found->kind = Relation::Kind::sentence, found->of_two = true;
             found->everywhere = found->everywhere && all->everywhere;
             found->is_constant = found->is_constant || all->is_constant;
             found->only_where_not_nothing = all->only_where_not_nothing;
