@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <map>
 #include <memory>
 
 #include "diagnosis/forms/asked.h"
@@ -11,6 +13,15 @@ namespace grade {
 
 namespace {
 
+bool has_word(const std::string& text, const std::string& word) {
+    const auto is_letter = [&](std::size_t i) {
+        return i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) || text[i] == '_');
+    };
+    for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1))
+        if (!is_letter(at - 1) && !is_letter(at + word.size())) return true;
+    return false;
+}
+
 /// The number variables of a form that every call computes, as arguments behind the call's.
 class Variables {
 public:
@@ -18,13 +29,12 @@ public:
         for (std::size_t i = 0; i < form.nodes.size(); ++i)
             if (std::string_view(form.nodes[i].name) != form.nodes[i].text)
                 nodes_.push_back(i), names_.push_back({"Real", form.nodes[i].name}),
-                    formulas_.push_back(form.nodes[i].text);
+                    formulas_.emplace(form.nodes[i].name, form.nodes[i].text);
         for (std::size_t k = 0; k < calls.size(); ++k) {
             take(calls.rows[k], calls.layouts[k]);
             for (std::size_t i = nodes_.size(); i-- > 0;)
                 if (textbook::watch.values[nodes_[i]].kind != textbook::Value::Kind::number)
-                    nodes_.erase(nodes_.begin() + std::ptrdiff_t(i)), names_.erase(names_.begin() + std::ptrdiff_t(i)),
-                        formulas_.erase(formulas_.begin() + std::ptrdiff_t(i));
+                    nodes_.erase(nodes_.begin() + std::ptrdiff_t(i)), names_.erase(names_.begin() + std::ptrdiff_t(i));
         }
     }
 
@@ -36,12 +46,17 @@ public:
         return row;
     }
 
-    /// ", with `c = dot(f, f)`" of those among the numbers that are variables.
-    std::string formulas_of(const std::vector<std::string>& numbers) const {
+    /// ", with `c = dot(f, f)`, and `f = a - b`" of those among the numbers that are variables, and of what these are
+    /// made of.
+    std::string formulas_of(std::vector<std::string> numbers) const {
         std::string all;
-        for (std::size_t i = 0; i < names_.size(); ++i)
-            if (std::ranges::count(numbers, names_[i].name) > 0)
-                all += fmt::format(", {} `{} = {}`", all.empty() ? "with" : "and", names_[i].name, formulas_[i]);
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            const auto found = formulas_.find(numbers[i]);
+            if (found == formulas_.end()) continue;
+            all += fmt::format(", {} `{} = {}`", all.empty() ? "with" : "and", found->first, found->second);
+            for (const auto& [name, formula] : formulas_)
+                if (has_word(found->second, name) && std::ranges::count(numbers, name) == 0) numbers.push_back(name);
+        }
         return all;
     }
 
@@ -49,7 +64,7 @@ private:
     Asked& asked_;
     std::vector<std::size_t> nodes_;
     std::vector<Signature::Argument> names_;
-    std::vector<std::string> formulas_;
+    std::map<std::string, std::string> formulas_;  // of all variables
 };
 
 /// In the variables of a form; none: they do not.
