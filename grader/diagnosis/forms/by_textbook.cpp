@@ -85,7 +85,7 @@ std::optional<Relation> known_mistake_in_part(const Calls& calls, bool sampled) 
             if (other.says.empty() || other.fragment == form.fragment || !form.calls.contains(other.fragment)) continue;
             const textbook::StandIn stand_in(other);
             if (const auto cost = cost_as(form, calls, sampled, wrong_parts))
-                return named(other, fmt::format("in place of `{}` {}", other.fragment, other.says), *cost);
+                return named(other, fmt::format("in place of `{}` this: {}", other.fragment, other.says), *cost);
         }
     }
     return std::nullopt;

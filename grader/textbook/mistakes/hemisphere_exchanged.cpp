@@ -1,4 +1,4 @@
-// says, reordered: the sine over pi as the density: the cosine is the z of the direction, if that is not exchanged
+// says, reordered: sine and cosine exchanged, in the direction or in the density; expected its z, over pi, as the density
 DirectionSample cosine_hemisphere(vec2 u) {
     const Real sine = std::sqrt(u.x);
     const Real cosine = std::sqrt(1 - u.x);
