@@ -1,4 +1,4 @@
-// says: the power of specular times the cosine; expected specular times the power of the cosine alone
+// says: the power of specular * cosine; expected specular times the power of the cosine alone
 Color direct_light(const Material& material, Color radiance, const LightSample& light, vec3 n, vec3 to_viewer) {
     const Real cosine = dot(n, light.direction);
     if (cosine <= 0 || light.density <= 0) return Color(0);

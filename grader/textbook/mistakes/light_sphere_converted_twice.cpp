@@ -1,4 +1,4 @@
-// says: of a sphere, distance^2 / cosine times the density of sphere_cone, which is per solid angle already
+// says: the density of sphere_cone, per solid angle already, times distance^2 / cosine; expected that density itself
 LightSample light_sample(const Emitter& light, vec3 p, vec2 u) {
     const LightSample right = light_sample(light, p, u);
     if (light.kind != Emitter::Kind::sphere || right.density <= 0) return right;

@@ -1,4 +1,4 @@
-// says: of a sphere, the length of the tangent, sqrt(d^2 - r^2), as the distance; expected that along the direction
+// says: the length of a sphere's tangent, sqrt(d^2 - r^2), as the distance; expected that along the direction
 LightSample light_sample(const Emitter& light, vec3 p, vec2 u) {
     const LightSample right = light_sample(light, p, u);
     if (light.kind != Emitter::Kind::sphere) return right;

@@ -1,4 +1,4 @@
-// says: the power of specular times the cosine; expected specular times the power of the cosine alone
+// says: the power of specular * cosine; expected specular times the power of the cosine alone
 Color phong(const Material& material, Color ambient, Color irradiance, vec3 n, vec3 to_light, vec3 to_viewer) {
     const Real cosine = dot(n, to_light);
     if (cosine <= 0) return material.ambient * ambient;
