@@ -119,7 +119,8 @@ std::string example(const Finding& finding) {
 std::string in_order(const FragmentRecord& fragment, const FirstHint& hint) {
     const Finding& finding = fragment.finding;
     // of causes of a few calls each, that of all calls is the right one
-    const bool is_of_few = hint.is_disputed && finding.by_textbook;
+    const bool is_of_few =
+        hint.is_disputed && finding.by_textbook && finding.how.starts_with("the fragment answers exactly");
     const bool is_sure = hint.worth == StatisticRecord::Worth::cause && !is_of_few;
     const bool is_wrong_first = hint.is_slow && !finding.how.empty();
     const bool is_nan_alone = hint.is_nan && finding.of_nan;  // then the usual reasons of a nan say less

@@ -1,4 +1,4 @@
-// says: the size of the cosine at the lamp, so that its back shines too; expected density 0 there
+// says: abs(cosine) at the lamp, so that its back shines too; expected density 0 there
 LightSample light_sample(const Emitter& light, vec3 p, vec2 u) {
     const LightSample right = light_sample(light, p, u);
     if (light.kind == Emitter::Kind::sphere) return right;
