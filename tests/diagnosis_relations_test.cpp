@@ -20,7 +20,7 @@ TEST_CASE("where nothing comes, nobody must look somewhere: only the density is 
         CHECK(finding.answer.starts_with("density = "));
         CHECK(finding.right == "density = 0");
     }
-    CHECK_THAT(found("light_sample", lamps(), both_sides).how, ContainsSubstring("`abs(cosine)` in place of `cosine`"));
+    CHECK_THAT(found("light_sample", lamps(), both_sides).how, ContainsSubstring("abs(cosine) at the lamp"));
 }
 
 TEST_CASE("of a lamp of one kind, the others' fields are not told") {

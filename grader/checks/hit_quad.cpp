@@ -94,6 +94,7 @@ auto up_to(double (*limit)(vec3 edge)) {
 Checks check_hit_quad(Generator& random) {
     const FlatShape<Quad> flat{.point = [](const Quad& q) { return q.center; },
                                .normal = normal_of_quad,
+                               .product = [](const Quad& q) { return rt::cross(q.u, q.v); },
                                .inside = within(-1, 1),
                                .on_rim =
                                    [](const Quad& q, const Ray& ray) {

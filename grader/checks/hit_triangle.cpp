@@ -161,6 +161,7 @@ Checks check_hit_triangle(Generator& random) {
     const FlatShape<Triangle> flat{
         .point = [](const Triangle& t) { return t.a; },
         .normal = normal_of_triangle,
+        .product = [](const Triangle& t) { return rt::cross(t.b - t.a, t.c - t.a); },
         .inside = inside,
         .on_rim =
             [](const Triangle& t, const Ray& ray) {

@@ -99,6 +99,7 @@ struct FirstHint {
     StatisticRecord::Worth worth = StatisticRecord::Worth::guess;
     bool is_slow = false, is_changing = false;  // wrong answers may say why, or a variable without a value
     bool is_nan = false;                        // others may be wrong as well
+    bool is_disputed = false;                   // another check knows another cause
 };
 
 /// Whether a message says all: a program that breaks down, what is no number, what changes.
@@ -117,7 +118,10 @@ std::string example(const Finding& finding) {
 /// sure, not even a call.
 std::string in_order(const FragmentRecord& fragment, const FirstHint& hint) {
     const Finding& finding = fragment.finding;
-    const bool is_sure = hint.worth == StatisticRecord::Worth::cause;
+    // of causes of a few calls each, that of all calls is the right one
+    const bool is_of_few =
+        hint.is_disputed && finding.by_textbook && finding.how.starts_with("the fragment answers exactly");
+    const bool is_sure = hint.worth == StatisticRecord::Worth::cause && !is_of_few;
     const bool is_wrong_first = hint.is_slow && !finding.how.empty();
     const bool is_nan_alone = hint.is_nan && finding.of_nan;  // then the usual reasons of a nan say less
     std::string cause = (is_sure && !is_wrong_first && !is_nan_alone) || finding.how.empty() ? hint.words : finding.how;
@@ -157,6 +161,8 @@ Diagnosis diagnose(const FragmentRecord& fragment) {
     std::optional<Rank> best;
     std::string picture;  // where the picture of the first hint is wrong
     const auto tell = [&](Rank rank, const FirstHint& hint, const std::string& where_to_read, const Tiles& tiles) {
+        const bool are_causes = hint.worth == StatisticRecord::Worth::cause && first.worth == hint.worth;
+        if (best && *best == rank && are_causes && hint.words != first.words) first.is_disputed = true;
         if (best && *best <= rank) return;
         best = rank, first = hint, section = where_to_read;
         picture = tiles.empty() ? "" : tile_in_words(tiles, tiles.clearest());

@@ -92,7 +92,7 @@ inline double plane_crossing(const rt::Ray& ray, rt::vec3 point, rt::vec3 normal
 /// A flat shape, by its normal, and by whether the point where a ray's line meets its plane is inside, as its rim is.
 template <class Shape>
 struct FlatShape {
-    std::function<rt::vec3(const Shape&)> point, normal;
+    std::function<rt::vec3(const Shape&)> point, normal, product;  // of two edges
     std::function<bool(const Shape&, const rt::Ray&)> inside, on_rim;
     std::function<double(const Shape&)> size;
 
@@ -122,6 +122,13 @@ std::vector<Suspect<fragment>> flat_suspects(const FlatShape<Shape>& flat) {
     const auto within_rim = [=](const Shape& s, const rt::Ray& ray) {
         return flat.inside(s, ray) && !flat.on_rim(s, ray);
     };
+    // t as it is before it is divided by dot(n, direction)
+    const auto undivided = [=](auto n) {
+        return [=](const Shape& s, const rt::Ray& ray) {
+            const double t = flat.crossing(s, ray), whole = t * std::abs(rt::dot(n(s), ray.direction));
+            return flat.inside(s, ray) && in_interval(ray, whole) ? t : rt::inf;
+        };
+    };
     using rt::Ray;
     return {
         {"a ray that meets an edge or a corner exactly is a miss: it must hit, or neighbours have a gap between them",
@@ -136,6 +143,9 @@ std::vector<Suspect<fragment>> flat_suspects(const FlatShape<Shape>& flat) {
         {"the far end of the ray's interval is ignored", when([](const Ray& r, double t) { return t > r.near; })},
         {"the ends of the ray's interval are compared with a length; expected with t, in units of |direction|",
          when([](const Ray& r, double t) { return in_interval(r, t * glm::length(r.direction)); })},
+        {"near and far are compared with t before it is divided; expected after that", undivided(flat.product)},
+        {"near and far are compared with the distance from the plane; expected with t = that over dot(n, direction)",
+         undivided(flat.normal)},
         {"the whole plane is hit, not the shape alone",
          hit_where(
              flat, [](const Shape&, const Ray&) { return true; }, in_interval)},

@@ -58,8 +58,8 @@ std::optional<double> cost_as(const textbook::Form& form, const Calls& calls, bo
             Row row = calls.rows[k];
             base.make(row, calls.layouts[k]);
             const Row answer = asked.answer(row, calls.layouts[k]);
-            // one who divides by 0 in a form may have guarded against it
-            if (is_nan(answer, calls.mine[k])) return ++left_out, true;
+            // one who divides by 0 in a form may have guarded against it; a form of many steps may take too long
+            if (answer.empty() || is_nan(answer, calls.mine[k])) return ++left_out, true;
             wrong += calls.is_wrong(k);
             return is_as(calls, k, wrong_parts, answer);
         };
@@ -85,7 +85,7 @@ std::optional<Relation> known_mistake_in_part(const Calls& calls, bool sampled) 
             if (other.says.empty() || other.fragment == form.fragment || !form.calls.contains(other.fragment)) continue;
             const textbook::StandIn stand_in(other);
             if (const auto cost = cost_as(form, calls, sampled, wrong_parts))
-                return named(other, fmt::format("in place of `{}` {}", other.fragment, other.says), *cost);
+                return named(other, fmt::format("in place of `{}` this: {}", other.fragment, other.says), *cost);
         }
     }
     return std::nullopt;

@@ -105,15 +105,16 @@ namespace {
 
 /// Whether each ray starts a little way from the point along a direction; point, along: in the arguments.
 bool moves_along(const Calls& calls, std::size_t point, std::size_t origin, std::size_t along) {
-    constexpr double little = 1e-3, parallel = 1e-2;
+    constexpr double little = 1e-3, parallel = 1e-2, rounding = 3 * rt::roundoff;
     std::size_t measured = 0;
     for (std::size_t k = 0; k < calls.size(); ++k) {
         const rt::vec3 from = vector_at(calls.rows[k], point), by = vector_at(calls.mine[k], origin) - from;
         const double way = glm::length(by), size = 1 + rt::largest(from);
-        const bool is_rounded = way < 100 * rt::roundoff * size;  // then it has no direction
+        const bool is_rounded = way < 20 * rt::roundoff * size;  // then it has no direction
         if (way == 0 || way > little * size) return false;
         if (is_rounded) continue;
-        if (glm::length(rt::cross(by, vector_at(calls.rows[k], along))) > parallel * way) return false;
+        const double beside = glm::length(rt::cross(by, vector_at(calls.rows[k], along)));
+        if (beside > parallel * way + rounding * size) return false;
         ++measured;
     }
     return 2 * measured > calls.size();

@@ -180,8 +180,10 @@ std::string in_steps(const Calls& calls, const Spreads& own, const Spreads& due,
                 }
                 if (!is_so || constant == 0) continue;
                 const std::string words = number_in_words(constant);
-                return fmt::format("{} is always a whole multiple of `{}`", list[p].words,
-                                   power == 0 ? words : words + (power > 0 ? " * " : " / ") + s.name);
+                return fmt::format(
+                    "{} is always a whole multiple of `{}`; expected any value in between as well: smaller steps are "
+                    "steps too",
+                    list[p].words, power == 0 ? words : words + (power > 0 ? " * " : " / ") + s.name);
             }
     return {};
 }

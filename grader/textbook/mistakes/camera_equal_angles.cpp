@@ -1,4 +1,4 @@
-// says: equal steps on the film as equal angles, tan(x * half angle); on a flat film it is x * tan(half angle)
+// says: equal angles for equal steps on the film, tan(x * half angle); on a flat film it is x * tan(half angle)
 Ray camera_ray(const Camera& camera, vec2 film) {
     const Real half = std::atan(camera.tan_half_fov);
     const Real x = std::tan(half * (2 * film.x - camera.size.x) / camera.size.y);

@@ -1,4 +1,4 @@
-// says: steps of a tenth of the mean distance, so that distances are whole numbers of steps
+// says: steps of a tenth of the mean distance, and whole numbers of them; expected -log(1 - u) / extinction itself
 Real free_flight(Real extinction, Real u) {
     const Real step = 0.1 / extinction;
     Real t = 0;

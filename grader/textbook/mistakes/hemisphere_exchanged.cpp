@@ -1,4 +1,4 @@
-// says, reordered: the sine over pi as the density: the cosine is the z of the direction, if that is not exchanged
+// says, reordered: sine and cosine exchanged, in direction or density; expected the density z / pi, with the z returned
 DirectionSample cosine_hemisphere(vec2 u) {
     const Real sine = std::sqrt(u.x);
     const Real cosine = std::sqrt(1 - u.x);

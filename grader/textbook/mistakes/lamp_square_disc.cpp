@@ -1,4 +1,4 @@
-// says: of a disc, the square 2 * u - 1 in place of a point of the disk: its corners lie outside
+// says: the square 2 * u - 1 in place of a point of the disc: its corners lie outside
 LightSample light_sample(const Emitter& light, vec3 p, vec2 u) {
     if (light.kind != Emitter::Kind::disc) return light_sample(light, p, u);
     const vec2 at = light.disc.radius * (2.0 * u - vec2(1));

@@ -1,4 +1,4 @@
-// says: of a sphere, points of its whole surface with the density of a disc, 1/(pi r^2), a quarter of that surface
+// says: points of a sphere's whole surface with the density of a disc, 1/(pi r^2); that surface is four times as large
 LightSample light_sample(const Emitter& light, vec3 p, vec2 u) {
     if (light.kind != Emitter::Kind::sphere) return light_sample(light, p, u);
     const Real z = 1 - 2 * u.x;

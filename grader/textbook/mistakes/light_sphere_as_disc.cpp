@@ -1,4 +1,4 @@
-// says: of a sphere, points of the disc across it that faces p; expected points of what is seen of its surface
+// says: points of the disc across a sphere, which faces p; expected points of what is seen of its surface
 LightSample light_sample(const Emitter& light, vec3 p, vec2 u) {
     if (light.kind != Emitter::Kind::sphere) return light_sample(light, p, u);
     const vec3 c = center(light) - p;

@@ -1,0 +1,4 @@
+// says: a ray that starts at the light and goes to the surface; expected from the surface towards the light
+Ray shadow_ray(const Hit& hit, vec3 to_light, Real distance) {
+    return {hit.point + distance * to_light, -to_light, 0, distance * short_of_light};
+}
