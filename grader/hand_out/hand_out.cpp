@@ -209,7 +209,9 @@ void write_kit(const fs::path& project, const Assignment& assignment, const fs::
     write_starter(blanks, (folder / "starter/fragments").string());
     write_starter(blanks, (folder / "grader/blanks").string());
     copy_folder(folder_of_glm(built) / "glm", folder / "grader/include/glm");
-    fs::remove_all(folder / "grader/include/glm/gtx");  // GLM's experimental part, half a megabyte
+    // of GLM, half a megabyte that no renderer needs: what is experimental, numbers in few bits, noise, all at once
+    for (const char* part : {"gtx", "gtc/packing.hpp", "gtc/packing.inl", "gtc/noise.hpp", "gtc/noise.inl", "ext.hpp"})
+        fs::remove_all(folder / "grader/include/glm" / part);
     write_machine(built, program, folder / "grader" / kind_of_machine(), whom);
     for (const fs::path& kit : others) add_machines(kit, folder);
 }
