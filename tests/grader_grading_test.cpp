@@ -1,6 +1,7 @@
 #include "catch.h"
 #include "diagnosis/diagnosis.h"
 #include "graded.h"
+#include "judging/own_picture.h"
 #include "report/json.h"
 
 using namespace grade;
@@ -164,4 +165,29 @@ TEST_CASE("only checks whose fragment has changed run again, and come out as the
     CHECK(third.reused == 1);  // what is kept of camera_ray is of its edited text
     CHECK(verdicts(third) == verdicts(again(wrong, false)));
     CHECK(again(wrong, true).reused == 3);
+}
+
+TEST_CASE("a picture is drawn once for the same program, also where none came in its time") {
+    const TemporaryFolder folder;
+    const auto drawn = [&](const std::string& text) {
+        BuildSettings build;
+        build.kept = Kept(folder.path(), toolchain());
+        Progress progress(nullptr);
+        Programs programs(submission({{"mirror_direction", text}}), toolchain(), build, progress);
+        programs.compile({"mirror_direction"});
+        return draw_compared(programs, programs.must_link({"mirror_direction"}), "scenes/mirror.toml",
+                             {1, {16, 16}, 1, 1});
+    };
+    const std::string good = solution("mirror_direction"), endless = mirror("for (;;) d.x += 1;");
+    const Compared first = drawn(good), again = drawn(good);
+    CHECK((first.mine.seconds > 0 && first.right.seconds > 0));
+    CHECK((again.mine.seconds == 0 && again.right.seconds == 0));
+    CHECK(again.mine.image.pixels == first.mine.image.pixels);
+    CHECK(first.mine.image.pixels == first.right.image.pixels);
+    CHECK(drawn("\n" + good).mine.seconds == 0);  // the same program
+
+    const std::string late = drawn(endless).mine.fault;
+    CHECK(late == "ran longer than 1 s");
+    CHECK(drawn(endless).mine.fault == late);
+    CHECK(drawn(good).mine.seconds > 0);  // the last one alone is kept
 }

@@ -118,9 +118,8 @@ std::string example(const Finding& finding) {
 /// sure, not even a call.
 std::string in_order(const FragmentRecord& fragment, const FirstHint& hint) {
     const Finding& finding = fragment.finding;
-    // of causes of a few calls each, that of all calls is the right one
-    const bool is_of_few =
-        hint.is_disputed && finding.by_textbook && finding.how.starts_with("the fragment answers exactly");
+    // of causes of a few calls each, a mistake that explains all calls is the right one
+    const bool is_of_few = hint.is_disputed && finding.has_name;
     const bool is_sure = hint.worth == StatisticRecord::Worth::cause && !is_of_few;
     const bool is_wrong_first = hint.is_slow && !finding.how.empty();
     const bool is_nan_alone = hint.is_nan && finding.of_nan;  // then the usual reasons of a nan say less

@@ -111,6 +111,7 @@ private:
         if (is_exact(relation_)) {
             finding_.by_arguments = relation_->by_arguments, finding_.by_textbook = relation_->by_textbook;
             finding_.by_repair = relation_->by_repair;
+            finding_.has_name = relation_->kind == Relation::Kind::named_mistake;
         }
         return true;
     }

@@ -67,7 +67,8 @@ void each_field(Some<Finding> auto& f, auto&& field) {
     field("how", f.how), field("where", f.where), field("arguments", f.arguments), field("answer", f.answer);
     field("right", f.right), field("sampled", f.sampled), field("code", f.code), field("command", f.command);
     field("fault", f.fault), field("of_numbers", f.of_numbers), field("line", f.line),
-        field("says_which", f.says_which), field("by_textbook", f.by_textbook), field("of_nan", f.of_nan);
+        field("says_which", f.says_which), field("by_textbook", f.by_textbook), field("of_nan", f.of_nan),
+        field("has_name", f.has_name);
 }
 
 void each_field(Some<Drawn> auto& d, auto&& field) { field("image", d.image), field("fault", d.fault); }

@@ -85,6 +85,7 @@ struct Finding {
     std::string of_numbers{};
     int line = 0;  // 0: unknown
     bool says_which = false, by_arguments = false, by_textbook = false, by_repair = false, of_nan = false;
+    bool has_name = false;  // it is a mistake that has one
     double cpu_seconds = 0;
 };
 
