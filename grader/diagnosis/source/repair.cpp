@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "diagnosis/rules/precision.h"
 #include "diagnosis/source/edited_calls.h"
 #include "diagnosis/source/edits_in_words.h"
 #include "diagnosis/source/effect.h"
@@ -29,10 +30,11 @@ public:
         auto repair = of_all(one);
         if (!repair) repair = of_all(renamed(all_, changes));
         constexpr double odd = 1.6;
-        if (!repair || repair->cost > odd) {
+        // answers that are nearly right lack digits, not an expression
+        if ((!repair || repair->cost > odd) && !are_near(calls_)) {
             const std::vector<Mistake> borrowing = with_borrowed();
             auto other = of_all(alone(borrowing));
-            if (other) other->is_borrowed = true;
+            if (other) other->is_borrowed = true, other->is_simple = false;
             if (other && (!repair || other->cost < repair->cost)) repair = other;
         }
         if (repair || only_one) return repair;
