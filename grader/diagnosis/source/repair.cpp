@@ -30,8 +30,8 @@ public:
         auto repair = of_all(one);
         if (!repair) repair = of_all(renamed(all_, changes));
         constexpr double odd = 1.6;
-        // answers that are nearly right lack digits, not an expression
-        if ((!repair || repair->cost > odd) && !are_near(calls_)) {
+        // answers that are nearly right, or mostly, lack digits, not an expression
+        if ((!repair || repair->cost > odd) && !are_near(calls_) && 4 * calls_.wrong().size() > calls_.size()) {
             const std::vector<Mistake> borrowing = with_borrowed();
             auto other = of_all(alone(borrowing));
             if (other) other->is_borrowed = true, other->is_simple = false;
