@@ -58,6 +58,10 @@ for file in a.png a_mine.exr a_right.exr a_difference.exr; do expect 0 "$file" l
 expect 0 "the same, bit by bit" ./grade picture scenes/mirror.toml --mine phong -o "$work/b.png" --size 60x40
 expect 0 "pictures/phong.png: yours" ./grade picture scenes/phong.toml --mine phong --size 60x40
 expect 0 "/pictures/" grep pictures .gitignore
+# beside the scenes lie the handout's
+before=$(cat scenes/pictures/* | sha256sum)
+(cd scenes && expect 0 "pictures/phong.png: yours" ../grade picture phong.toml --mine phong --size 60x40; exit "$failures") || failures=$((failures + 1))
+expect 0 "$before" bash -c 'cat scenes/pictures/* | sha256sum'
 expect 2 "moved: not started" ./grade picture scenes/phong.toml --mine moved -o "$work/c.png"
 expect 2 "expected phong?" ./grade picture scenes/phong.toml --mine phon -o "$work/c.png"
 expect 2 "none.toml" ./grade picture scenes/none.toml

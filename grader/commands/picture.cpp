@@ -76,10 +76,13 @@ void check_names(const std::vector<std::string>& mine, const Toolchain& chain, c
             throw rt::InputError(fmt::format("--mine {}: no fragment has this name", name));
 }
 
-/// Where nothing else lies: a kit's .gitignore names the folder.
-fs::path default_out(const std::string& scene) {
-    fs::create_directories("pictures");
-    return fs::path("pictures") / (fs::path(scene).stem().string() + ".png");
+/// Where nothing else lies: .gitignore names the folder. Not beside scenes, where the handout's pictures are.
+fs::path default_out(const std::string& scene, const Toolchain& chain) {
+    std::error_code error;
+    const bool is_beside_scenes = fs::equivalent(fs::current_path(), chain.source / "scenes", error);
+    const fs::path folder = is_beside_scenes ? chain.source / "pictures" : fs::path("pictures");
+    fs::create_directories(folder);
+    return folder / (fs::path(scene).stem().string() + ".png");
 }
 
 /// The program with the fragments that are asked for, and what stands in for the others.
@@ -139,7 +142,7 @@ int run_picture(const PictureArguments& arguments, const Context& context) {
     const bool is_warp = std::ranges::count(names, arguments.scene) > 0;
     const Rows calls = is_warp ? calls_of_warp(arguments.scene, arguments.with, chain) : Rows();
     if (!is_warp) require_scene(arguments.scene, names, chain.source / "scenes");
-    const fs::path out = arguments.out.empty() ? default_out(arguments.scene) : fs::path(arguments.out);
+    const fs::path out = arguments.out.empty() ? default_out(arguments.scene, chain) : fs::path(arguments.out);
     require_file(out.string(), "--out");
     if (out.extension() != ".png")
         throw rt::InputError(out.string() + ": unknown kind of image; expected --out NAME.png");

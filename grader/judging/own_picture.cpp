@@ -51,10 +51,12 @@ Compared draw_compared(Programs& programs, const fs::path& mine, const fs::path&
         Runner runner(programs.copy_for(name, program()), programs.sandbox(), meshes, limit);
         auto outcome = runner.render(experiment, settings.seed, false);
         Drawn drawn{{}, "", runner.seconds()};
-        if (const Fault* bad = std::get_if<Fault>(&outcome))
+        if (const Fault* bad = std::get_if<Fault>(&outcome)) {
             drawn.fault = bad->message;
-        else
+            if (bad->trouble != Trouble::endless) return drawn;  // it is soon there again, and may be the machine's
+        } else {
             drawn.image = std::move(std::get<rt::Image>(outcome));
+        }
         kept.keep_drawn(name, made_from, drawn);
         return drawn;
     };

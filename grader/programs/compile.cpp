@@ -8,6 +8,7 @@
 #include "files/files.h"
 #include "programs/cache.h"
 #include "programs/object.h"
+#include "programs/wrong_signature.h"
 #include "submission/source_fault.h"
 
 namespace grade {
@@ -133,36 +134,6 @@ void check_compiler(const Toolchain& chain, const Sandbox& sandbox, const fs::pa
         throw std::runtime_error(
             fmt::format("the compiler does not work on this machine now, not even on an empty file: {}",
                         ending.err.empty() ? "it says nothing" : ending.err.substr(0, 300)));
-}
-
-/// Names for people of symbols that a student may have made up.
-std::vector<std::string> demangled(const Sandbox& sandbox, std::vector<std::string> symbols, const fs::path& work) {
-    std::vector<std::string> command{"/usr/bin/c++filt"}, names;
-    command.insert(command.end(), symbols.begin(), symbols.end());
-    Step step = tool(command, work);
-    step.limits.cpu_seconds = step.limits.most_cpu_seconds = 2;
-    step.limits.memory = 256u << 20;
-    std::istringstream lines(run(sandbox, step).out);
-    for (std::string line; std::getline(lines, line);) names.push_back(line.substr(0, 300));
-    return names.size() == symbols.size() ? names : symbols;
-}
-
-/// What the object defines under the fragment's name, and what fragments.h declares.
-std::string wrong_signature(const Toolchain& chain, const Sandbox& sandbox, const ObjectFile& object,
-                            const std::string& fragment, const std::string& shown, const fs::path& work) {
-    constexpr std::size_t most_names = 16;
-    std::vector<std::string> symbols{chain.symbols.at(fragment)};
-    for (const std::string& symbol : object.defined)
-        if (symbol.find(fragment) != symbol.npos && symbols.size() < most_names) symbols.push_back(symbol);
-    const std::vector<std::string> names = demangled(sandbox, symbols, work);
-    std::string found;
-    for (std::size_t i = 1; i < names.size(); ++i)
-        if (names[i].find(fragment + "(") != names[i].npos) found = names[i];
-    if (found.empty())
-        return fmt::format("{}: error: no function {} is defined here; fragments.h declares\n    {}\n", shown, fragment,
-                           names[0]);
-    return fmt::format("{}: error: the signature differs from fragments.h:\n    here         {}\n    fragments.h  {}\n",
-                       shown, found, names[0]);
 }
 
 /// What a tool has made, where it may go on to the next one. Throws BadObject where it may not.

@@ -45,15 +45,16 @@ public:
         return is_some_number(kind) || kind == Value::Kind::vector ? std::optional(kind) : std::nullopt;
     }
 
-    /// "direction.z", where the expression is that part of the right answers; empty: it is none.
-    std::string part_of_answer(std::size_t node) const {
+    /// "direction.z", where the expression is that part of the right answers, or "" where the part has no name; none:
+    /// it is no part of them.
+    std::optional<std::string> part_of_answer(std::size_t node) const {
         for (const Field& part : calls_.result.parts) {
             const std::size_t count = size_of(part.kind);
-            if (is_as_part(node, part.at, count)) return part.name.empty() ? "the answer" : part.name;
+            if (is_as_part(node, part.at, count)) return part.name;
             for (std::size_t c = 0; c < count && count > 1; ++c)
-                if (is_as_part(node, part.at + c, 1)) return part.name + "." + "xyz"[c];
+                if (is_as_part(node, part.at + c, 1)) return part.name.empty() ? "" : part.name + "." + "xyz"[c];
         }
-        return {};
+        return std::nullopt;
     }
 
     /// The expression, with what its variables stand for; empty: that is long, or cannot be said.
@@ -103,7 +104,7 @@ private:
                 all += name;
                 continue;
             }
-            std::string meaning = part_of_answer(set->second);
+            std::string meaning = part_of_answer(set->second).value_or("");
             if (meaning.empty() && depth < deepest)
                 meaning = bracketed(expanded(form_.nodes[set->second].text, depth + 1));
             const bool has_field = at < text.size() && text[at] == '.';
@@ -150,7 +151,7 @@ void Borrowed::add_form(const Calls& calls, const textbook::Form& form) {
     for (std::size_t i = 0; i < form.nodes.size() && all_.size() < most; ++i) {
         const auto kind = said.kind_of(i);
         // to say what the answer is would be no hint
-        if (!kind || !form.nodes[i].function.empty() || !said.part_of_answer(i).empty()) continue;
+        if (!kind || !form.nodes[i].function.empty() || said.part_of_answer(i)) continue;
         const std::string words = said.words(i);
         const bool is_computed = words.find_first_of("(*/+- ") != words.npos;
         const auto is_same = [&](const Expression& other) { return other.words == words; };
